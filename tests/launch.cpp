@@ -21,8 +21,7 @@ namespace morula::test {
 namespace {
 
 /// In the child: becomes the program.
-[[noreturn]] void become(const std::vector<std::string>& arguments, const Environment& environment, int out,
-                         int err) {
+[[noreturn]] void become(const std::vector<std::string>& arguments, const Environment& environment, int out, int err) {
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
@@ -102,15 +101,13 @@ void waitUntilComputing(int process) {
   waitUntil([&] {
     const std::string status = readWhole(folder + "/status"), caught = "SigCgt:\t";
     const auto at = status.find(caught);
-    return at != status.npos &&
-           (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
+    return at != status.npos && (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
   });
   const long begun = cpuTime();
   waitUntil([&] { return cpuTime() >= begun + sysconf(_SC_CLK_TCK) / 10; });
 }
 
-std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
-                                         const Environment& environment) {
+std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment) {
   const Terminal ends = openTerminal();
   if (ends.program < 0) return {};
   const TemporaryFolder folder;
@@ -172,8 +169,6 @@ std::string readWhole(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void writeWhole(const std::string& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
+void writeWhole(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 }  // namespace morula::test

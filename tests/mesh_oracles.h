@@ -52,8 +52,7 @@ inline bool isInside(const Point& point, Points vertices, Faces faces) {
   int winding = 0;
   Slice s;
   for (const auto& [a, b, c] : faces)
-    if (slice(vertices[a], vertices[b], vertices[c], point.y, s) && s.meets(point.x) &&
-        s.heightAt(point.x) > point.z)
+    if (slice(vertices[a], vertices[b], vertices[c], point.y, s) && s.meets(point.x) && s.heightAt(point.x) > point.z)
       winding += s.sign;
   return winding > 0;
 }

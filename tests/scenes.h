@@ -106,8 +106,7 @@ inline Scene ellipsoid() {
   s.mechanics->physics.drag = 0.5;
   s.mechanics->contact = pairContactWithFriction;
   s.mechanics->division.otherwise.plane = DivisionPlane::random;
-  s.mechanics->connections =
-      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
+  s.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.5;
   s.stop.cycles.reset();
   return s;
@@ -136,8 +135,7 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   p.drag = 0.3;
   p.growth = GrowthParameters{0.1};
   s.mechanics->contact = pairContactWithFriction;
-  s.mechanics->connections =
-      ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 1.6};
+  s.mechanics->connections = ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 1.6};
   return s;
 }
 
@@ -152,8 +150,7 @@ inline Scene spheres() {
   p.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->contact = pairContactWithFriction;
   s.mechanics->division.otherwise.plane = DivisionPlane::random;
-  s.mechanics->connections =
-      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
+  s.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
   s.stop.time = 4.5;
   return s;
 }
@@ -232,9 +229,8 @@ inline Scene turning() {
 /// Cells that grow in a shell, divide by what they have gained, and stop while they are pressed or surrounded.
 inline Scene sensing() {
   Scene s = withBodies(everybodyDivides, 9);
-  s.dna =
-      dnaThatSenses("START: a0, grow\ng1(a0|a0)\ng2(divide|a0, !crowded, !pressed)\ng3(grow|a0, !pressed)\n",
-                    {"crowded", "pressed"});
+  s.dna = dnaThatSenses("START: a0, grow\ng1(a0|a0)\ng2(divide|a0, !crowded, !pressed)\ng3(grow|a0, !pressed)\n",
+                        {"crowded", "pressed"});
   s.name = "sensing";
   PhysicsParameters& p = s.mechanics->physics;
   p.drag = 1;

@@ -17,9 +17,7 @@ constexpr std::size_t hugePage = 2 << 20;
 constexpr std::size_t hugePage = line;  // there are none
 #endif
 
-std::align_val_t alignmentOf(std::size_t bytes) {
-  return std::align_val_t(bytes < hugePage ? line : hugePage);
-}
+std::align_val_t alignmentOf(std::size_t bytes) { return std::align_val_t(bytes < hugePage ? line : hugePage); }
 
 }  // namespace
 

@@ -36,8 +36,7 @@ int editDistance(std::string_view a, std::string_view b) {
 }
 
 bool equalButForCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::string closest(std::string_view word, std::span<const std::string> candidates) {

@@ -77,8 +77,7 @@ FieldReader::Header FieldReader::open(std::string_view name, std::string_view ki
   const std::string_view found = take(takeNumber());
   if (found != name) refuse("the field '" + std::string(name) + "' is missing where it should be");
   const char kind = take(1)[0];
-  if (kinds.find(kind) == kinds.npos)
-    refuse("the field '" + std::string(name) + "' holds values of another kind");
+  if (kinds.find(kind) == kinds.npos) refuse("the field '" + std::string(name) + "' holds values of another kind");
   const std::uint64_t count = takeNumber();
   if (count > rest_.size())  // no value is shorter than a byte
     refuse("the field '" + std::string(name) + "' announces more values than there are bytes");

@@ -12,8 +12,7 @@ class Indirect {
   Indirect(T value) : value_(new T(std::move(value))), operations_(&known()) {}
   Indirect(const Indirect& other)
       : value_(other ? other.operations_->copy(*other.value_) : nullptr), operations_(other.operations_) {}
-  Indirect(Indirect&& other) noexcept
-      : value_(std::exchange(other.value_, nullptr)), operations_(other.operations_) {}
+  Indirect(Indirect&& other) noexcept : value_(std::exchange(other.value_, nullptr)), operations_(other.operations_) {}
   Indirect& operator=(Indirect other) noexcept {
     std::swap(value_, other.value_), std::swap(operations_, other.operations_);
     return *this;
@@ -37,8 +36,7 @@ class Indirect {
   };
   /// To be called where T is known: where a value is made.
   static const Operations& known() {
-    static constexpr Operations operations{[](const T& value) { return new T(value); },
-                                           [](T* value) { delete value; }};
+    static constexpr Operations operations{[](const T& value) { return new T(value); }, [](T* value) { delete value; }};
     return operations;
   }
 

@@ -11,8 +11,7 @@ std::vector<Isa> availableIsas() {
 #if defined(MORULA_WITH_AVX)
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2")) all.push_back(Isa::avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
     all.push_back(Isa::avx512);
 #endif
   return all;
@@ -34,8 +33,7 @@ Isa parseIsa(std::string_view word) {
     if (word == name(isa)) return isa;
     known += (known.empty() ? "" : ", ") + std::string(name(isa));
   }
-  throw InputError("instruction set \"" + std::string(word) +
-                   "\" is not available here; available: " + known);
+  throw InputError("instruction set \"" + std::string(word) + "\" is not available here; available: " + known);
 }
 
 }  // namespace morula

@@ -11,8 +11,7 @@ template <int bytes>
 MORULA_INLINE void prefetch(const void* place, std::int64_t from) {
   const auto address = reinterpret_cast<std::uintptr_t>(place) + static_cast<std::uintptr_t>(from);
 #pragma GCC unroll 16
-  for (int line = 0; line < bytes; line += 64)
-    __builtin_prefetch(reinterpret_cast<const void*>(address + line), 0, 2);
+  for (int line = 0; line < bytes; line += 64) __builtin_prefetch(reinterpret_cast<const void*>(address + line), 0, 2);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -49,8 +49,7 @@ MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
 /// Four consecutive doubles of each of `width` rows ↔ four columns. Its own inverse for width ≥ 4.
 #if MORULA_WIDTH >= 4
 MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d, Lanes column[4]) {
-  const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d),
-                 high2 = MORULA_HIGH(c, d);
+  const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d), high2 = MORULA_HIGH(c, d);
   column[0] = MORULA_FIRST_PAIRS(low, low2);
   column[1] = MORULA_FIRST_PAIRS(high, high2);
   column[2] = MORULA_LAST_PAIRS(low, low2);
@@ -70,8 +69,7 @@ MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes
   const double* row[4];
   for (int i = 0; i < 4; ++i) row[i] = rows + std::int64_t(index[i]) * 8;
   for (int c = 0; c < 8; c += 4)
-    transposeFours(load(row[0] + c).v, load(row[1] + c).v, load(row[2] + c).v, load(row[3] + c).v,
-                   column + c);
+    transposeFours(load(row[0] + c).v, load(row[1] + c).v, load(row[2] + c).v, load(row[3] + c).v, column + c);
 #else
   typedef double Four __attribute__((vector_size(32)));
   const double* row[8];
@@ -105,8 +103,7 @@ MORULA_INLINE void storeRows(double* firstRow, const Lanes column[rowColumns]) {
 #else
     for (int i = 0; i < 4; ++i) {
       const RawLanes v = r[i].v;
-      const auto first = __builtin_shufflevector(v, v, 0, 1, 2, 3),
-                 second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+      const auto first = __builtin_shufflevector(v, v, 0, 1, 2, 3), second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
       __builtin_memcpy(firstRow + 8 * i + c, &first, sizeof first);
       __builtin_memcpy(firstRow + 8 * (i + 4) + c, &second, sizeof second);
     }
@@ -127,8 +124,7 @@ MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
 #elif MORULA_WIDTH == 4
   const FloatLanes both = __builtin_shufflevector(first, second, 0, 4, 1, 5, 2, 6, 3, 7);
 #else
-  const FloatLanes both =
-      __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
+  const FloatLanes both = __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
 #endif
   Lanes packed;
   __builtin_memcpy(&packed.v, &both, sizeof both);

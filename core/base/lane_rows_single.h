@@ -76,8 +76,7 @@ MORULA_INLINE void storeRows(float* firstRow, const Lanes column[rowColumns]) {
       store(firstRow + rowStride * i + c, r[i]);
 #else
       const RawLanes v = r[i].v;
-      const Four first = __builtin_shufflevector(v, v, 0, 1, 2, 3),
-                 second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+      const Four first = __builtin_shufflevector(v, v, 0, 1, 2, 3), second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
       __builtin_memcpy(firstRow + rowStride * i + c, &first, sizeof first);
       __builtin_memcpy(firstRow + rowStride * (i + 4) + c, &second, sizeof second);
 #endif

@@ -54,9 +54,7 @@ inline double exponential(double a) {
   double series = 0;
   for (int n = 14; n >= 2; --n) series = (series + 1) * r / n;
   const double whole = 1 + ((high - r) - low + r * series + r);
-  const auto powerOfTwo = [](int n) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
-  };
+  const auto powerOfTwo = [](int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); };
   return whole * powerOfTwo(k / 2) * powerOfTwo(k - k / 2);  // 2^k alone may be too large, or subnormal
 }
 

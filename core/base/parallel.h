@@ -12,8 +12,7 @@ void parallelFor(int count, int threads, void (*body)(void* context, int index),
 template <class Body>
 void parallelFor(int count, int threads, Body&& body) {
   parallelFor(
-      count, threads,
-      [](void* context, int index) { (*static_cast<std::remove_reference_t<Body>*>(context))(index); },
+      count, threads, [](void* context, int index) { (*static_cast<std::remove_reference_t<Body>*>(context))(index); },
       &body);
 }
 

@@ -54,9 +54,7 @@ class Reals {
   friend bool operator==(const Reals&, const Reals&) = default;
 
  private:
-  double read(std::size_t i) const {
-    return precision_ == Precision::binary64 ? doubles_[i] : double(floats_[i]);
-  }
+  double read(std::size_t i) const { return precision_ == Precision::binary64 ? doubles_[i] : double(floats_[i]); }
   void write(std::size_t i, double a) {
     if (precision_ == Precision::binary64) doubles_[i] = a;
     else floats_[i] = static_cast<float>(a);

@@ -18,8 +18,8 @@ int utf8Length(std::string_view text) {
     if (!isContinuation(text[i])) return 0;
   // Overlong forms, surrogates and what lies beyond U+10FFFF show in the second byte.
   const auto second = static_cast<unsigned char>(text[1]);
-  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F))
+  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
+      (first == 0xF4 && second > 0x8F))
     return 0;
   return length;
 }

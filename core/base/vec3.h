@@ -21,7 +21,9 @@ struct Vec3 {
 };
 
 template <class Real>
-constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 template <class Real>
 constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {

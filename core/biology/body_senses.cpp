@@ -24,9 +24,7 @@ double pressure(const CellContext& cell, const SenseParameters&, const CountsCel
 
 double age(const CellContext& cell, const SenseParameters&, const CountsCell&) { return cell.age(); }
 
-double elongation(const CellContext& cell, const SenseParameters&, const CountsCell&) {
-  return cell.elongation();
-}
+double elongation(const CellContext& cell, const SenseParameters&, const CountsCell&) { return cell.elongation(); }
 
 double shell(const CellContext& cell, const SenseParameters&, const CountsCell&) { return cell.shellShare(); }
 

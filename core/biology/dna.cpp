@@ -40,8 +40,8 @@ Dna compose(const Lines& lines, std::string_view text) {
 
 }  // namespace
 
-Dna parseDna(std::string_view text, const std::string& file, int firstLine, int firstColumn,
-             const std::string& path, const DnaSurroundings* surroundings) {
+Dna parseDna(std::string_view text, const std::string& file, int firstLine, int firstColumn, const std::string& path,
+             const DnaSurroundings* surroundings) {
   Diagnostics diagnostics, warnings;
   const Lines lines = readLines(text, {firstLine, firstColumn}, diagnostics);
   checkMeaning(lines, surroundings, diagnostics);

@@ -11,9 +11,7 @@ namespace morula::dna_text {
 
 namespace {
 
-bool isActing(const std::string& name) {
-  return std::ranges::find(substance::acting, name) != substance::acting.end();
-}
+bool isActing(const std::string& name) { return std::ranges::find(substance::acting, name) != substance::acting.end(); }
 
 std::string lowerCase(std::string text) {
   for (char& c : text)
@@ -32,8 +30,7 @@ std::string misspelt(const std::string& name) {
 
 class EffectCheck {
  public:
-  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
-              Diagnostics& warnings)
+  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics, Diagnostics& warnings)
       : lines_(lines), surroundings_(surroundings), diagnostics_(diagnostics), warnings_(warnings) {
     // Lines that could not be read may have said anything.
     read_ = lines.unreadableWords;
@@ -57,9 +54,8 @@ class EffectCheck {
  private:
   bool isReadOutside(const std::string& name) const {
     return surroundings_ && std::ranges::any_of(surroundings_->read, [&](const std::string& pattern) {
-             return pattern.ends_with('*')
-                        ? name.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))
-                        : name == pattern;
+             return pattern.ends_with('*') ? name.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))
+                                           : name == pattern;
            });
   }
 
@@ -85,21 +81,19 @@ class EffectCheck {
 
   /// `Divide`, which is wrong even where a gene reads it.
   static bool isCase(const std::string& name) {
-    return std::ranges::any_of(substance::acting, [&](const std::string& word) {
-      return name != word && equalButForCase(name, word);
-    });
+    return std::ranges::any_of(substance::acting,
+                               [&](const std::string& word) { return name != word && equalButForCase(name, word); });
   }
 
   void checkStart(const Word& word) {
     const std::string& name = word.text;
-    if (name == "START" || name == substance::a || name == substance::b || isActing(name) ||
-        read_.contains(name) || isReadOutside(name) || !misspelt(name).empty())
+    if (name == "START" || name == substance::a || name == substance::b || isActing(name) || read_.contains(name) ||
+        isReadOutside(name) || !misspelt(name).empty())
       return;
     // Cells without any gene may be there for their bodies alone.
     if (lines_.genes.empty())
       warnings_.add(word.place, "there is no gene that reads " + quoted(name) +
-                                    ", so cells neither divide nor change; add a gene such as g1(divide|" +
-                                    name + ")");
+                                    ", so cells neither divide nor change; add a gene such as g1(divide|" + name + ")");
     else
       diagnostics_.add(word.place, "no gene reads " + quoted(name) +
                                        ", so it does nothing; remove it, or write a gene that reads it");

@@ -33,8 +33,7 @@ std::string shown(std::string_view text) {
   if (byte(0) >= 0x20 && byte(0) < 0x7F) return "'" + std::string(text.substr(0, 1)) + "'";
   const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 1;
   unsigned code =
-      length == 1 ? 0
-                  : byte(0) & (0xFF >> (length + 1));  // UTF-8: the bits below the leading ones and a zero
+      length == 1 ? 0 : byte(0) & (0xFF >> (length + 1));  // UTF-8: the bits below the leading ones and a zero
   for (std::size_t i = 1; i < length && code != 0; ++i)
     code = i < text.size() && (byte(i) & 0xC0) == 0x80 ? code << 6 | (byte(i) & 0x3F) : 0;
   if (code == 0) return std::string("0x") + digits[byte(0) >> 4] + digits[byte(0) & 15];
@@ -62,8 +61,7 @@ struct Range {
 /// Reads one line from left to right; with a range, for the number that it is at.
 class Cursor {
  public:
-  Cursor(std::string_view line, Place begin, const Range* range = nullptr)
-      : line_(line), begin_(begin), range_(range) {
+  Cursor(std::string_view line, Place begin, const Range* range = nullptr) : line_(line), begin_(begin), range_(range) {
     begin_.isRepeated = range != nullptr;
     while (!line_.empty() && isSpace(line_.back())) line_.remove_suffix(1);
     skipSpace();
@@ -87,8 +85,7 @@ class Cursor {
     if (!atWord()) {
       if (isDigit(next()) || next() == '_' || next() == '{')
         fail(what + " begins with " + shown(rest()) + "; a name begins with a letter");
-      failUnexpected(what + " is missing" +
-                     (atEnd() ? " at the end of the line" : " before " + shown(rest())));
+      failUnexpected(what + " is missing" + (atEnd() ? " at the end of the line" : " before " + shown(rest())));
     }
     Word word{"", place()};
     const std::size_t begin = at_;
@@ -205,9 +202,8 @@ GeneLine readGene(Cursor& cursor, Word name) {
     cursor.failUnexpected("')' is missing" + after);
   }
   if (gene.inputs.empty())
-    throw Unreadable{
-        gene.repressors.front().place,
-        "gene '" + gene.name.text + "' has no input that makes it active; name at least one without '!'"};
+    throw Unreadable{gene.repressors.front().place,
+                     "gene '" + gene.name.text + "' has no input that makes it active; name at least one without '!'"};
   if (!cursor.atEnd()) cursor.fail("text after the gene; write one gene per line, and # before a comment");
   return gene;
 }
@@ -246,8 +242,7 @@ std::size_t readLine(Cursor& cursor, Lines& lines) {
 std::size_t rangeBegin(std::string_view line) {
   for (std::size_t at = line.find("for", 1); at < line.size(); at = line.find("for", at + 1)) {
     const std::size_t before = line.find_last_not_of(" \t", at - 1);
-    if (isWordPart(line[at - 1]) || (at + 3 < line.size() && isWordPart(line[at + 3])) || before == line.npos)
-      continue;
+    if (isWordPart(line[at - 1]) || (at + 3 < line.size() && isWordPart(line[at + 3])) || before == line.npos) continue;
     if (isWordPart(line[before]) || line[before] == ')' || line[before] == '}') return at;
   }
   return line.npos;
@@ -281,8 +276,8 @@ void readRepeated(std::string_view line, Place begin, Range range, Lines& lines)
     const Word first = Cursor(cursor).word("a gene's name");
     const std::size_t inName = readLine(cursor, lines);
     if (first.text != "START" && inName == 0)
-      throw Unreadable{first.place, "all genes of the range would be called '" + first.text + "'; write " +
-                                        first.text + braces};
+      throw Unreadable{first.place,
+                       "all genes of the range would be called '" + first.text + "'; write " + first.text + braces};
     if (cursor.numbers == inName)
       throw Unreadable{range.place, "the range changes nothing, for no substance holds " + braces +
                                         "; write it where its number belongs, or remove the range"};
@@ -346,8 +341,7 @@ void Diagnostics::report(const std::string& file, const std::string& path) {
   const auto all = lines(file, path);
   std::string text;
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += (i ? "\n" : "") + all[i];
-  if (all.size() > most)
-    text += "\n" + file + ": … and " + std::to_string(all.size() - most) + " more like these";
+  if (all.size() > most) text += "\n" + file + ": … and " + std::to_string(all.size() - most) + " more like these";
   throw InputError(text);
 }
 

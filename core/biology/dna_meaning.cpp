@@ -48,13 +48,11 @@ void checkStart(const Lines& lines, const std::set<std::string>& sensed, Diagnos
       diagnostics.add(word.place,
                       quoted(word.text) + " is in START already (" + atLine(first->second) + "); remove one");
     else if (isAsymmetry(word.text))
-      diagnostics.add(word.place,
-                      quoted(word.text) + " is given to daughters only, at a division; take another name");
+      diagnostics.add(word.place, quoted(word.text) + " is given to daughters only, at a division; take another name");
     else if (word.text == substance::divide || word.text == substance::die)
-      diagnostics.add(word.place,
-                      quoted(word.text) +
-                          " acts when a gene produces it; START a substance and a gene such as g1(" +
-                          word.text + "|a0)");
+      diagnostics.add(word.place, quoted(word.text) +
+                                      " acts when a gene produces it; START a substance and a gene such as g1(" +
+                                      word.text + "|a0)");
     else if (sensed.contains(word.text)) diagnostics.add(word.place, quoted(word.text) + sensedOnly);
   }
 }
@@ -74,18 +72,17 @@ void checkNames(const Lines& lines, Diagnostics& diagnostics) {
     content.push_back(gene.product.text);
     const auto [firstGene, isNewGene] = contents.emplace(content, &gene);
     if (!isNewGene)
-      diagnostics.add(gene.product.place,
-                      "the same product and inputs as gene " + quoted(firstGene->second->name.text) + " (" +
-                          atLine(firstGene->second->name.place) + "); remove one of the two");
+      diagnostics.add(gene.product.place, "the same product and inputs as gene " +
+                                              quoted(firstGene->second->name.text) + " (" +
+                                              atLine(firstGene->second->name.place) + "); remove one of the two");
   }
 }
 
 void checkProduct(const Word& product, const std::set<std::string>& sensed, Diagnostics& diagnostics) {
-  if (product.text == "START")
-    diagnostics.add(product.place, "START cannot be a substance; take another name");
+  if (product.text == "START") diagnostics.add(product.place, "START cannot be a substance; take another name");
   else if (isAsymmetry(product.text))
-    diagnostics.add(product.place, "no gene produces " + quoted(product.text) +
-                                       ": daughters get it at a division; take another name");
+    diagnostics.add(product.place,
+                    "no gene produces " + quoted(product.text) + ": daughters get it at a division; take another name");
   else if (sensed.contains(product.text)) diagnostics.add(product.place, quoted(product.text) + sensedOnly);
 }
 
@@ -100,8 +97,7 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Di
     } else if (!isNew) {
       diagnostics.add(input.place, name + " is an input of this gene already; remove one");
     } else if (isAsymmetry(input.text) && seen.contains(substance::a) && seen.contains(substance::b)) {
-      diagnostics.add(input.place,
-                      "no cell holds both 'A' and 'B', so this gene is never active; remove one");
+      diagnostics.add(input.place, "no cell holds both 'A' and 'B', so this gene is never active; remove one");
     } else if (input.text == substance::die) {
       diagnostics.add(input.place,
                       "a cell that holds 'die' runs no further cycle, so this gene is never active; "

@@ -31,9 +31,7 @@ std::string substanceOf(Node node) {
 }
 
 /// What makes a cell become this node in its next cycle: its mother's substance and its own asymmetry.
-std::string cause(Node node) {
-  return node == 1 ? "egg" : substanceOf(node / 2) + ", " + (isB(node) ? "B" : "A");
-}
+std::string cause(Node node) { return node == 1 ? "egg" : substanceOf(node / 2) + ", " + (isB(node) ? "B" : "A"); }
 
 std::string gene(const std::string& name, Node node, const std::string& product, const std::string& inputs) {
   return name + std::to_string(node) + "(" + product + "|" + inputs + ")\n";
@@ -43,15 +41,14 @@ std::string gene(const std::string& name, Node node, const std::string& product,
 
 std::string makeFullTreeDna(int levels) {
   if (levels < 1 || levels > 16)
-    throw InputError("levels: " + std::to_string(levels) +
-                     " divisions; give 1 to 16 (16: 65536 final cells)");
+    throw InputError("levels: " + std::to_string(levels) + " divisions; give 1 to 16 (16: 65536 final cells)");
   const Node firstFinal = Node{1} << levels;
   const std::string inner = std::to_string(firstFinal - 1), finals = std::to_string(firstFinal);
   std::string text = "# A complete lineage tree of " + std::to_string(levels) + " divisions, " + finals +
-                     " unique final cells [Nilsson 2008, 5.2.3]:\n# " + inner + " + " + inner + " + " +
-                     finals + " + " + finals + " = " + std::to_string(4 * firstFinal - 2) +
-                     " genes. Written by: morula init --dna full-tree --levels " + std::to_string(levels) +
-                     "\n" + "START: egg\n";
+                     " unique final cells [Nilsson 2008, 5.2.3]:\n# " + inner + " + " + inner + " + " + finals + " + " +
+                     finals + " = " + std::to_string(4 * firstFinal - 2) +
+                     " genes. Written by: morula init --dna full-tree --levels " + std::to_string(levels) + "\n" +
+                     "START: egg\n";
   for (Node node = 1; node < firstFinal; ++node) {
     if (node == Node{1} << depth(node)) text += "\n# Division " + std::to_string(depth(node) + 1) + "\n";
     text += gene("g", node, substanceOf(node), cause(node));

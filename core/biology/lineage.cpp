@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-
 namespace morula {
 
 const char* name(Fate fate) {

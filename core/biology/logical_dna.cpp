@@ -28,8 +28,8 @@ struct State {
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
   // Where the DNA has senses; bit i: sense number i
-  std::uint64_t sensed = 0;   // whose substances it holds
-  std::uint64_t counted = 0;  // that its cell counts for [SenseParameters::of]
+  std::uint64_t sensed = 0;                                      // whose substances it holds
+  std::uint64_t counted = 0;                                     // that its cell counts for [SenseParameters::of]
   std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by what is sensed then
 };
 
@@ -144,8 +144,7 @@ void LogicalDna::readSenses(const Dna& dna, std::span<const SenseParameters> sen
   for (const SenseParameters& parameters : senses) {
     const auto id = findSubstance(dna, parameters.substance);
     if (!id)
-      throw InputError("senses: no gene reads '" + parameters.substance +
-                       "'; write a gene that does, or remove this");
+      throw InputError("senses: no gene reads '" + parameters.substance + "'; write a gene that does, or remove this");
     senses_.push_back({parameters, *id});
   }
 }

@@ -35,9 +35,7 @@ void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vecto
 
 }  // namespace
 
-double roundRadius(const Bodies& b, int slot) {
-  return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi));
-}
+double roundRadius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi)); }
 
 double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA, int slotB, double distance) {
   // At rest, so that the length is no function of where vertices are: the spring's force is then all that its energy asks.
@@ -53,8 +51,7 @@ class Pulls {
   Pulls(const Connections& c, const Bodies& b) : c_(c), b_(b) {}
   double operator()(std::size_t i, double distance) const {
     const auto& [a, b] = c_.scratch.ends[i];
-    if (c_.parameters.spring)
-      return springTension(*c_.parameters.spring, b_, b_.slots[a], b_.slots[b], distance);
+    if (c_.parameters.spring) return springTension(*c_.parameters.spring, b_, b_.slots[a], b_.slots[b], distance);
     return c_.parameters.strength ? *c_.parameters.strength : std::min(part(a), part(b));
   }
   int countOf(int cell) const { return c_.scratch.first[cell + 1] - c_.scratch.first[cell]; }
@@ -101,8 +98,8 @@ double measureConnectionEnergy(const Connections& connections, const std::vector
   double sum = 0;
   for (std::size_t i = 0; i < c.scratch.ends.size(); ++i) {
     const auto& [first, second] = c.scratch.ends[i];
-    const double distance =
-        norm(measureCentre(b, b.slots[second]) - measureCentre(b, b.slots[first])), pull = pullOf(i, distance);
+    const double distance = norm(measureCentre(b, b.slots[second]) - measureCentre(b, b.slots[first])),
+                 pull = pullOf(i, distance);
     sum += c.parameters.spring ? 0.5 * pull * pull / c.parameters.spring->stiffness : pull * distance;
   }
   return sum;

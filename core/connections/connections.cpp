@@ -20,8 +20,8 @@ auto place(const Connections& c, const Pair& pair) {
 }
 
 std::uint64_t countOf(const Connections& c, const CellPath& cell) {
-  return std::ranges::count_if(
-      c.active, [&](std::size_t i) { return c.history[i].a == cell || c.history[i].b == cell; });
+  return std::ranges::count_if(c.active,
+                               [&](std::size_t i) { return c.history[i].a == cell || c.history[i].b == cell; });
 }
 
 }  // namespace
@@ -35,8 +35,7 @@ bool areConnected(const Connections& c, const CellPath& a, const CellPath& b) {
 void connect(Connections& c, const CellPath& a, const CellPath& b, double time) {
   MORULA_CHECK(a != b, "a cell cannot be connected to itself");
   if (areConnected(c, a, b)) return;
-  if (const auto& most = c.parameters.most; most && (countOf(c, a) >= *most || countOf(c, b) >= *most))
-    return;
+  if (const auto& most = c.parameters.most; most && (countOf(c, a) >= *most || countOf(c, b) >= *most)) return;
   const Pair pair = ordered(a, b);
   const auto at = place(c, pair) - c.active.begin();
   c.history.push_back({pair.first, pair.second, time});

@@ -11,8 +11,7 @@
 namespace morula {
 
 /// Why a connection ended; "": it holds.
-constexpr std::array<const char*, 7> releaseCauses = {"",     "divided", "died", "distance",
-                                                      "gene", "tension", "age"};
+constexpr std::array<const char*, 7> releaseCauses = {"", "divided", "died", "distance", "gene", "tension", "age"};
 
 struct ConnectionRecord {
   CellPath a, b;                   // a < b
@@ -49,8 +48,7 @@ std::vector<CellPath> partners(const Connections& connections, const CellPath& c
 /// [length] Of the sphere that holds a cell's volume.
 double roundRadius(const Bodies& bodies, int slot);
 /// [force] Of a spring between two cells; < 0: it pushes them apart.
-double springTension(const ConnectionSpring& spring, const Bodies& bodies, int slotA, int slotB,
-                     double distance);
+double springTension(const ConnectionSpring& spring, const Bodies& bodies, int slotA, int slotB, double distance);
 
 /// [force·length] Of the active connections: k_c times the distance of the centres, or of springs ½ k (d − rest)².
 double measureConnectionEnergy(const Connections& connections, const std::vector<CellPath>& paths,
@@ -60,7 +58,6 @@ double measureConnectionEnergy(const Connections& connections, const std::vector
 /// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
 /// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their
 /// connections. With a spring k_c is its tension, which pushes where it is negative.
-void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies,
-                         int threads = 1);
+void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies, int threads = 1);
 
 }  // namespace morula

@@ -15,8 +15,7 @@ inline constexpr auto choices<MakeConnections> = std::to_array<Choice<MakeConnec
     {MakeConnections::atDivision, "at-division", "sisters at birth"},
     {MakeConnections::byGene, "by-gene", "neighbours whose genes produce connect, at their cell cycles"},
     {MakeConnections::both, "both", "either"},
-    {MakeConnections::byContact, "by-contact",
-     "neighbours whose genes do not produce release, at their cell cycles"},
+    {MakeConnections::byContact, "by-contact", "neighbours whose genes do not produce release, at their cell cycles"},
     {MakeConnections::pairs, "pairs", "such neighbours with one of the given pairs of substances"},
 });
 
@@ -52,8 +51,8 @@ struct ConnectionParameters {
   // k_c [force] of each connection: constant, towards the other cell [Nilsson 2008, eq. 4.9]. Absent: all
   // connections of a cell together pull with at most `sharedStrength`, times its share of the egg.
   std::optional<double> strength;
-  std::optional<double> releaseDistance;  // of the centres, in sums of the two cells' radii; released beyond
-  std::vector<ConnectedPair> pairs = {};  // of MakeConnections::pairs
+  std::optional<double> releaseDistance;        // of the centres, in sums of the two cells' radii; released beyond
+  std::vector<ConnectedPair> pairs = {};        // of MakeConnections::pairs
   std::optional<ConnectionSpring> spring = {};  // instead of a constant pull
   std::optional<double> releaseTension = {};    // [force] with which a spring pulls; released above
   std::optional<double> releaseAge = {};        // [time] since it was made; released then

@@ -22,12 +22,10 @@ void refit(TreeSearch& tree, const SearchInput& input, int slot) {
   const auto& [meshLevel, firstBox, base] = tree.trees[slot];
   const TreeShape& shape = tree.shapes[meshLevel];
   const int vertices = bodies.vertexCount(slot);
-  const VertexNumber firstNumber =
-      bodies.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes;
+  const VertexNumber firstNumber = bodies.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes;
   for (int i = 0; i < vertices; ++i) {
     const int v = shape.order[i];
-    tree.points.set(base + i, input.vertex(slot, v), firstNumber + v * blockLanes, slot,
-                    input.halfReach[slot]);
+    tree.points.set(base + i, input.vertex(slot, v), firstNumber + v * blockLanes, slot, input.halfReach[slot]);
   }
   Box* boxes = &tree.boxes[firstBox];
   for (std::size_t n = shape.nodes.size(); n-- > 0;) {

@@ -23,10 +23,9 @@
 namespace morula::MORULA_ISA {
 
 /// [ContactKernels::findActing]
-inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int32_t* begin,
-                       std::int32_t* length, VertexNumber* acting) {
-  const Lanes margin = lists.margin, perSpeed = lists.perSpeed, delay = lists.delay,
-              reachSquared = lists.reachSquared;
+inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
+                       VertexNumber* acting) {
+  const Lanes margin = lists.margin, perSpeed = lists.perSpeed, delay = lists.delay, reachSquared = lists.reachSquared;
   std::int32_t found = 0;
   for (int lane = 0; lane < lists.liveLanes; ++lane)
     for (int v = 0; v < lists.vertices; ++v) {

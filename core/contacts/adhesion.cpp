@@ -47,8 +47,7 @@ double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
 
 double workOf(const Contacts& c, int i, int j) {
   const AdhesionKinds& k = c.adhesion.kinds;
-  const double work =
-      k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
+  const double work = k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
   return k.factor.empty() ? work : work * (0.5 * (k.factor[i] + k.factor[j]));
 }
 

@@ -34,9 +34,8 @@ struct Adhesion {
   AlignedVector<double> ofPairs;  // [as NeighbourList::indices] T [energy]; of spheres S [force]
   bool isCurrent = false;         // ofPairs
   // With each set of cells
-  std::vector<int> blockOfLine;  // [line]
-  std::vector<double>
-      areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
+  std::vector<int> blockOfLine;        // [line]
+  std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
 };
 
 // Spheres attract each other over a gap of an eighth of the sum of their radii.

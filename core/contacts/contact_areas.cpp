@@ -95,9 +95,8 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
         const auto [first, second] = std::minmax(cellOf[slotG], cellOf[slotH]);
         if (area > 0) pairs.push_back({first, second, area});
       }
-  std::sort(pairs.begin(), pairs.end(), [](const ContactArea& p, const ContactArea& q) {
-    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
-  });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const ContactArea& p, const ContactArea& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
   return pairs;
 }
 
@@ -120,13 +119,11 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
     const double least = c.parameters.stiffness * leastOverlap * c.radius[p.slot] / own;
     const double pressure = std::max(0.5 * (pressureOf(p.slot) + pressureOf(p.other)), least);
     const auto [first, second] = std::minmax(cellOf[p.slot], cellOf[p.other]);
-    if (pairs.empty() || pairs.back().a != first || pairs.back().b != second)
-      pairs.push_back({first, second, 0});
+    if (pairs.empty() || pairs.back().a != first || pairs.back().b != second) pairs.push_back({first, second, 0});
     pairs.back().area += 0.5 * std::min(p.pressing / pressure, mostCover * own);
   }
   std::erase_if(pairs, [&](const ContactArea& p) {
-    const double radius =
-        b.parameters.cell.radius * std::min(b.restScale[b.slots[p.a]], b.restScale[b.slots[p.b]]);
+    const double radius = b.parameters.cell.radius * std::min(b.restScale[b.slots[p.a]], b.restScale[b.slots[p.b]]);
     return p.area < leastShare * 4 * std::numbers::pi * radius * radius;
   });
   return pairs;

@@ -13,8 +13,7 @@ inline constexpr auto choices<ContactSearch> = std::to_array<Choice<ContactSearc
     {ContactSearch::grid, "grid", "a uniform grid over the bounding box: the fastest for cells of like size"},
     {ContactSearch::aabbTree, "aabb-tree",
      "a tree of boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §4.3.1]"},
-    {ContactSearch::spatialHash, "spatial-hash",
-     "the bins of an unbounded grid, hashed [Teschner et al. 2003]"},
+    {ContactSearch::spatialHash, "spatial-hash", "the bins of an unbounded grid, hashed [Teschner et al. 2003]"},
     {ContactSearch::bruteForce, "brute-force", "all vertices against all: the oracle"},
 });
 

@@ -16,8 +16,8 @@ constexpr double gripShare = 0.1;
 
 }  // namespace
 
-Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search,
-                      Precision precision, CellModel model) {
+Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search, Precision precision,
+                      CellModel model) {
   Contacts c;
   c.parameters = parameters;
   c.skinShare = search.skinShare;
@@ -111,8 +111,7 @@ void takePoints(Contacts& c, const Bodies& bodies, int threads) {
     const BlockPlace& place = bodies.blocks[block];
     for (int line = place.firstLine; line < place.firstLine + bodies.verticesPerLane(block); ++line)
       for (int lane = 0; lane < place.liveLanes; ++lane) {
-        const SnapshotRow row =
-            readRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
+        const SnapshotRow row = readRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
         const std::size_t at = std::size_t(line) * vertexStride + lane;
         c.list.reference[at] = row.x;
         c.list.reference[at + blockLanes] = row.y;

@@ -29,8 +29,8 @@ struct Contacts {
   AlignedVector<double> radius;                // [slot] influence radius [length]
   AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
   AlignedVector<RowMemory> rows;               // of every vertex, and the far row
-  AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
-  AlignedVector<double> deepest;   // [block] B u of the pair law's deepest overlap (deepestHeld)
+  AlignedVector<double> farthest;              // [block] largest squared displacement since the list was built
+  AlignedVector<double> deepest;               // [block] B u of the pair law's deepest overlap (deepestHeld)
   struct Scratch {
     Reals force, turn;  // [vertex][xyz][lane] of one block's surface
   };

@@ -65,9 +65,8 @@ struct ListsToThin {
 struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. `reference`:
   /// [vertexCount][3][blockLanes].
-  using TakeSnapshot = SnapshotChange (*)(const TemplateView&, const BlockView&,
-                                          const double* inverseRadiusSquared, RealPointer reference,
-                                          RowMemory* rows);
+  using TakeSnapshot = SnapshotChange (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
+                                          RealPointer reference, RowMemory* rows);
   TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface;
   /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,

@@ -12,9 +12,7 @@ void prepare(GridSearch& grid, const SearchInput& input) {
   double binSize = std::max({safeBinSize(input.largestReach()), longest * 0x1p-30, 0x1p-1000});
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
   const double most = 4.0 * input.bodies.livingVertices + 64;
-  const auto bins = [&](double size) {
-    return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1);
-  };
+  const auto bins = [&](double size) { return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1); };
   while (bins(binSize) > most) binSize *= 2;
   grid.low = box.low;
   grid.inverseBin = 1 / binSize;
@@ -22,10 +20,8 @@ void prepare(GridSearch& grid, const SearchInput& input) {
   grid.ny = static_cast<int>(extent.y / binSize) + 1;
   grid.nz = static_cast<int>(extent.z / binSize) + 1;
   sortIntoBins(
-      grid.points, grid.start, grid.binOf, std::size_t(grid.nx) * grid.ny * grid.nz, input,
-      [&](const Point& x) {
-        return (grid.column(x.z, grid.low.z, grid.nz) * grid.ny + grid.column(x.y, grid.low.y, grid.ny)) *
-                   grid.nx +
+      grid.points, grid.start, grid.binOf, std::size_t(grid.nx) * grid.ny * grid.nz, input, [&](const Point& x) {
+        return (grid.column(x.z, grid.low.z, grid.nz) * grid.ny + grid.column(x.y, grid.low.y, grid.ny)) * grid.nx +
                grid.column(x.x, grid.low.x, grid.nx);
       });
 }

@@ -94,14 +94,17 @@ void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& li
 
 }  // namespace
 
-void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
-                        int threads) {
+void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads) {
   const int blocks = bodies.blockCount();
   list.halfReach.resize(radius.size());
   for (std::size_t slot = 0; slot < radius.size(); ++slot)
     list.halfReach[slot] = rounding * 0.5 * radius[slot] * list.reach;
-  const SearchInput input{*list.kernels, bodies, list.reference, list.halfReach,
-                          *std::max_element(list.halfReach.begin(), list.halfReach.end()), list.skin};
+  const SearchInput input{*list.kernels,
+                          bodies,
+                          list.reference,
+                          list.halfReach,
+                          *std::max_element(list.halfReach.begin(), list.halfReach.end()),
+                          list.skin};
   list.perBlock.resize(blocks);
   std::visit(
       [&](auto& search) {
@@ -118,8 +121,7 @@ void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const Aligned
   }
 }
 
-void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
-                        int threads) {
+void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads) {
   findNeighbourLists(list, bodies, radius, threads);
   cutIntoSlices(list, foundLists, bodies, threads);
 }

@@ -45,12 +45,10 @@ NeighbourList makeNeighbourList(ContactSearch search, Isa isa);
 
 /// Builds the list from the points in `reference`, but for its slices. `radius` [slot]: influence radii. Throws
 /// ListsTooLong.
-void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
-                        int threads);
+void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads);
 
 /// And with slices of all pairs.
-void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
-                        int threads);
+void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads);
 
 /// Vertex numbers of the neighbours of vertex g, in rising order. For tests and measures, not for the hot
 /// path.

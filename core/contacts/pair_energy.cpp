@@ -28,8 +28,7 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
   const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth * u;
   const double barrier = stiffness * depth * depth, hardened = 1 + b * (hardening1 + hardening2 * b);
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
-  const double byFade =
-      nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
+  const double byFade = nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
   sum.repulsion += 0.25 * s * barrier * u * u * hardened;
   sum.adhesion -= z * held * v / 12;
@@ -62,8 +61,7 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
         auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
         if (sum == own.end())
           sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}});
-        add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0,
-            *sum);
+        add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0, *sum);
       }
       sums.insert(sums.end(), own.begin(), own.end());
     }

@@ -61,8 +61,7 @@ struct PairLaw {
         strongestGrip(c.strongestGrip) {}
 
   /// Adds what j does to i. `adhesion`: T [energy].
-  MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum,
-                         Lanes& deepest) const {
+  MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum, Lanes& deepest) const {
     const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
     const Lanes square = dot(a, a);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
@@ -77,15 +76,14 @@ struct PairLaw {
     const Lanes depth = max(overlap, Lanes(0.0));
     const Lanes b = curvature * (depth * depth) * u, su = s * u;
     deepest = max(b, deepest);
-    const Lanes push =
-        stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
+    const Lanes push = stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
     const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));  // E_D/2
     const Lanes barrier = stiffness * (depth * depth);
     Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
     Lanes byTurn = 0.0;
     if (any(t < Lanes(1.0)))  // from normals 60° apart on ds/dm is 0
-      byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
-               ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
+      byTurn =
+          ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {
       const Lanes held = adhesion * (v * v);
       byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;
@@ -120,8 +118,8 @@ inline void addPairForces(const BlockSlices& block, const std::int32_t* indices,
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
         prefetchRows(rows, index);
-        law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0),
-                sum, deepest);
+        law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0), sum,
+                deepest);
       }
       storeOnSurface(block, slice.vertex + lane, c.vertices, i, sum);
     }

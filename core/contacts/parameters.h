@@ -53,8 +53,7 @@ struct ContactParameters {
   double friction = 0;      // [1] Coulomb's coefficient; not the thesis' law
   double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
-  std::optional<AdhesionParameters> adhesion =
-      {};  // absent: cells that touch do not stick; not the thesis' law
+  std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; not the thesis' law
 };
 
 }  // namespace morula

@@ -10,8 +10,8 @@ void PointTable::resize(int points) {
   vertex.resize(points + blockLanes);
 }
 
-void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTable& table,
-                    const NearQuery::Row* rows, int rowCount, int slot, int row, const Point& x) {
+void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTable& table, const NearQuery::Row* rows,
+                    int rowCount, int slot, int row, const Point& x) {
   std::int64_t candidates = 0;
   for (int r = 0; r < rowCount; ++r) candidates += rows[r].last - rows[r].first;
   lists.counters.distanceTests += candidates;

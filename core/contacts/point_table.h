@@ -17,8 +17,8 @@ struct PointTable {
 };
 
 /// Adds to the lists of vertex `row` of lane `slot % blockLanes` all points of the rows that are near `x`.
-void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTable& table,
-                    const NearQuery::Row* rows, int rowCount, int slot, int row, const Point& x);
+void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTable& table, const NearQuery::Row* rows,
+                    int rowCount, int slot, int row, const Point& x);
 
 /// The corners of the smallest box around all vertices; numbers that are not finite, or enormous, are left
 /// out. An empty box is {0, 0, 0} twice.
@@ -52,8 +52,8 @@ void sortIntoBins(PointTable& table, std::vector<std::int32_t>& start, std::vect
   for (std::size_t bin = 1; bin <= bins; ++bin) start[bin] += start[bin - 1];
   forEachVertex(bodies, [&](int i, int block, int v, int lane) {
     const int slot = block * blockLanes + lane;
-    table.set(start[binOf[i]]++, input.vertex(slot, v),
-              (bodies.blocks[block].firstLine + v) * blockLanes + lane, slot, input.halfReach[slot]);
+    table.set(start[binOf[i]]++, input.vertex(slot, v), (bodies.blocks[block].firstLine + v) * blockLanes + lane, slot,
+              input.halfReach[slot]);
   });
   // Each start has moved to its bin's end: move them back.
   for (std::size_t bin = bins; bin > 0; --bin) start[bin] = start[bin - 1];

@@ -46,14 +46,8 @@ MORULA_INLINE void storeRows(RowMemory* rows, const Rows& r) {
   const Lanes columns[rowColumns] = {
       r.x.x, r.x.y, r.x.z, r.n.x, r.n.y, r.n.z, r.v.x, r.v.y, r.v.z, r.inverseRadiusSquared, 0.0, 0.0};
 #else
-  const Lanes columns[rowColumns] = {r.x.x,
-                                     r.x.y,
-                                     r.x.z,
-                                     r.n.x,
-                                     r.n.y,
-                                     r.n.z,
-                                     packFloats(r.v.x, r.v.y),
-                                     packFloats(r.v.z, r.inverseRadiusSquared)};
+  const Lanes columns[rowColumns] = {
+      r.x.x, r.x.y, r.x.z, r.n.x, r.n.y, r.n.z, packFloats(r.v.x, r.v.y), packFloats(r.v.z, r.inverseRadiusSquared)};
 #endif
   storeRows(reinterpret_cast<Real*>(rows), columns);
 }
@@ -84,14 +78,12 @@ MORULA_INLINE double largestOf(Lanes a) {
 }
 
 /// [ContactKernels::takeSnapshot]
-inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b,
-                                   const double* inverseRadiusSquared, RealPointer reference,
-                                   RowMemory* rows) {
+inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
+                                   RealPointer reference, RowMemory* rows) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
-                g = loadVec(b.gradient, v, lane);
+      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane), g = loadVec(b.gradient, v, lane);
       const Vec n = (1.0 / sqrt(dot(g, g) + tiny)) * g;
       storeRows(rows + std::int64_t(v) * blockLanes + lane, {x, n, w, load(inverseRadiusSquared + lane)});
       const Vec moved = x - loadVec(reference, v, lane);

@@ -23,8 +23,8 @@ void orderByLength(RowLists& lists) {
     if (lists.length[i] > 0) lists.order[lists.place[lists.length[i]]++] = i;
 }
 
-void writeSlice(const NeighbourSlice& slice, const RowLists& lists, VertexNumber firstOfBlock,
-                VertexNumber far, std::int32_t* indices) {
+void writeSlice(const NeighbourSlice& slice, const RowLists& lists, VertexNumber firstOfBlock, VertexNumber far,
+                std::int32_t* indices) {
   for (int l = 0; l < blockLanes; ++l) {
     std::int32_t* out = indices + slice.start * blockLanes + l;
     std::int32_t k = 0;
@@ -42,8 +42,7 @@ void writeSlice(const NeighbourSlice& slice, const RowLists& lists, VertexNumber
 RowLists& foundLists(BlockLists& lists) { return lists; }
 RowLists& actingLists(BlockLists& lists) { return lists.acting; }
 
-void cutIntoSlices(NeighbourList& list, RowLists& (*listsOf)(BlockLists&), const Bodies& bodies,
-                   int threads) {
+void cutIntoSlices(NeighbourList& list, RowLists& (*listsOf)(BlockLists&), const Bodies& bodies, int threads) {
   const int blocks = bodies.blockCount();
   const VertexNumber far = bodies.lineCount() * blockLanes;
   const auto firstOf = [&](int block) { return bodies.blocks[block].firstLine * blockLanes; };

@@ -8,9 +8,9 @@
 namespace morula {
 
 struct SnapshotRow {
-  double x, y, z;     // [length] where its surface stands (surface_kernel.h); the thesis' law: the vertex
-  double nx, ny, nz;  // [1] outward normal, about 1 long; in full, for the couples on either side to match
-  float vx, vy, vz;   // [length/time] at the same moment
+  double x, y, z;              // [length] where its surface stands (surface_kernel.h); the thesis' law: the vertex
+  double nx, ny, nz;           // [1] outward normal, about 1 long; in full, for the couples on either side to match
+  float vx, vy, vz;            // [length/time] at the same moment
   float inverseRadiusSquared;  // of the influence radius [1/length²]
 };
 static_assert(sizeof(SnapshotRow) == 64);

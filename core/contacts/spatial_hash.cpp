@@ -18,15 +18,13 @@ std::int32_t column(double a, double lowest, double inverseBin) {
 }
 
 Bin binOf(const SpatialHash& h, const Point& x) {
-  return {column(x.x, h.low.x, h.inverseBin), column(x.y, h.low.y, h.inverseBin),
-          column(x.z, h.low.z, h.inverseBin)};
+  return {column(x.x, h.low.x, h.inverseBin), column(x.y, h.low.y, h.inverseBin), column(x.z, h.low.z, h.inverseBin)};
 }
 
 /// The primes are those of [Teschner et al. 2003, §3.1].
 std::int32_t bucket(const SpatialHash& h, std::int32_t x, std::int32_t y, std::int32_t z) {
   const std::uint32_t mixed = (static_cast<std::uint32_t>(x) * 73856093u) ^
-                              (static_cast<std::uint32_t>(y) * 19349663u) ^
-                              (static_cast<std::uint32_t>(z) * 83492791u);
+                              (static_cast<std::uint32_t>(y) * 19349663u) ^ (static_cast<std::uint32_t>(z) * 83492791u);
   return static_cast<std::int32_t>(mixed & h.mask);
 }
 

@@ -26,14 +26,12 @@ struct SphereLaw {
     loadRows(numbersOf(rows), index, c);
     return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
   }
-  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c,
-                                 Lanes adhesion = 0.0);
+  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c, Lanes adhesion = 0.0);
 };
 
 /// [ContactKernels::takeSnapshot]
-inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b,
-                                         const double* inverseRadiusSquared, RealPointer reference,
-                                         RowMemory* rows) {
+inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
+                                         RealPointer reference, RowMemory* rows) {
   Lanes farthest = 0.0;
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
@@ -76,8 +74,7 @@ MORULA_INLINE Vec SphereLaw<withFriction, withAdhesion>::force(const Spheres& i,
 }
 
 /// force[g] += sum, lane by lane; the far row (number `vertices`) has no place.
-MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int32_t vertices,
-                               const Vec& sum) {
+MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int32_t vertices, const Vec& sum) {
   Real x[width], y[width], z[width];
   store(x, sum.x);
   store(y, sum.y);
@@ -106,8 +103,8 @@ inline void addSphereForces(const BlockSlices& block, const std::int32_t* indice
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
         prefetchRows(rows, index);
-        sum += Law::force(i, Law::load(rows, index), c,
-                          withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0));
+        sum +=
+            Law::force(i, Law::load(rows, index), c, withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0));
       }
       addToForces(force, slice.vertex + lane, c.vertices, sum);
     }

@@ -27,9 +27,8 @@ struct SurfaceForce {
 };
 
 /// [ContactKernels::takeSnapshot] of the surface.
-inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b,
-                                  const double* inverseRadiusSquared, RealPointer reference,
-                                  RowMemory* rows) {
+inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
+                                  RealPointer reference, RowMemory* rows) {
   Lanes farthest = 0.0, moved = 0.0, turned = 0.0, spedUp = 0.0;
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
@@ -39,8 +38,7 @@ inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b,
     const int neighbours = mesh.neighbours(v);
     const Lanes share = retreat / neighbours;
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
-                g = loadVec(b.gradient, v, lane);
+      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane), g = loadVec(b.gradient, v, lane);
       Vec around = loadVec(position + ring[0].vertexOffset + lane);
       for (int k = 1; k < neighbours; ++k) around += loadVec(position + ring[k].vertexOffset + lane);
       const Vec y = (1.0 - retreat) * x + share * around;
@@ -72,7 +70,7 @@ MORULA_INLINE void clearSurface(const BlockSlices& block) {
 /// f and t of `width` vertices, lane by lane; the far row (number `vertices`) has no place.
 MORULA_INLINE void storeOnSurface(const BlockSlices& block, const VertexNumber* vertex, std::int32_t vertices,
                                   const Rows& row, const SurfaceForce& sum) {
-  const Lanes left = max(normalScaleSquared - dot(row.n, row.n), Lanes(0.0));  // ν² (1 − n²/ν²)
+  const Lanes left = max(normalScaleSquared - dot(row.n, row.n), Lanes(0.0));          // ν² (1 − n²/ν²)
   const Lanes inverse = sqrt(left) * (row.inverseRadiusSquared * (1 / foldedNormal));  // ν/√…
   const Vec turn = inverse * (sum.turn - (1 / normalScaleSquared) * dot(row.n, sum.turn) * row.n);
   Real f[3][width], t[3][width];
@@ -80,11 +78,9 @@ MORULA_INLINE void storeOnSurface(const BlockSlices& block, const VertexNumber* 
   store(t[0], turn.x), store(t[1], turn.y), store(t[2], turn.z);
   for (int i = 0; i < width; ++i) {
     if (vertex[i] >= vertices) continue;
-    const auto v =
-        static_cast<std::uint32_t>(vertex[i] - block.firstVertex);  // dividing it by eight is a shift
+    const auto v = static_cast<std::uint32_t>(vertex[i] - block.firstVertex);  // dividing it by eight is a shift
     const std::size_t at = std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
-    Real *force = static_cast<Real*>(block.surfaceForce) + at,
-         *couple = static_cast<Real*>(block.surfaceTurn) + at;
+    Real *force = static_cast<Real*>(block.surfaceForce) + at, *couple = static_cast<Real*>(block.surfaceTurn) + at;
     for (int c = 0; c < 3; ++c) force[c * blockLanes] = f[c][i], couple[c * blockLanes] = t[c][i];
   }
 }
@@ -94,8 +90,7 @@ MORULA_INLINE Vec ringForce(const Real* position, const Real* forces, const Real
                             const double* share, int steps) {
   if constexpr (fixedSteps > 0) steps = fixedSteps;
   Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)}, fromRing = sum;
-  Vec before = loadVec(position + ring[steps - 1].vertexOffset),
-      here = loadVec(position + ring[0].vertexOffset);
+  Vec before = loadVec(position + ring[steps - 1].vertexOffset), here = loadVec(position + ring[0].vertexOffset);
   for (int k = 0; k < steps; ++k) {
     const int offset = ring[k].vertexOffset;
     const Vec next = loadVec(position + ring[k + 1 < steps ? k + 1 : 0].vertexOffset);
@@ -115,12 +110,11 @@ MORULA_INLINE void moveToVertices(const BlockSlices& block, Real* force) {
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const int first = mesh.ringStart[v], steps = mesh.ringStart[v + 1] - first;
     for (int lane = 0; lane < block.liveLanes; lane += width) {
-      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane,
-                                                   mesh.ring + first, mesh.ringShare + first, 6)
-                                    : ringForce<0>(position + lane, forces + lane, turns + lane,
-                                                   mesh.ring + first, mesh.ringShare + first, steps);
-      storeVec(force, v, lane,
-               loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
+      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane, mesh.ring + first,
+                                                   mesh.ringShare + first, 6)
+                                    : ringForce<0>(position + lane, forces + lane, turns + lane, mesh.ring + first,
+                                                   mesh.ringShare + first, steps);
+      storeVec(force, v, lane, loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
     }
   }
 }

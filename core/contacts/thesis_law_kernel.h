@@ -30,13 +30,11 @@ inline void addThesisForces(const BlockSlices& block, const std::int32_t* indice
         const Rows j = loadRows(rows, index);
         const Vec apart = i.x - j.x;
         const Lanes distanceSquared = dot(apart, apart);
-        const Lanes nearness =
-            distanceSquared * (0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared));  // (r/R)²
+        const Lanes nearness = distanceSquared * (0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared));  // (r/R)²
         const Mask near = (nearness < Lanes(1.0)) & (dot(i.n, j.n) < Lanes(0.0));
         // R/r, kept finite where vertices coincide.
         const Lanes weight = select(near, 1.0 / sqrt(nearness + 1e-12), 0.0);
-        const Lanes seenFromJ = max(-dot(apart, j.n), Lanes(0.0)),
-                    seenFromI = max(dot(apart, i.n), Lanes(0.0));
+        const Lanes seenFromJ = max(-dot(apart, j.n), Lanes(0.0)), seenFromI = max(dot(apart, i.n), Lanes(0.0));
         depth += (0.5 * weight) * (seenFromJ * j.n - seenFromI * i.n);
         weights += weight;
       }
@@ -53,8 +51,7 @@ inline void addThesisForces(const BlockSlices& block, const std::int32_t* indice
                      uz = z[l] / length;  // −d̂
         const double other = (f[0] * ux + f[blockLanes] * uy + f[2 * blockLanes] * uz) / m;
         const double speed = vx[l] * ux + vy[l] * uy + vz[l] * uz;
-        const double push =
-            0.5 * m * ((length / w[l]) / (c.timeStep * c.timeStep) - speed / c.timeStep - other);
+        const double push = 0.5 * m * ((length / w[l]) / (c.timeStep * c.timeStep) - speed / c.timeStep - other);
         f[0] += push * ux;
         f[blockLanes] += push * uy;
         f[2 * blockLanes] += push * uz;

@@ -11,9 +11,7 @@ namespace {
 constexpr double tolerance = 0.01;
 
 /// Written so that a NaN is not.
-bool isNear(double actual, double expected) {
-  return std::abs(actual - expected) <= tolerance * std::abs(expected);
-}
+bool isNear(double actual, double expected) { return std::abs(actual - expected) <= tolerance * std::abs(expected); }
 
 Faces facesOf(const Bodies& b, const Body& body) { return b.meshAt(body.meshLevel).mesh.faces; }
 

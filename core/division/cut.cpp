@@ -21,8 +21,7 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFa
   const double volumeA = halves.volumeA, volumeB = halves.volumeB;
   const double volume = volumeA + volumeB;
   if (!(volumeA >= least * volume && volumeB >= least * volume)) {
-    result.failure =
-        "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
+    result.failure = "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
     return result;
   }
   const double shareA = cut.share.value_or(volumeA / volume);
@@ -30,8 +29,7 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFa
   b.mass = mother.mass - a.mass;
   a.pressureConstant = mother.pressureConstant * shareA;
   b.pressureConstant = mother.pressureConstant - a.pressureConstant;
-  const double rootA = cubeRoot(cut.share ? shareA : volumeA),
-               rootB = cubeRoot(cut.share ? 1 - shareA : volumeB);
+  const double rootA = cubeRoot(cut.share ? shareA : volumeA), rootB = cubeRoot(cut.share ? 1 - shareA : volumeB);
   const double surfaceShareA = rootA * rootA / (rootA * rootA + rootB * rootB);
   a.restScale = mother.restScale * std::sqrt(areaFactor * surfaceShareA);
   b.restScale = mother.restScale * std::sqrt(areaFactor * (1 - surfaceShareA));

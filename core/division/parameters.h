@@ -67,8 +67,8 @@ enum class Takes { nothing, axis, substance, polarity };
 /// a line in policy.cpp.
 struct DivisionPlaneKind {
   DivisionPlane plane;
-  const char* name;     // as scenarios spell it; {name: [x, y, z]} or {name: a0} if it takes something
-  const char* meaning;  // "Cells divide across …"
+  const char* name;              // as scenarios spell it; {name: [x, y, z]} or {name: a0} if it takes something
+  const char* meaning;           // "Cells divide across …"
   Takes takes = Takes::nothing;  // PlaneChoice::axis, ::substance, or an axis that may turn to a substance
   bool needsShape = false;       // looks for the direction in which a cell is longest: a sphere has none
   bool usesSeed = false;         // draws random numbers

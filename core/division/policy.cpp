@@ -8,15 +8,13 @@
 
 namespace morula {
 
-extern const DivisionPlaneKind longestPlane, randomPlane, axisPlane, alternatingPlane, smallestAreaPlane,
-    towardsPlane, awayFromPlane, acrossPlane, polarityPlane, shellAxisPlane, perpendicularPlane,
-    parallelPlane, tensionPlane;
+extern const DivisionPlaneKind longestPlane, randomPlane, axisPlane, alternatingPlane, smallestAreaPlane, towardsPlane,
+    awayFromPlane, acrossPlane, polarityPlane, shellAxisPlane, perpendicularPlane, parallelPlane, tensionPlane;
 
 std::span<const DivisionPlaneKind> divisionPlanes() {
   static const DivisionPlaneKind kinds[] = {
-      longestPlane,       randomPlane,   axisPlane,    alternatingPlane, smallestAreaPlane,
-      towardsPlane,       awayFromPlane, acrossPlane,  polarityPlane,    shellAxisPlane,
-      perpendicularPlane, parallelPlane, tensionPlane,
+      longestPlane, randomPlane,   axisPlane,      alternatingPlane,   smallestAreaPlane, towardsPlane, awayFromPlane,
+      acrossPlane,  polarityPlane, shellAxisPlane, perpendicularPlane, parallelPlane,     tensionPlane,
   };
   return kinds;
 }
@@ -30,9 +28,8 @@ const DivisionPlaneKind& kindOf(DivisionPlane plane) {
 
 bool keepsPolarity(const DivisionParameters& p) {
   const auto keeps = [](const PlaneChoice& choice) { return kindOf(choice.plane).keepsPolarity; };
-  return keeps(p.otherwise) || std::ranges::any_of(p.rules, [&](const DivisionRule& rule) {
-           return rule.plane && keeps(*rule.plane);
-         });
+  return keeps(p.otherwise) ||
+         std::ranges::any_of(p.rules, [&](const DivisionRule& rule) { return rule.plane && keeps(*rule.plane); });
 }
 
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed) {

@@ -14,8 +14,7 @@ namespace morula {
 namespace {
 
 bool fitsCell(const DivisionRule& rule, std::string_view substances) {
-  return std::ranges::all_of(rule.of,
-                             [&](const std::string& pattern) { return fitsAny(pattern, substances); });
+  return std::ranges::all_of(rule.of, [&](const std::string& pattern) { return fitsAny(pattern, substances); });
 }
 
 /// Each cell by its rule, with its deviations.
@@ -39,8 +38,8 @@ class RuledDivision final : public DivisionPolicy {
     if (tilt > 0) cut.normal = tiltAxis(cut.normal, tilt, {seed_, cell.path, 0, Purpose::tilt});
     if (rule && rule->share) cut.share = rule->share;
     if (variation_.share > 0)
-      cut.share = cut.share.value_or(0.5) +
-                  variation_.share * randomNormal({seed_, cell.path, 0, Purpose::shareVariation});
+      cut.share =
+          cut.share.value_or(0.5) + variation_.share * randomNormal({seed_, cell.path, 0, Purpose::shareVariation});
     return cut;
   }
 
@@ -48,9 +47,9 @@ class RuledDivision final : public DivisionPolicy {
   void requireShare(const std::optional<double>& given) const {
     const double share = given.value_or(0.5), most = largestDeviate * variation_.share;
     if (share - most >= leastShare && share + most <= largestShare) return;
-    throw InputError("division.rules: a share of " + numberText(share) +
-                     (most > 0 ? " ± " + numberText(most) : "") + " leaves " + numberText(leastShare) +
-                     " to " + numberText(largestShare) + "; give one that is nearer to 0.5");
+    throw InputError("division.rules: a share of " + numberText(share) + (most > 0 ? " ± " + numberText(most) : "") +
+                     " leaves " + numberText(leastShare) + " to " + numberText(largestShare) +
+                     "; give one that is nearer to 0.5");
   }
 
   const DivisionParameters division_;

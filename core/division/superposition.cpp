@@ -20,14 +20,11 @@ Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& m) {
       yz - zy, xx - yy - zz, xy + yx, zx + xz,   //
       zx - xz, xy + yx, -xx + yy - zz, yz + zy,  //
       xy - yx, zx + xz, yz + zy, -xx - yy + zz;
-  const Eigen::Vector4d q =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(n).eigenvectors().col(3);  // rising
+  const Eigen::Vector4d q = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(n).eigenvectors().col(3);  // rising
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
-Eigen::Vector3d vector(const Point& p, const Point& centre) {
-  return {p.x - centre.x, p.y - centre.y, p.z - centre.z};
-}
+Eigen::Vector3d vector(const Point& p, const Point& centre) { return {p.x - centre.x, p.y - centre.y, p.z - centre.z}; }
 
 }  // namespace
 

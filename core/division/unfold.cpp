@@ -5,8 +5,7 @@ namespace morula {
 int countFolds(Points x, Faces faces, const std::vector<char>& isProjected, const Vector& outward) {
   int folds = 0;
   for (const auto& [a, b, c] : faces)
-    if (isProjected[a] && isProjected[b] && isProjected[c])
-      folds += dot(cross(x[b] - x[a], x[c] - x[a]), outward) < 0;
+    if (isProjected[a] && isProjected[b] && isProjected[c]) folds += dot(cross(x[b] - x[a], x[c] - x[a]), outward) < 0;
   return folds;
 }
 

@@ -18,7 +18,7 @@ int countFolds(Points vertices, Faces faces, const std::vector<char>& isProjecte
 
 /// Moves projected vertices within the plane, as little as unfolds them all; at most `sweeps` times. Bodies
 /// without folds stay as they are. Returns the folds that are left.
-int unfold(std::vector<Point>& vertices, Faces faces, const std::vector<char>& isProjected,
-           const Vector& outward, int sweeps = 200);
+int unfold(std::vector<Point>& vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward,
+           int sweeps = 200);
 
 }  // namespace morula

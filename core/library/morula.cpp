@@ -24,14 +24,12 @@ bool isSampled(std::string_view name) {
 }
 
 /// Of the world, or of the cell with this path.
-std::optional<double> takeOnDemand(const Observation& now, std::string_view name, Scope scope,
-                                   const CellPath& path) {
+std::optional<double> takeOnDemand(const Observation& now, std::string_view name, Scope scope, const CellPath& path) {
   const auto all = measuresOnDemand();
   if (std::none_of(all.begin(), all.end(),
                    [&](const MeasureOnDemand& m) { return m.name == name && m.scope == scope; }))
     throw InputError("there is no measure '" + std::string(name) + "' of " +
-                     (scope == Scope::world ? "the organism" : "cells") +
-                     "; morula schema --measures lists them");
+                     (scope == Scope::world ? "the organism" : "cells") + "; morula schema --measures lists them");
   for (const TakenMeasure& taken : takeMeasures(now, std::vector{std::string(name)}))
     if (taken.a == path) return taken.value;
   return {};
@@ -46,8 +44,8 @@ World makeFrom(std::string_view scene, int threads) {
 
 const CellPath& pathOf(const World& world, std::size_t cell) {
   if (cell >= world.cells.path.size())
-    throw InputError("there is no cell " + std::to_string(cell) + "; " +
-                     std::to_string(world.cells.path.size()) + " are alive");
+    throw InputError("there is no cell " + std::to_string(cell) + "; " + std::to_string(world.cells.path.size()) +
+                     " are alive");
   return world.cells.path[cell];
 }
 

@@ -36,8 +36,8 @@ inline auto fields(ShellParameters& a) {
   auto& [semiAxes, mesh, holds] = a;
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh, holds);
 }
-MORULA_FIELDS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell,
-              membrane, pressure, shapeMatching, drag, growth, shell, motility, settle)
+MORULA_FIELDS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane,
+              pressure, shapeMatching, drag, growth, shell, motility, settle)
 MORULA_FIELDS(AdhesionPair, first, second, strength)
 MORULA_FIELDS(AdhesionParameters, strength, pairs)
 MORULA_FIELDS(ContactParameters, law, stiffness, damping, friction, slipSpeed, radius, adhesion)
@@ -47,8 +47,8 @@ MORULA_FIELDS(DivisionRule, of, plane, share, tilt, chirality)
 MORULA_FIELDS(DivisionParameters, otherwise, rules, chirality)
 MORULA_FIELDS(ConnectedPair, first, second)
 MORULA_FIELDS(ConnectionSpring, stiffness, rest)
-MORULA_FIELDS(ConnectionParameters, make, onDivision, strength, releaseDistance, pairs, spring,
-              releaseTension, releaseAge, most)
+MORULA_FIELDS(ConnectionParameters, make, onDivision, strength, releaseDistance, pairs, spring, releaseTension,
+              releaseAge, most)
 MORULA_FIELDS(MechanicsScene, physics, mesh, coarser, contact, division, connections)
 MORULA_FIELDS(StartCell, at, velocity, scale, stretch, mass, substances)
 MORULA_FIELDS(VariationParameters, cycle, share, start, tilt, adhesion)

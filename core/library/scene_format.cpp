@@ -50,8 +50,7 @@ class Reader {
   /// Of a list: each of its members takes two bytes at least, so no number can ask for more memory than the text has.
   std::size_t length() {
     const std::uint64_t n = number();
-    if (n > rest_.size() / 2)
-      refuse("a list of " + std::to_string(n) + " is longer than the rest of the scene");
+    if (n > rest_.size() / 2) refuse("a list of " + std::to_string(n) + " is longer than the rest of the scene");
     return static_cast<std::size_t>(n);
   }
   void end() const {
@@ -203,8 +202,7 @@ std::string writeScene(Scene scene) {
 Scene readScene(std::string_view text, const std::string& name) {
   const std::string first = std::string(title) + std::to_string(sceneFormat) + '\n';
   const auto fail = [&](const std::string& what) { throw InputError(name + ":1: " + what); };
-  if (!text.starts_with(title))
-    fail("this is no scene; one begins with \"" + first.substr(0, first.size() - 1) + "\"");
+  if (!text.starts_with(title)) fail("this is no scene; one begins with \"" + first.substr(0, first.size() - 1) + "\"");
   if (!text.starts_with(first))
     fail("a scene of another version; needs " + std::to_string(sceneFormat) +
          ", as the program writes that this one belongs to");

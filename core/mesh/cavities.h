@@ -9,9 +9,8 @@
 namespace morula {
 
 struct Cavities {
-  double volume =
-      0;  // [length³] of all pockets: what probes cover that fit between the meshes, and cannot get out
-  double largest = 0;          // [length³] of the largest
+  double volume = 0;   // [length³] of all pockets: what probes cover that fit between the meshes, and cannot get out
+  double largest = 0;  // [length³] of the largest
   std::vector<Point> outside;  // [length] centres of probes that came from outside and touch a mesh
   double edge = 0;             // [length] of the cubes
 };

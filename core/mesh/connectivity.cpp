@@ -32,8 +32,7 @@ void appendRing(const std::vector<Corner>& corners, std::vector<int>& ringVertex
   for (std::size_t k = 0; k < corners.size(); ++k) {
     MORULA_CHECK(k == 0 || at != first, "a vertex with more than one fan of faces");
     ringVertex.push_back(at);
-    const auto next =
-        std::find_if(corners.begin(), corners.end(), [at](const Corner& c) { return c.from == at; });
+    const auto next = std::find_if(corners.begin(), corners.end(), [at](const Corner& c) { return c.from == at; });
     MORULA_CHECK(next != corners.end(), "a vertex whose faces do not close around it");
     at = next->to;
   }

@@ -19,9 +19,9 @@ namespace morula {
 struct Connectivity {
   int vertexCount = 0, edgeCount = 0;
   std::vector<std::array<int, 2>> edges;  // the smaller index first; sorted
-  std::vector<int> ringStart;   // vertexCount + 1: the ring of i is [ringStart[i], ringStart[i + 1])
-  std::vector<int> ringVertex;  // the neighbours, from the one with the smallest index on
-  std::vector<int> ringEdge;    // the edge to that neighbour
+  std::vector<int> ringStart;             // vertexCount + 1: the ring of i is [ringStart[i], ringStart[i + 1])
+  std::vector<int> ringVertex;            // the neighbours, from the one with the smallest index on
+  std::vector<int> ringEdge;              // the edge to that neighbour
   std::vector<Face> faces;
 };
 

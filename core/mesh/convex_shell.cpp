@@ -11,8 +11,7 @@ namespace morula {
 namespace {
 
 constexpr double planeWithin = 1e-9;  // of the size: corners of one polygon as decimal numbers put them
-constexpr double leastOffset =
-    1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
+constexpr double leastOffset = 1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
 constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
 class Planes {
@@ -56,9 +55,8 @@ class Planes {
 
   void checkOrigin(std::size_t f, const ShellPlane& plane) const {
     if (plane.offset >= leastOffset * size_) return;
-    fail(f, plane.offset <= 0
-                ? "the origin is not inside of this face; a shell lies around the origin, so move it"
-                : "the origin lies almost in this face; a shell has it well inside, so move it");
+    fail(f, plane.offset <= 0 ? "the origin is not inside of this face; a shell lies around the origin, so move it"
+                              : "the origin lies almost in this face; a shell has it well inside, so move it");
   }
 
   void checkConvex(std::size_t f, const ShellPlane& plane) const {
@@ -98,8 +96,8 @@ double measureReach(const std::vector<ShellPlane>& planes, const Point& x) {
 
 const ShellPlane& nearestPlane(const std::vector<ShellPlane>& planes, const Point& x) {
   MORULA_CHECK(!planes.empty(), "a shell has planes");
-  return *std::ranges::min_element(
-      planes, {}, [&](const ShellPlane& plane) { return plane.offset - dot(plane.normal, x); });
+  return *std::ranges::min_element(planes, {},
+                                   [&](const ShellPlane& plane) { return plane.offset - dot(plane.normal, x); });
 }
 
 }  // namespace morula

@@ -46,8 +46,7 @@ std::vector<Patch> patchesOf(const Mesh& mesh) {
     p.radius = std::max({norm(p.a - p.centre), norm(p.b - p.centre), norm(p.c - p.centre)});
     patches.push_back(p);
   }
-  std::sort(patches.begin(), patches.end(),
-            [](const Patch& a, const Patch& b) { return a.centre.x < b.centre.x; });
+  std::sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) { return a.centre.x < b.centre.x; });
   return patches;
 }
 
@@ -70,11 +69,10 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
       if (squared < least) least = squared, reach = std::sqrt(squared);
     };
     // Outwards on both sides of the vertex's x, as far as a patch could still be nearer than the nearest.
-    const auto middle = std::lower_bound(patches.begin(), patches.end(), p.x,
-                                         [](const Patch& q, double x) { return q.centre.x < x; });
+    const auto middle =
+        std::lower_bound(patches.begin(), patches.end(), p.x, [](const Patch& q, double x) { return q.centre.x < x; });
     for (auto up = middle; up != patches.end() && up->centre.x - p.x <= reach + largest; ++up) tryPatch(*up);
-    for (auto down = middle; down != patches.begin() && p.x - std::prev(down)->centre.x <= reach + largest;
-         --down)
+    for (auto down = middle; down != patches.begin() && p.x - std::prev(down)->centre.x <= reach + largest; --down)
       tryPatch(*std::prev(down));
     squares.push_back(least);
   }

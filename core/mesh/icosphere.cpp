@@ -29,8 +29,7 @@ Mesh makeIcosahedron() {
 Mesh split(Mesh mesh) {
   std::map<std::pair<int, int>, int> middles;
   const auto middleOf = [&](int a, int b) {
-    const auto [place, isNew] =
-        middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.vertices.size()));
+    const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.vertices.size()));
     if (isNew) {
       const Point sum = mesh.vertices[place->first.first] + mesh.vertices[place->first.second];
       mesh.vertices.push_back(sum / norm(sum));

@@ -44,8 +44,7 @@ Mesh scaleToRadius(Mesh mesh, double radius) {
 
 double measureArea(Points vertices, Faces faces) {
   double sum = 0;
-  for (const auto& [a, b, c] : faces)
-    sum += norm(cross(vertices[b] - vertices[a], vertices[c] - vertices[a]));
+  for (const auto& [a, b, c] : faces) sum += norm(cross(vertices[b] - vertices[a], vertices[c] - vertices[a]));
   return sum / 2;
 }
 
@@ -63,8 +62,7 @@ SolidMoments measureMoments(Points vertices, Faces faces) {
   SolidMoments m;
   Vector first;
   for (const auto& [i, j, k] : faces) {
-    const Vector a = vertices[i] - origin, b = vertices[j] - origin, c = vertices[k] - origin,
-                 sum = a + b + c;
+    const Vector a = vertices[i] - origin, b = vertices[j] - origin, c = vertices[k] - origin, sum = a + b + c;
     const double volume = dot(a, cross(b, c)) / 6;
     m.volume += volume;
     first += volume / 4 * sum;

@@ -33,9 +33,7 @@ std::vector<std::int32_t> findNested(Points coarse, Points fine) {
   std::vector<std::int32_t> nested;
   std::vector<char> taken(fine.size());
   for (const Point& x : coarse) {
-    const auto isNearer = [&](const Point& a, const Point& b) {
-      return dot(a - x, a - x) < dot(b - x, b - x);
-    };
+    const auto isNearer = [&](const Point& a, const Point& b) { return dot(a - x, a - x) < dot(b - x, b - x); };
     const auto nearest = std::min_element(fine.begin(), fine.end(), isNearer) - fine.begin();
     MORULA_CHECK(!taken[nearest], "the vertices of a coarser mesh are those of the finer one");
     taken[nearest] = true;
@@ -58,8 +56,7 @@ std::vector<Point> restrictShape(Points fine, Faces fineFaces, const std::vector
     for (Point& x : coarse) x = centre + scale * (x - from);
     return coarse;
   };
-  const double without = measureArea(withBulges(0), coarseFaces),
-               with = measureArea(withBulges(most), coarseFaces);
+  const double without = measureArea(withBulges(0), coarseFaces), with = measureArea(withBulges(most), coarseFaces);
   const bool helps = with > without && without < enough * area;
   return withBulges(helps ? most * std::min((enough * area - without) / (with - without), 1.0) : 0);
 }

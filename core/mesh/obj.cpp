@@ -38,8 +38,7 @@ class ObjReader {
       if (keyword == "v") readVertex(words);
       else if (keyword == "f") readFace(words);
       else if (std::find(passedOver.begin(), passedOver.end(), keyword) == passedOver.end())
-        fail(words[0],
-             quoted(keyword) + " is no statement of a polygon mesh; write v for a vertex, f for a face");
+        fail(words[0], quoted(keyword) + " is no statement of a polygon mesh; write v for a vertex, f for a face");
     }
     addFaces();
     if (!errors_.empty()) throw InputError(allErrors());
@@ -64,11 +63,10 @@ class ObjReader {
     std::string all;
     for (std::size_t i = 0; i < std::min(errors_.size(), maxErrors); ++i) {
       const Error& e = errors_[i];
-      all += (i ? "\n" : "") + source_.name + ":" + std::to_string(e.line) + ":" + std::to_string(e.column) +
-             ": " + e.text;
+      all += (i ? "\n" : "") + source_.name + ":" + std::to_string(e.line) + ":" + std::to_string(e.column) + ": " +
+             e.text;
     }
-    if (errors_.size() > maxErrors)
-      all += "\n… and " + std::to_string(errors_.size() - maxErrors) + " more mistakes";
+    if (errors_.size() > maxErrors) all += "\n… and " + std::to_string(errors_.size() - maxErrors) + " more mistakes";
     return all;
   }
 
@@ -98,8 +96,7 @@ class ObjReader {
     if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
       fail(word, quoted(word.text) + " is not a number; write it like 0.5 or -1e-3");
     else if (error == std::errc::result_out_of_range || !(std::abs(value) <= largest))
-      fail(word,
-           quoted(word.text) + " is not a usable coordinate; it must be finite, between -1e100 and 1e100");
+      fail(word, quoted(word.text) + " is not a usable coordinate; it must be finite, between -1e100 and 1e100");
     else return true;
     return false;
   }
@@ -133,15 +130,15 @@ class ObjReader {
       const bool absent = part == 1 && digits.empty() && !last;  // v//vn
       if (!absent && (error == std::errc::invalid_argument || end != digits.data() + digits.size())) break;
       if (!absent && index == 0 && error == std::errc()) {
-        fail(word, quoted(word.text) +
-                       ": there is no number 0; vertices count from 1, or from the latest back with -1");
+        fail(word,
+             quoted(word.text) + ": there is no number 0; vertices count from 1, or from the latest back with -1");
         return false;
       }
       if (part == 0) {
         const auto known = static_cast<std::int64_t>(mesh_.vertices.size());
         if (error != std::errc() || index < -known) {
-          fail(word, quoted(word.text) + ": there is no such vertex; " + std::to_string(known) +
-                         " stand above this line");
+          fail(word,
+               quoted(word.text) + ": there is no such vertex; " + std::to_string(known) + " stand above this line");
           return false;
         }
         vertex = index > 0 ? index - 1 : known + index;
@@ -173,16 +170,14 @@ class ObjReader {
     bool good = true;
     for (const ObjCorner& c : corners)
       if (c.vertex >= count) {
-        fail(c.word,
-             quoted(c.word.text) + ": there is no such vertex; the file has " + std::to_string(count));
+        fail(c.word, quoted(c.word.text) + ": there is no such vertex; the file has " + std::to_string(count));
         good = false;
       }
     std::vector<ObjCorner> sorted = corners;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const ObjCorner& a, const ObjCorner& b) { return a.vertex < b.vertex; });
-    const auto twice =
-        std::adjacent_find(sorted.begin(), sorted.end(),
-                           [](const ObjCorner& a, const ObjCorner& b) { return a.vertex == b.vertex; });
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
+                                          [](const ObjCorner& a, const ObjCorner& b) { return a.vertex == b.vertex; });
     if (twice != sorted.end()) {
       fail(twice[1].word, "vertex " + std::to_string(twice->vertex + 1) +
                               " occurs twice in this face; the corners of a face are different vertices");
@@ -200,8 +195,7 @@ class ObjReader {
       v -= centre;
       extent = std::max({extent, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     }
-    if (!(extent > 0))
-      throw InputError(source_.name + ": all vertices lie at one place; a cell needs an inside");
+    if (!(extent > 0)) throw InputError(source_.name + ": all vertices lie at one place; a cell needs an inside");
     for (Point& v : mesh_.vertices) {
       v = v / extent;
       farthest = std::max(farthest, norm(v));

@@ -45,9 +45,7 @@ class ObjStatements {
  private:
   static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
   static bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  bool joinsLines() const {
-    return text_[at_] == '\\' && at_ + 1 < text_.size() && isLineEnd(text_[at_ + 1]);
-  }
+  bool joinsLines() const { return text_[at_] == '\\' && at_ + 1 < text_.size() && isLineEnd(text_[at_ + 1]); }
   bool isWordPart() const {
     const char c = text_[at_];
     return !isSpace(c) && !isLineEnd(c) && c != '#' && !joinsLines();

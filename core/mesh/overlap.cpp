@@ -21,8 +21,7 @@ struct Grid {
   // Line numbers [first, end) that hold all lines within [from, to]; one more on each side for the rounding.
   std::pair<int, int> linesWithin(double from, double to) const {
     const auto number = [this](double x) {
-      return static_cast<int>(
-          std::clamp(std::floor((x - low) / spacing - 0.5), -1.0, static_cast<double>(count)));
+      return static_cast<int>(std::clamp(std::floor((x - low) / spacing - 0.5), -1.0, static_cast<double>(count)));
     };
     return {std::max(number(from) - 1, 0), std::min(number(to) + 2, count)};
   }
@@ -42,12 +41,7 @@ struct Crossing {
 class Scan {
  public:
   Scan(std::span<const MeshView> meshes, const Grid& x, const Grid& y)
-      : meshes_(meshes),
-        x_(x),
-        y_(y),
-        crossings_(x.count),
-        inside_(meshes.size(), 0.0),
-        shared_(meshes.size(), 0.0) {}
+      : meshes_(meshes), x_(x), y_(y), crossings_(x.count), inside_(meshes.size(), 0.0), shared_(meshes.size(), 0.0) {}
   Scan(std::span<const MeshView> meshes, const Box& box, int columns)
       : Scan(meshes, {box.low.x, (box.high.x - box.low.x) / columns, columns},
              {box.low.y, (box.high.y - box.low.y) / columns, columns}) {}
@@ -119,8 +113,7 @@ class Scan {
       if (!slice(v[a], v[b], v[c], y, s)) continue;
       const auto [first, end] = x_.linesWithin(s.xLow, s.xHigh);
       for (int column = first; column < end; ++column)
-        if (const double x = x_.at(column); s.meets(x))
-          crossings_[column].push_back({s.heightAt(x), m, s.sign});
+        if (const double x = x_.at(column); s.meets(x)) crossings_[column].push_back({s.heightAt(x), m, s.sign});
     }
   }
 
@@ -145,8 +138,7 @@ class Scan {
   }
 
   void turn(int mesh, int by) {
-    const auto place =
-        std::find_if(around_.begin(), around_.end(), [mesh](const auto& a) { return a.first == mesh; });
+    const auto place = std::find_if(around_.begin(), around_.end(), [mesh](const auto& a) { return a.first == mesh; });
     if (place == around_.end()) around_.emplace_back(mesh, by);
     else if ((place->second += by) == 0) around_.erase(place);
   }
@@ -173,8 +165,7 @@ Box boxAround(std::span<const MeshView> meshes) {
   Box box = measureBox(meshes[0].vertices);
   for (const MeshView& mesh : meshes) {
     const Box other = measureBox(mesh.vertices);
-    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y),
-               std::min(box.low.z, other.low.z)};
+    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y), std::min(box.low.z, other.low.z)};
     box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
                 std::max(box.high.z, other.high.z)};
   }
@@ -187,8 +178,7 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
   const Box box = boxAround(meshes);
   const Vector size = box.high - box.low;
   MORULA_CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
-  if (!(size.x > 0 && size.y > 0))
-    return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
+  if (!(size.x > 0 && size.y > 0)) return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
   return Scan(meshes, box, columns).run();
 }
 
@@ -200,10 +190,9 @@ void visitInside(std::span<const MeshView> meshes, const Point& low, double spac
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {
   MORULA_CHECK(columns > 0, "no columns, no lines");
   const Box here = measureBox(a.vertices), there = measureBox(b.vertices);
-  const Box both{{std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y),
-                  std::max(here.low.z, there.low.z)},
-                 {std::min(here.high.x, there.high.x), std::min(here.high.y, there.high.y),
-                  std::min(here.high.z, there.high.z)}};
+  const Box both{
+      {std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y), std::max(here.low.z, there.low.z)},
+      {std::min(here.high.x, there.high.x), std::min(here.high.y, there.high.y), std::min(here.high.z, there.high.z)}};
   if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return 0;
   const MeshView meshes[] = {a, b};
   return Scan(meshes, both, columns).sharedVolume(0);

@@ -47,8 +47,7 @@ class Checker {
     return "face " + std::to_string(source_.faceNumbers.empty() ? f + 1 : source_.faceNumbers[f]);
   }
   static std::string edgeName(const Side& s) {
-    return "the edge between vertices " + std::to_string(s.low() + 1) + " and " +
-           std::to_string(s.high() + 1);
+    return "the edge between vertices " + std::to_string(s.low() + 1) + " and " + std::to_string(s.high() + 1);
   }
   int faceCount() const { return static_cast<int>(mesh_.faces.size()); }
   int vertexCount() const { return static_cast<int>(mesh_.vertices.size()); }
@@ -63,8 +62,7 @@ class Checker {
     for (int i = 0; i < vertexCount(); ++i) {
       const Point& v = mesh_.vertices[i];
       if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-        fail(vertexLine(i),
-             vertexName(i) + ": a coordinate that is not a number; write three finite numbers");
+        fail(vertexLine(i), vertexName(i) + ": a coordinate that is not a number; write three finite numbers");
     }
     for (int f = 0; f < faceCount(); ++f) {
       const Face& face = mesh_.faces[f];
@@ -86,8 +84,7 @@ class Checker {
     for (int i = 0; i < vertexCount(); ++i)
       if (!used[i])
         fail(vertexLine(i),
-             vertexName(i) +
-                 ": no face has this vertex; remove it, for each vertex carries a part of the mass");
+             vertexName(i) + ": no face has this vertex; remove it, for each vertex carries a part of the mass");
   }
 
   void checkFaceAreas() const {
@@ -96,10 +93,9 @@ class Checker {
       const Point &p = mesh_.vertices[a], &q = mesh_.vertices[b], &r = mesh_.vertices[c];
       const double longest = std::max({dot(q - p, q - p), dot(r - q, r - q), dot(p - r, p - r)});
       if (!(norm(cross(q - p, r - p)) > flat * longest))
-        fail(faceLine(f),
-             faceName(f) + ": its corners " + std::to_string(a + 1) + ", " + std::to_string(b + 1) + " and " +
-                 std::to_string(c + 1) +
-                 " lie on one line, so that it has no area and no normal; move or merge vertices");
+        fail(faceLine(f), faceName(f) + ": its corners " + std::to_string(a + 1) + ", " + std::to_string(b + 1) +
+                              " and " + std::to_string(c + 1) +
+                              " lie on one line, so that it has no area and no normal; move or merge vertices");
     }
   }
 
@@ -111,8 +107,7 @@ class Checker {
       return std::array{s.low(), s.high(), s.face} < std::array{t.low(), t.high(), t.face};
     });
     for (std::size_t i = 0, end; i < sides.size(); i = end) {
-      for (end = i;
-           end < sides.size() && sides[end].low() == sides[i].low() && sides[end].high() == sides[i].high();)
+      for (end = i; end < sides.size() && sides[end].low() == sides[i].low() && sides[end].high() == sides[i].high();)
         ++end;
       checkEdge({&sides[i], end - i});
     }
@@ -121,10 +116,9 @@ class Checker {
   void checkEdge(std::span<const Side> sides) const {
     const Side& first = sides[0];
     if (sides.size() == 1)
-      fail(faceLine(first.face),
-           edgeName(first) + " belongs to " + faceName(first.face) +
-               " only; a closed mesh has two faces at each edge: fill the hole, or merge "
-               "vertices that lie at the same place");
+      fail(faceLine(first.face), edgeName(first) + " belongs to " + faceName(first.face) +
+                                     " only; a closed mesh has two faces at each edge: fill the hole, or merge "
+                                     "vertices that lie at the same place");
     if (sides.size() > 2) {
       std::string names = faceName(first.face);
       for (const Side& s : sides.subspan(1)) names += ", " + faceName(s.face);
@@ -133,8 +127,7 @@ class Checker {
                "); a closed mesh has two faces at each edge: remove inner walls and double faces");
     }
     if (first.a == sides[1].a)
-      fail(faceLine(sides[1].face), edgeName(first) + ": " + faceName(first.face) + " and " +
-                                        faceName(sides[1].face) +
+      fail(faceLine(sides[1].face), edgeName(first) + ": " + faceName(first.face) + " and " + faceName(sides[1].face) +
                                         " turn opposite ways; list the corners of all " +
                                         "faces counter-clockwise as seen from outside");
   }
@@ -158,9 +151,8 @@ class Checker {
       }
       if (walked == corners[i].size()) continue;
       const std::size_t other = std::find(seen.begin(), seen.end(), 0) - seen.begin();
-      fail(vertexLine(i),
-           vertexName(i) + ": " + faceName(corners[i][0][2]) + " and " + faceName(corners[i][other][2]) +
-               " meet at this vertex alone; split it in two vertices or join the parts by faces");
+      fail(vertexLine(i), vertexName(i) + ": " + faceName(corners[i][0][2]) + " and " + faceName(corners[i][other][2]) +
+                              " meet at this vertex alone; split it in two vertices or join the parts by faces");
     }
   }
 

@@ -40,13 +40,11 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
   if (shellShapeOf(b.parameters) == ShellShape::surface) b.held.assign(b.position.size(), 0);
-  if (kindOf(b.parameters.integrator).evaluations > 1)
-    b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
+  if (kindOf(b.parameters.integrator).evaluations > 1) b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
 
 void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
-  MORULA_CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(slot),
-               "a cell has its mesh's vertices");
+  MORULA_CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(slot), "a cell has its mesh's vertices");
   b.vertexMass[slot] = vertexMass;
   b.restScale[slot] = cell.restScale;
   b.pressureConstant[slot] = cell.pressureConstant;
@@ -68,18 +66,15 @@ Body makeEgg(const Bodies& b, int meshLevel) {
 
 }  // namespace
 
-Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,
-                  const std::vector<Mesh>& coarser) {
+Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads, const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
-  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius)
-                          : makeTemplate(egg, parameters.membrane.springs);
+  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius) : makeTemplate(egg, parameters.membrane.springs);
   if (b.areSpheres()) b.surface = egg;
   for (const Mesh& mesh : coarser) {
     const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
-    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces)),
-                                  parameters.membrane.springs),
-                     {}};
+    CoarserMesh next{
+        makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces)), parameters.membrane.springs), {}};
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }
@@ -101,10 +96,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps, &b.held})
-    *a = Reals(parameters.precision);
-  b.scratch.assign(threads,
-                   {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps, &b.held}) *a = Reals(parameters.precision);
+  b.scratch.assign(threads, {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
     s.predicted.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
     s.gradient.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
@@ -123,8 +116,7 @@ BlockView Bodies::block(int index, int thread) {
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
   // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
-  const std::size_t coefficients =
-      std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
+  const std::size_t coefficients = std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
   return {.meshLevel = place.meshLevel,
           .liveLanes = place.liveLanes,
           .position = position.from(v),
@@ -188,16 +180,14 @@ void setVertexMass(Bodies& b, int slot, double mass) {
 void setBodies(Bodies& b, const std::vector<Body>& cells) {
   arrange(b, cells);
   const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes;
-  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure})
-    a->assign(lanes, 0);
+  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure}) a->assign(lanes, 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int slot = b.slots[i];
     place(b, slot, cells[i], cells[i].mass / b.vertexCount(slot));  // [Nilsson 2008, eq. 4.1]
   }
   for (int block = 0; block < b.blockCount(); ++block)
     for (int lane = b.liveLanes(block); lane < blockLanes; ++lane)
-      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].meshLevel),
-            immovable(b.parameters.precision));
+      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].meshLevel), immovable(b.parameters.precision));
 }
 
 }  // namespace morula

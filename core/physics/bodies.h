@@ -75,9 +75,7 @@ struct Bodies {
   };
   std::vector<Scratch> scratch;
 
-  const MeshTemplate& meshAt(int meshLevel) const {
-    return meshLevel == 0 ? mesh : coarser[meshLevel - 1].mesh;
-  }
+  const MeshTemplate& meshAt(int meshLevel) const { return meshLevel == 0 ? mesh : coarser[meshLevel - 1].mesh; }
   const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].meshLevel); }
   int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
   /// Of every cell, in a scene with one mesh; a BugError otherwise.

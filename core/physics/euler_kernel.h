@@ -11,20 +11,18 @@ namespace morula::MORULA_ISA {
 
 /// x ← x', velocity and predicted ← v'. The kick only ends the evaluation.
 template <ShellShape shell>
-inline void driftExplicitEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                               double dt) {
+inline void driftExplicitEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const Lanes step = dt;
-  driftVertices<shell>(
-      mesh, b, p, [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-        x = x + step * velocity;
-        predicted = velocity = velocity + step * a;
-      });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+                         x = x + step * velocity;
+                         predicted = velocity = velocity + step * a;
+                       });
 }
 
 /// x ← x', predicted ← v, which a whole kick turns into v'.
 template <ShellShape shell>
-inline void driftSymplecticEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                                 double dt) {
+inline void driftSymplecticEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const Lanes step = dt;
   driftVertices<shell>(mesh, b, p,
                        [=](int, int, const Vec&, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {

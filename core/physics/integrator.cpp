@@ -47,13 +47,9 @@ double rungeKuttaLimit(double k, double c, double m) {
 }
 
 using Kernels = const PhysicsKernels&;
-Movement moveByVelocityVerlet(Kernels k, int s, bool) {
-  return {k.driftVelocityVerlet[s], {}, k.kickVelocityVerlet};
-}
+Movement moveByVelocityVerlet(Kernels k, int s, bool) { return {k.driftVelocityVerlet[s], {}, k.kickVelocityVerlet}; }
 Movement moveByThesisVerlet(Kernels k, int s, bool) { return {k.driftThesisVerlet[s], {}, k.endEvaluation}; }
-Movement moveByExplicitEuler(Kernels k, int s, bool) {
-  return {k.driftExplicitEuler[s], {}, k.endEvaluation};
-}
+Movement moveByExplicitEuler(Kernels k, int s, bool) { return {k.driftExplicitEuler[s], {}, k.endEvaluation}; }
 Movement moveBySymplecticEuler(Kernels k, int s, bool) {
   return {k.driftSymplecticEuler[s], {}, k.kickSymplecticEuler};
 }
@@ -64,24 +60,15 @@ Movement moveByXpbd(Kernels k, int s, bool damped) { return {k.driftXpbd[damped]
 
 // In the order of the enumeration's values.
 constexpr IntegratorKind kinds[] = {
-    {.title = "velocity Verlet",
-     .order = 2,
-     .oscillatorLimit = verletLimit<2>,
-     .movement = moveByVelocityVerlet},
-    {.title = "the thesis' Verlet",
-     .order = 1,
-     .oscillatorLimit = verletLimit<1>,
-     .movement = moveByThesisVerlet},
+    {.title = "velocity Verlet", .order = 2, .oscillatorLimit = verletLimit<2>, .movement = moveByVelocityVerlet},
+    {.title = "the thesis' Verlet", .order = 1, .oscillatorLimit = verletLimit<1>, .movement = moveByThesisVerlet},
     {.title = "explicit Euler",
      .order = 1,
      .needsDrag = true,
      .oscillatorLimit = rungeKuttaLimit<1>,
      .undampedLimit = 0,
      .movement = moveByExplicitEuler},
-    {.title = "symplectic Euler",
-     .order = 1,
-     .oscillatorLimit = verletLimit<1>,
-     .movement = moveBySymplecticEuler},
+    {.title = "symplectic Euler", .order = 1, .oscillatorLimit = verletLimit<1>, .movement = moveBySymplecticEuler},
     {.title = "Runge-Kutta of fourth order",
      .order = 4,
      .evaluations = 4,

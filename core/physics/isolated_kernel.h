@@ -19,8 +19,8 @@ inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const Kern
   for (int v = 0; v < vertices; ++v)
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
-      const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(
-          slope, load(inverseMass.value + lane), halfStep, fluid.forceWith(v, lane, group), x, velocity);
+      const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(slope, load(inverseMass.value + lane), halfStep,
+                                                                      fluid.forceWith(v, lane, group), x, velocity);
       driftVertex(halfStep, step, a, x, velocity, predicted);
       if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
       storeVec(velocities, v, lane, velocity);

@@ -7,16 +7,10 @@ namespace morula::MORULA_ISA {
 struct Matrix {
   Vec x, y, z;
 
-  friend MORULA_INLINE Vec operator*(const Matrix& m, const Vec& v) {
-    return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
-  }
+  friend MORULA_INLINE Vec operator*(const Matrix& m, const Vec& v) { return {dot(m.x, v), dot(m.y, v), dot(m.z, v)}; }
   friend MORULA_INLINE Matrix operator*(Lanes s, const Matrix& m) { return {s * m.x, s * m.y, s * m.z}; }
-  friend MORULA_INLINE Matrix operator+(const Matrix& a, const Matrix& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  friend MORULA_INLINE Matrix operator-(const Matrix& a, const Matrix& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
+  friend MORULA_INLINE Matrix operator+(const Matrix& a, const Matrix& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend MORULA_INLINE Matrix operator-(const Matrix& a, const Matrix& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 };
 
 MORULA_INLINE Vec zeroVec() { return {Lanes(0.0), Lanes(0.0), Lanes(0.0)}; }

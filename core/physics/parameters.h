@@ -16,8 +16,7 @@ enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticE
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::velocityVerlet, "velocity-verlet", "second order"},
-    {Integrator::thesisVerlet, "thesis-verlet",
-     "first order, as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]"},
+    {Integrator::thesisVerlet, "thesis-verlet", "first order, as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]"},
     {Integrator::explicitEuler, "explicit-euler",
      "first order; gains energy, so it needs drag [Nilsson 2008, eq. 3.12]"},
     {Integrator::symplecticEuler, "symplectic-euler", "first order"},
@@ -47,8 +46,7 @@ struct CellParameters {
 enum class Springs { equal, dual };
 template <>
 inline constexpr auto choices<Springs> = std::to_array<Choice<Springs>>({
-    {Springs::equal, "equal",
-     "all alike [Nilsson 2008, eq. 4.2]: tauter where triangles are small or narrow"},
+    {Springs::equal, "equal", "all alike [Nilsson 2008, eq. 4.2]: tauter where triangles are small or narrow"},
     {Springs::dual, "dual",
      "by dual over own length: the same tension everywhere and in all directions, and errors of second order "
      "in the mesh's edges"},
@@ -82,9 +80,8 @@ struct ShapeMatchingParameters {
 
 /// How fast a cell grows or shrinks while its biology wants to.
 struct GrowthParameters {
-  double rate = 0.1;  // [1/time] relative change of k_p and mass; lengths follow with a third of it
-  std::optional<double> until =
-      {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
+  double rate = 0.1;                 // [1/time] relative change of k_p and mass; lengths follow with a third of it
+  std::optional<double> until = {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
 };
 
 /// What of a cell with a mesh cannot leave a sphere or an ellipsoid.
@@ -115,9 +112,9 @@ struct MotilityParameters {
 
 /// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
 struct SettleParameters {
-  double tolerance = 0.03;             // [1] of tractions left, over the mean pressure
-  std::uint64_t evaluations = 20'000;  // of the forces, at most, in one settling
-  double together = 0;                 // [time] events so close to one another share a settling
+  double tolerance = 0.03;              // [1] of tractions left, over the mean pressure
+  std::uint64_t evaluations = 20'000;   // of the forces, at most, in one settling
+  double together = 0;                  // [time] events so close to one another share a settling
   std::optional<std::uint64_t> sample;  // of so many settlings one is measured for how far from rest it ends
 };
 
@@ -128,7 +125,7 @@ struct PhysicsParameters {
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
   double autoShare = 1;            // of the automatic time step, in (0, 1]; less: more exact and slower
   Integrator integrator = Integrator::velocityVerlet;
-  std::optional<std::uint64_t> substeps;  // XPBD only: of a time step; more: more exact and slower; absent: 1
+  std::optional<std::uint64_t> substeps;      // XPBD only: of a time step; more: more exact and slower; absent: 1
   Precision precision = Precision::binary64;  // of positions, velocities and forces; per cell: doubles
   CellParameters cell;
   MembraneParameters membrane;

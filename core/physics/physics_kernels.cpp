@@ -18,21 +18,16 @@
 namespace morula::MORULA_ISA {
 
 // [ShellShape] of a drift whose template arguments before the shape are the ones that follow its name.
-#define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
-  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
-      drift<__VA_ARGS__ ShellShape::ellipsoid>
-#define MORULA_IN_SHELLS(drift)                                                        \
-  {                                                                                    \
-    MORULA_IN_MESH_SHELLS(drift), driftAroundSurfaces<drift<ShellShape::none>>,        \
-        driftSpheres<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>>, \
-        driftInPlanes<drift<ShellShape::none>, true>                                   \
+#define MORULA_IN_MESH_SHELLS(drift, ...) \
+  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, drift<__VA_ARGS__ ShellShape::ellipsoid>
+#define MORULA_IN_SHELLS(drift)                                                                                        \
+  {                                                                                                                    \
+    MORULA_IN_MESH_SHELLS(drift), driftAroundSurfaces<drift<ShellShape::none>>, driftSpheres<drift<ShellShape::none>>, \
+        driftInPlanes<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>, true>                           \
   }
 // [evaluation] of a time step.
-#define MORULA_FOUR(shape)                                                           \
-  {                                                                                  \
-    driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, \
-        driftRungeKutta<4, shape>                                                    \
-  }
+#define MORULA_FOUR(shape) \
+  { driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, driftRungeKutta<4, shape> }
 
 #define MORULA_FOUR_IN_PLANES(balls)                                \
   {                                                                 \

@@ -20,8 +20,7 @@ struct Relaxation {
 
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
-  using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
-                              double timeStep);
+  using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&, double timeStep);
   TimedStage driftVelocityVerlet[7], driftThesisVerlet[7];    // [ShellShape]
   TimedStage driftExplicitEuler[7], driftSymplecticEuler[7];  // [ShellShape]
   TimedStage driftRungeKutta[7][4];                           // [ShellShape][evaluation]

@@ -51,8 +51,8 @@ inline void relaxVelocities(const TemplateView& mesh, const BlockView& b, const 
     }
     store(r.alpha + lane, alpha);
     const Lanes strain = load(r.strain + lane);
-    store(r.strain + lane, select(downhill, strainDecay * strain,
-                                  select(since > Lanes(surelyDownhill), strain, strain + 1.0)));
+    store(r.strain + lane,
+          select(downhill, strainDecay * strain, select(since > Lanes(surelyDownhill), strain, strain + 1.0)));
     store(r.descents + lane, select(downhill, since, 0.0));
     store(r.squares + lane, squares);
   }

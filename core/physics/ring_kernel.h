@@ -48,16 +48,14 @@ inline void accumulateRings(const TemplateView& mesh, const BlockView& b, const 
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       const Vec x = loadVec(position, v, lane);
       Vec force, gradient;
-      if (steps == 6)
-        accumulateRing<springs>(position + lane, coefficient + lane, ring, 6, x, force, gradient);
+      if (steps == 6) accumulateRing<springs>(position + lane, coefficient + lane, ring, 6, x, force, gradient);
       else accumulateRing<springs>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
       storeVec(forces, v, lane, force);
       storeVec(gradients, v, lane, gradient);
       volume[group] += dot(gradient, x - loadVec(position, 0, lane));
     }
   }
-  for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group)
-    store(b.volume + lane, volume[group] / 18.0);
+  for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) store(b.volume + lane, volume[group] / 18.0);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -57,8 +57,7 @@ MORULA_INLINE Matrix nearestRotation(const Matrix& m) {
     rotateJacobi<0, 3>(t);
     rotateJacobi<1, 2>(t);
   }
-  Lanes largest = t.n[0][0], w = t.vectors[0][0], x = t.vectors[1][0], y = t.vectors[2][0],
-        z = t.vectors[3][0];
+  Lanes largest = t.n[0][0], w = t.vectors[0][0], x = t.vectors[1][0], y = t.vectors[2][0], z = t.vectors[3][0];
   for (int k = 1; k < 4; ++k) {
     const Mask better = t.n[k][k] > largest;
     largest = select(better, t.n[k][k], largest);

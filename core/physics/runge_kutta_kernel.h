@@ -12,32 +12,30 @@
 namespace morula::MORULA_ISA {
 
 template <int s, ShellShape shell>
-inline void driftRungeKutta(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                            double dt) {
+inline void driftRungeKutta(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const int whole = mesh.vertexCount * vertexStride;
   Real* x0 = b.substeps;
   Real *v0 = x0 + whole, *sumOfVelocities = v0 + whole, *sumOfAccelerations = sumOfVelocities + whole;
   const Lanes step = s <= 2 ? 0.5 * dt : s == 3 ? dt : dt / 6, twice = 2.0;
-  driftVertices<shell>(
-      mesh, b, p,
-      [=](int v, int lane, const Vec& acceleration, Vec& x, Vec& velocity, Vec& predicted)
-          MORULA_INLINE_LAMBDA {
-            Vec u = velocity, a = acceleration;
-            if constexpr (s == 1) {
-              storeVec(x0, v, lane, x);
-              storeVec(v0, v, lane, u);
-              storeVec(sumOfVelocities, v, lane, u);
-              storeVec(sumOfAccelerations, v, lane, a);
-            } else if constexpr (s == 4) {
-              u += loadVec(sumOfVelocities, v, lane);
-              a += loadVec(sumOfAccelerations, v, lane);
-            } else {
-              storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
-              storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
-            }
-            x = loadVec(x0, v, lane) + step * u;
-            predicted = velocity = loadVec(v0, v, lane) + step * a;
-          });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int v, int lane, const Vec& acceleration, Vec& x, Vec& velocity, Vec& predicted)
+                           MORULA_INLINE_LAMBDA {
+                             Vec u = velocity, a = acceleration;
+                             if constexpr (s == 1) {
+                               storeVec(x0, v, lane, x);
+                               storeVec(v0, v, lane, u);
+                               storeVec(sumOfVelocities, v, lane, u);
+                               storeVec(sumOfAccelerations, v, lane, a);
+                             } else if constexpr (s == 4) {
+                               u += loadVec(sumOfVelocities, v, lane);
+                               a += loadVec(sumOfAccelerations, v, lane);
+                             } else {
+                               storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
+                               storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
+                             }
+                             x = loadVec(x0, v, lane) + step * u;
+                             predicted = velocity = loadVec(v0, v, lane) + step * a;
+                           });
 }
 
 }  // namespace morula::MORULA_ISA

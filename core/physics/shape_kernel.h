@@ -46,8 +46,7 @@ MORULA_INLINE Vec findSpin(const Matrix& squares, const Vec& angular) {
 }
 
 template <bool resisted>
-MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                               int lane) {
+MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, int lane) {
   const Vec first = loadVec(b.position, 0, lane);
   Vec x = zeroVec(), w = zeroVec(), angular = zeroVec();
   Matrix products = zeroMatrix(), squares = zeroMatrix();
@@ -71,8 +70,7 @@ MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, con
   const Matrix inverseSquares{{Lanes(i[0]), Lanes(i[1]), Lanes(i[2])},
                               {Lanes(i[1]), Lanes(i[3]), Lanes(i[4])},
                               {Lanes(i[2]), Lanes(i[4]), Lanes(i[5])}};  // symmetric: rows are columns
-  m.map =
-      inverse * Matrix{inverseSquares * products.x, inverseSquares * products.y, inverseSquares * products.z};
+  m.map = inverse * Matrix{inverseSquares * products.x, inverseSquares * products.y, inverseSquares * products.z};
   const Matrix rotation = nearestRotation((inverse * Lanes(i[0])) * products);
   const Lanes linear = p.shapeLinear / cubeRootOf(max(determinant(m.map), Lanes(leastDeterminant)));
   m.goal = (scale * linear) * m.map + (scale * Lanes(1 - p.shapeLinear)) * rotation;

@@ -30,9 +30,7 @@ StabilityLimits shapeLimits(const Bodies& b, int) {
 }  // namespace
 
 extern const CellModelKind shapeMatchingCells;
-const CellModelKind shapeMatchingCells{.hasRestShape = true,
-                                       .limitedBy = "shape-matching",
-                                       .chooseForces = chooseShapeForces,
-                                       .limits = shapeLimits};
+const CellModelKind shapeMatchingCells{
+    .hasRestShape = true, .limitedBy = "shape-matching", .chooseForces = chooseShapeForces, .limits = shapeLimits};
 
 }  // namespace morula

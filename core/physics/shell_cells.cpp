@@ -41,8 +41,7 @@ StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double om
   const double fourPi = 4 * std::numbers::pi;
   const double atRest = b.restScale[slot] * cubeRoot(3 * measureVolume(mesh.vertices, mesh.faces) / fourPi);
   const double tension = membrane.stiffness * std::max(1 - atRest / radius, 0.0);
-  return {std::min(oscillator(membrane.stiffness, membrane.damping + drag * m, m),
-                   oscillator(tension, drag * m, m)),
+  return {std::min(oscillator(membrane.stiffness, membrane.damping + drag * m, m), oscillator(tension, drag * m, m)),
           oscillator(omega * omega, drag, 1)};
 }
 
@@ -54,9 +53,9 @@ StabilityLimits shellLimits(const Bodies& b, int slot) {
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;
   const double omega = std::sqrt(b.pressureConstant[slot] / b.mass(slot)) / volume * area;
   if (integrator.needsDrag) return limitsByDrag(b, slot, radius, omega);
-  return {integrator.oscillatorLimit(membrane.stiffness, membrane.damping,
-                                     b.vertexMass[slot] / b.meshOf(slot).ringWeight),
-          integrator.undampedLimit / omega};
+  return {
+      integrator.oscillatorLimit(membrane.stiffness, membrane.damping, b.vertexMass[slot] / b.meshOf(slot).ringWeight),
+      integrator.undampedLimit / omega};
 }
 
 }  // namespace

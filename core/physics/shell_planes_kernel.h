@@ -19,8 +19,7 @@ constexpr int outwardPasses = 2;  // for velocities
 /// The planes as vertices, or centres of balls, of the cells from `lane` on feel them.
 template <bool balls>
 struct FeltPlanes {
-  FeltPlanes(const BlockView& b, const KernelParameters& p, int lane)
-      : planes(p.planes), count(p.planeCount) {
+  FeltPlanes(const BlockView& b, const KernelParameters& p, int lane) : planes(p.planes), count(p.planeCount) {
     if constexpr (balls) radius = p.radius * load(b.restScale + lane);
   }
   MORULA_INLINE Vec normal(int i) const {
@@ -68,10 +67,8 @@ MORULA_INLINE void keepInPlanes(const FeltPlanes<balls>& shell, Vec& x, Vec& vel
   removeOutward(v, shell, y);
   removeOutward(w, shell, y);
   x = {select(outside, y.x, x.x), select(outside, y.y, x.y), select(outside, y.z, x.z)};
-  velocity = {select(outside, v.x, velocity.x), select(outside, v.y, velocity.y),
-              select(outside, v.z, velocity.z)};
-  predicted = {select(outside, w.x, predicted.x), select(outside, w.y, predicted.y),
-               select(outside, w.z, predicted.z)};
+  velocity = {select(outside, v.x, velocity.x), select(outside, v.y, velocity.y), select(outside, v.z, velocity.z)};
+  predicted = {select(outside, w.x, predicted.x), select(outside, w.y, predicted.y), select(outside, w.z, predicted.z)};
 }
 
 template <bool balls>
@@ -91,8 +88,7 @@ inline void keepAllInPlanes(const TemplateView& mesh, const BlockView& b, const 
 
 /// A drift without a shell, and then the planes.
 template <auto drift, bool balls = false>
-inline void driftInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                          double dt) {
+inline void driftInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   drift(mesh, b, p, dt);
   keepAllInPlanes<balls>(mesh, b, p);
 }

@@ -20,8 +20,7 @@ std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters&
       neighbours[face[k]] += 1;
     }
   for (std::size_t v = 0; v < held.size(); ++v) {
-    constexpr double near =
-        1 - 1e-6;  // the shell puts points onto itself to rounding, of single precision too
+    constexpr double near = 1 - 1e-6;  // the shell puts points onto itself to rounding, of single precision too
     const Point x = held[v];
     const Vector s = slope(x);
     const double reach = std::sqrt(dot(x, s));

@@ -26,8 +26,7 @@ MORULA_INLINE Vec select(Mask where, const Vec& a, const Vec& b) {
 }
 
 /// x − y
-MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v,
-                        const Vec& x) {
+MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v, const Vec& x) {
   const RingStep* ring = mesh.ring + mesh.ringStart[v];
   int neighbours = mesh.ringStart[v + 1] - mesh.ringStart[v];
   if (ring[neighbours - 1].edgeOffset == mesh.edgeCount * blockLanes) --neighbours;  // it evens out the ring
@@ -44,8 +43,7 @@ MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const
 inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   Real *position = b.position, *held = b.held, *velocities = b.velocity, *predictions = b.predicted;
   const ShellSlope slope(p);
-  const auto isNear = [&](const Vec& x)
-                          MORULA_INLINE_LAMBDA { return dot(x, slope(x)) > Lanes(1.0 - onShellWithin); };
+  const auto isNear = [&](const Vec& x) MORULA_INLINE_LAMBDA { return dot(x, slope(x)) > Lanes(1.0 - onShellWithin); };
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     bool touches = false;
     for (int v = 0; v < mesh.vertexCount; ++v) {
@@ -76,16 +74,14 @@ inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const Ker
 
 /// A drift without a shell, and then the shell.
 template <auto drift>
-inline void driftAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                                double dt) {
+inline void driftAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   drift(mesh, b, p, dt);
   keepSurfaces(mesh, b, p);
 }
 
 /// A kick without a shell, and then the shell bears what presses against it.
 template <auto kick>
-inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                               double dt) {
+inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   kick(mesh, b, p, dt);
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)

@@ -33,8 +33,7 @@ StabilityLimits measureLimits(const Bodies& bodies, int slot);
 ///   K Δt² + 2s C Δt − 4 m/10 = 0
 /// `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0. XPBD takes contact
 /// forces once per time step: s = 1, whatever its sub-steps.
-double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
-                    double drag = 0);
+double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag = 0);
 
 /// [time] Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
 /// XPBD.

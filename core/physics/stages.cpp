@@ -25,9 +25,8 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
                               : shape == ShellShape::planesAroundSpheres ? KickShell::planesAroundSpheres
                                                                          : KickShell::anyShape;
   const Movement move = kindOf(p.integrator).movement(k, static_cast<int>(shape), p.membrane.damping > 0);
-  PhysicsStages stages{.drift = move.drift,
-                       .kick = move.kick[static_cast<int>(kickShell)],
-                       .furtherDrifts = move.furtherDrifts};
+  PhysicsStages stages{
+      .drift = move.drift, .kick = move.kick[static_cast<int>(kickShell)], .furtherDrifts = move.furtherDrifts};
   kindOf(p.cell.model).chooseForces(stages, k, p, surfaces);
   return stages;
 }
@@ -82,8 +81,8 @@ void stepOnce(const PhysicsStages& stages, const Bodies& bodies, const BlockView
 
 }  // namespace
 
-bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block,
-                       double timeStep, std::uint64_t steps) {
+bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
+                       std::uint64_t steps) {
   const TemplateView mesh = bodies.meshAt(block.meshLevel).view();
   const KernelParameters& p = bodies.kernelParameters;
   if (stages.endAndDrift && steps > 1) {

@@ -17,7 +17,7 @@ struct PhysicsStages {
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
 
   // The inner forces, in this order
-  PhysicsKernels::Stage findTensions = noOp;  // of each edge: coefficient ← spring force over edge vector
+  PhysicsKernels::Stage findTensions = noOp;     // of each edge: coefficient ← spring force over edge vector
   PhysicsKernels::Stage accumulateRings = noOp;  // of each one-ring: gradient, volume; acceleration ← springs
   PhysicsKernels::Stage finishForces = noOp;     // all others, and the pressure; acceleration ← whole force
 
@@ -56,7 +56,7 @@ inline bool isSound(double volume, double pressure) {
 /// So many whole time steps of a block of isolated cells, on which nothing else acts, while it stays in cache:
 /// the same bits as advance and kick. False at once when a cell is not sound (isSound) after a step; the
 /// block's state is then of no use.
-bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block,
-                       double timeStep, std::uint64_t steps);
+bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
+                       std::uint64_t steps);
 
 }  // namespace morula

@@ -24,8 +24,7 @@ MORULA_INLINE void driftVertex(Lanes halfStep, Lanes step, const Vec& accelerati
 }
 
 template <ShellShape shell>
-inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                                double dt) {
+inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
   driftVertices<shell>(mesh, b, p,
                        [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted)
@@ -34,14 +33,13 @@ inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, co
 
 /// x ← x', velocity and predicted ← v'.
 template <ShellShape shell>
-inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                              double dt) {
+inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const Lanes step = dt;
-  driftVertices<shell>(
-      mesh, b, p, [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-        predicted = velocity = velocity + step * a;
-        x = x + step * velocity;
-      });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+                         predicted = velocity = velocity + step * a;
+                         x = x + step * velocity;
+                       });
 }
 
 struct InverseMass {
@@ -57,8 +55,8 @@ enum class Kick { none, half, whole };
 /// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it. The shell
 /// bears what presses against it.
 template <Kick lacking, bool shell>
-MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes step, const Vec& force,
-                             const Vec& x, Vec& velocity) {
+MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes step, const Vec& force, const Vec& x,
+                             Vec& velocity) {
   Vec a = inverseMass * force;
   if constexpr (lacking != Kick::none) velocity += step * a;
   if constexpr (shell) slideOnShell(slope, x, velocity, a);

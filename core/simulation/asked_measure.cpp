@@ -45,8 +45,7 @@ AskedMeasure readRow(const std::string& text, bool hasCells, IfSeveral several) 
   std::vector<std::string> names, scopes;
   for (const AskedMeasure& m : allMeasures()) {
     const bool isFirst = several == IfSeveral::first && m.row == row;
-    if (m.name == row || withScope(m) == row ||
-        (isFirst && !(hasCells && m.scope == Scope::world && !m.ofClones)))
+    if (m.name == row || withScope(m) == row || (isFirst && !(hasCells && m.scope == Scope::world && !m.ofClones)))
       return m;
     names.push_back(m.row);
     if (m.row == row) scopes.push_back(m.name);
@@ -83,16 +82,14 @@ AskedMeasure readMeasure(const std::string& text, IfSeveral several) {
   AskedMeasure m = measured == "count" ? AskedMeasure{measured, "", "", Scope::world, Needs::nothing, true}
                                        : readRow(measured, true, several);
   if (!m.isCount() && m.scope == Scope::world && !m.ofClones)
-    throw InputError(
-        "'" + measured +
-        "' is of the organism as a whole and takes no 'of'; measures of cells, pairs and clones do, "
-        "and count");
+    throw InputError("'" + measured +
+                     "' is of the organism as a whole and takes no 'of'; measures of cells, pairs and clones do, "
+                     "and count");
   m.of = parseSelection(text.substr(at + beforeSelection.size()));
   if (m.ofClones && m.of->kind != CellSelection::Kind::generation)
-    throw InputError(
-        "'" + measured +
-        "' is of all clones, in the mean; needs generation N behind 'of': clones are then those of the "
-        "cells N divisions from the egg");
+    throw InputError("'" + measured +
+                     "' is of all clones, in the mean; needs generation N behind 'of': clones are then those of the "
+                     "cells N divisions from the egg");
   m.name += std::string(beforeSelection) + m.of->text();
   return m;
 }

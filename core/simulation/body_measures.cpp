@@ -24,10 +24,9 @@ BodyShape measureShape(const Bodies& b, int slot) {
     return {std::move(surface), b.vertex(slot, 0), b.volume[slot], ballArea * radius * radius, {}, true};
   }
   const auto& [vertices, faces] = surface;
-  BodyShape shape{
-      {}, measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {}, false};
-  if (b.model().hasMembrane)
-    shape.pressure = b.pressureConstant[slot] / shape.volume - b.parameters.pressure.outside;
+  BodyShape shape{{},   measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {},
+                  false};
+  if (b.model().hasMembrane) shape.pressure = b.pressureConstant[slot] / shape.volume - b.parameters.pressure.outside;
   shape.surface = std::move(surface);
   return shape;
 }
@@ -174,8 +173,7 @@ ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place)
 }
 
 double measureShellVolume(const Bodies& b) {
-  if (const auto& shell = b.parameters.shell->mesh)
-    return measureVolume(shell->mesh.vertices, shell->mesh.faces);
+  if (const auto& shell = b.parameters.shell->mesh) return measureVolume(shell->mesh.vertices, shell->mesh.faces);
   const double* a = b.parameters.shell->semiAxes;
   return ballArea / 3 * a[0] * a[1] * a[2];
 }

@@ -87,8 +87,7 @@ double paceOf(const World& world, const CellPath& path) {
 
 double nextCycleOf(const World& world, std::size_t cell) {
   const Cells& cells = world.cells;
-  return cells.lastCycle[cell] +
-         paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
+  return cells.lastCycle[cell] + paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
 }
 
 namespace {
@@ -109,8 +108,8 @@ void requireCellsInTime(const World& world) {
   if (!(world.clock.time > double(mostCyclesForCells) * longestCycle(scene.cycle))) return;
   throw NumericalError("", world.clock.step,
                        "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
-                           std::to_string(mostCyclesForCells) +
-                           " cycles: " + std::to_string(world.cells.path.size()) + " live",
+                           std::to_string(mostCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +
+                           " live",
                        "give fewer stop.cells, or a stop.time or stop.cycles besides");
 }
 

@@ -74,9 +74,9 @@ CellSelection parseSelection(const std::string& text) {
     const auto space = text.find(' ');
     const bool isNear =
         space != text.npos && !closest(text.substr(0, space), std::vector<std::string>{"generation"}).empty();
-    throw InputError("'" + text + "' selects no cells; " +
-                     (isNear ? "did you mean generation" + text.substr(space) + "?"
-                             : std::string("needs ") + selectionAllowed));
+    throw InputError(
+        "'" + text + "' selects no cells; " +
+        (isNear ? "did you mean generation" + text.substr(space) + "?" : std::string("needs ") + selectionAllowed));
   }
   return {.kind = substance, .substance = text};
 }

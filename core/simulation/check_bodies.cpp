@@ -17,8 +17,7 @@ namespace {
 /// How far a cell's fastest vertex is from where the list was built.
 double farthestMove(const World& world, int slot) {
   const Bodies& b = *world.bodies;
-  const RowMemory* rows =
-      &world.contacts->rows[b.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes];
+  const RowMemory* rows = &world.contacts->rows[b.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes];
   double square = 0;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
     const SnapshotRow row = readRow(rows[v * blockLanes], b.parameters.precision);
@@ -42,12 +41,11 @@ void checkReach(const World& world) {
     const double move = farthestMove(world, slot);
     if (!(move > most && move < 1e300)) continue;  // another cell of its block, or checkBodies will see it
     const double timeStep = powerOfTwoBelow(world.clock.timeStep * mostFlight * (c.radius[slot] / move));
-    BodyFailure failure(
-        world.cells.path[cell].text(), world.clock.step,
-        "a vertex moves by " + numberText(move) + " in one step, farther than the " +
-            numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
-        "use physics.time_step: " + exactText(timeStep) +
-            ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.friction");
+    BodyFailure failure(world.cells.path[cell].text(), world.clock.step,
+                        "a vertex moves by " + numberText(move) + " in one step, farther than the " +
+                            numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
+                        "use physics.time_step: " + exactText(timeStep) +
+                            ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.friction");
     failure.timeStep = timeStep;
     throw failure;
   }
@@ -85,8 +83,7 @@ void checkBodies(const World& world) {
     if (isSound(volume, b.pressure[slot])) continue;
     throw BodyFailure(
         world.cells.path[cell].text(), world.clock.step,
-        volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out"
-                    : "its volume is not finite",
+        volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out" : "its volume is not finite",
         "look at physics.time_step (now " + exactText(world.clock.timeStep) +
             "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
             "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, "
@@ -96,8 +93,7 @@ void checkBodies(const World& world) {
 
 void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values) {
   if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "its " + std::string(field) + " is not finite",
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step, "its " + std::string(field) + " is not finite",
                        "speeds, masses or forces are beyond what numbers can hold: look at cells: velocity, "
                        "physics.cell.mass and stiffnesses");
 }

@@ -49,8 +49,7 @@ std::string sealed(const std::string& fields) {
 std::string_view unsealed(std::string_view bytes) {
   if (bytes.substr(0, magic.size()) != magic) refuse("these bytes are not a checkpoint");
   if (bytes.size() < headSize) refuse("it is cut short within its first bytes");
-  const std::uint64_t version = numberAt(bytes, magic.size()),
-                      length = numberAt(bytes, magic.size() + numberSize);
+  const std::uint64_t version = numberAt(bytes, magic.size()), length = numberAt(bytes, magic.size() + numberSize);
   if (version != checkpointVersion)
     refuse("it has format " + std::to_string(version) + ", and this program reads format " +
            std::to_string(checkpointVersion) + ": go on with the program that wrote it");

@@ -45,9 +45,9 @@ void checkConnections(const std::vector<ConnectionRecord>& history, const std::v
 
 void checkPolarities(const std::vector<PolarityRecord>& polarities) {
   for (std::size_t i = 0; i < polarities.size(); ++i)
-    demand((i == 0 || polarities[i - 1].path < polarities[i].path) &&
-               std::abs(norm(polarities[i].direction) - 1) < 1e-6,
-           "the polarity that '" + polarities[i].path.text() + "' left to its daughters");
+    demand(
+        (i == 0 || polarities[i - 1].path < polarities[i].path) && std::abs(norm(polarities[i].direction) - 1) < 1e-6,
+        "the polarity that '" + polarities[i].path.text() + "' left to its daughters");
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ void makeRoom(Bodies& b, const Numbers& levels) {
 /// Reads part after part [visitState], each into the place that it has in a world.
 class StateReader {
  public:
-  StateReader(FieldReader& in, BiologicalUnit& biology, SavedState& read)
-      : in_(in), biology_(biology), read_(read) {}
+  StateReader(FieldReader& in, BiologicalUnit& biology, SavedState& read) : in_(in), biology_(biology), read_(read) {}
 
   void operator()(const char* table, Clock& clock) {
     visitFields(clock, [&]<class T>(const Field& field, T& value) {
@@ -194,8 +193,7 @@ void takeSnapshots(World& world) {
   for (int i = 0; i < b.blockCount(); ++i) {
     const BlockView block = b.block(i, 0);
     const std::size_t first = std::size_t(b.blocks[i].firstLine) * vertexStride;
-    for (int k = 0; k < b.verticesPerLane(i) * vertexStride; ++k)
-      b.scratch[0].predicted[k] = b.velocity[first + k];
+    for (int k = 0; k < b.verticesPerLane(i) * vertexStride; ++k) b.scratch[0].predicted[k] = b.velocity[first + k];
     const TemplateView mesh = b.meshAt(block.meshLevel).view();
     world.stages.findTensions(mesh, block, b.kernelParameters);
     world.stages.accumulateRings(mesh, block, b.kernelParameters);

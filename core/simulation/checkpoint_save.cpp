@@ -32,8 +32,7 @@ Columns snapshotRadii(const Contacts& c, const Bodies& b) {
   Columns radii;
   for (int slot : b.slots) {
     const std::size_t first = b.at(slot, 0) / vertexStride * blockLanes + slot % blockLanes;
-    radii.push_back(1 /
-                    std::sqrt(double(readRow(c.rows[first], b.parameters.precision).inverseRadiusSquared)));
+    radii.push_back(1 / std::sqrt(double(readRow(c.rows[first], b.parameters.precision).inverseRadiusSquared)));
   }
   return radii;
 }
@@ -67,9 +66,8 @@ class StateWriter {
     });
     for (const Record& row : rows) {
       auto next = columns.begin();
-      visitFields(row, [&]<class T>(const Field&, const T& value) {
-        put(std::get<ColumnOf<T>>((next++)->second), value);
-      });
+      visitFields(row,
+                  [&]<class T>(const Field&, const T& value) { put(std::get<ColumnOf<T>>((next++)->second), value); });
     }
     for (const auto& named : columns)  // a lambda cannot capture a structured binding
       std::visit([&](const auto& values) { out_.add(named.first, values); }, named.second);

@@ -38,9 +38,7 @@ struct OnFile<const char*> : OnFile<CellPath> {};
 template <class T>
 using ColumnOf = typename OnFile<std::remove_const_t<T>>::Column;
 
-inline std::string columnName(const char* table, const Field& field) {
-  return std::string(table) + "." + field.name;
-}
+inline std::string columnName(const char* table, const Field& field) { return std::string(table) + "." + field.name; }
 
 /// [10] In the order of the file.
 template <IsA<Contacts> T>

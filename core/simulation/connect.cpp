@@ -21,8 +21,7 @@ bool shallConnect(const ConnectionParameters& p, double wish, const CellContext&
   if (p.make == MakeConnections::byContact) return wish >= 0;
   if (p.make != MakeConnections::pairs) return wish > 0;
   const std::string ofA = a.substances(), ofB = b.substances();
-  return wish >= 0 &&
-         std::ranges::any_of(p.pairs, [&](const ConnectedPair& pair) { return fits(pair, ofA, ofB); });
+  return wish >= 0 && std::ranges::any_of(p.pairs, [&](const ConnectedPair& pair) { return fits(pair, ofA, ofB); });
 }
 
 }  // namespace
@@ -30,9 +29,7 @@ bool shallConnect(const ConnectionParameters& p, double wish, const CellContext&
 void connectNeighbours(World& world, const Observation& now, const std::vector<CellChange>& changes) {
   if (!world.connections || world.connections->parameters.make == MakeConnections::atDivision) return;
   Connections& connections = *world.connections;
-  const auto cycled = [&](int cell) {
-    return changes[cell] != CellChange::none && changes[cell] != CellChange::dies;
-  };
+  const auto cycled = [&](int cell) { return changes[cell] != CellChange::none && changes[cell] != CellChange::dies; };
   const auto wish = [&](int cell) { return world.biology->wantsToConnect(ObservedCell(now, cell)); };
 
   const auto active = connections.active;  // release changes the list
@@ -43,9 +40,8 @@ void connectNeighbours(World& world, const Observation& now, const std::vector<C
       release(connections, a, b, world.clock.time, "gene");
   }
   for (const ContactArea& touch : now.contacts())
-    if ((cycled(touch.a) || cycled(touch.b)) &&
-        shallConnect(connections.parameters, wish(touch.a) + wish(touch.b), ObservedCell(now, touch.a),
-                     ObservedCell(now, touch.b)))
+    if ((cycled(touch.a) || cycled(touch.b)) && shallConnect(connections.parameters, wish(touch.a) + wish(touch.b),
+                                                             ObservedCell(now, touch.a), ObservedCell(now, touch.b)))
       connect(connections, world.cells.path[touch.a], world.cells.path[touch.b], world.clock.time);
 }
 
@@ -56,18 +52,14 @@ void releaseConnections(World& world) {
       std::tie(c.parameters.releaseDistance, c.parameters.releaseTension, c.parameters.releaseAge);
   if (!releaseDistance && !releaseTension && !releaseAge) return;
   const Bodies& bodies = *world.bodies;
-  for (std::size_t k = c.active.size();
-       k-- > 0;) {  // from behind, for release takes the pair out of the list
+  for (std::size_t k = c.active.size(); k-- > 0;) {  // from behind, for release takes the pair out of the list
     const auto [a, b, made, released, none] = c.history[c.active[k]];
-    const int slotA = bodies.slots[cellNumber(world.cells, a)],
-              slotB = bodies.slots[cellNumber(world.cells, b)];
+    const int slotA = bodies.slots[cellNumber(world.cells, a)], slotB = bodies.slots[cellNumber(world.cells, b)];
     const double distance = norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB));
     const char* cause = "";
-    if (releaseDistance &&
-        distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
+    if (releaseDistance && distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
       cause = "distance";
-    else if (releaseTension &&
-             springTension(*c.parameters.spring, bodies, slotA, slotB, distance) > *releaseTension)
+    else if (releaseTension && springTension(*c.parameters.spring, bodies, slotA, slotB, distance) > *releaseTension)
       cause = "tension";
     else if (releaseAge && world.clock.time - made >= *releaseAge) cause = "age";
     if (*cause) release(c, a, b, world.clock.time, cause);

@@ -36,8 +36,7 @@ double membranePower(const Bodies& b, int slot) {
 
 /// −Σ F·v of what damping and friction add to the forces of contact.
 double contactPower(const World& world) {
-  if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair)
-    return 0;
+  if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair) return 0;
   Bodies b = *world.bodies;
   const auto powerOf = [&](double damping, double friction) {
     Contacts c = *world.contacts;
@@ -72,8 +71,7 @@ Energy measureEnergy(const World& world) {
   Energy e = measureEnergy(b);
   if (world.connections) e.connections = measureConnectionEnergy(*world.connections, world.cells.path, b);
   if (world.contacts && !b.areSpheres() && world.contacts->parameters.law == ContactLaw::pair)
-    for (const PairSum& pair : sumPairs(*world.contacts, b))
-      e.contact += pair.repulsion, e.adhesion += pair.adhesion;
+    for (const PairSum& pair : sumPairs(*world.contacts, b)) e.contact += pair.repulsion, e.adhesion += pair.adhesion;
   return e;
 }
 

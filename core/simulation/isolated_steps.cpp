@@ -57,8 +57,7 @@ std::uint64_t stepsUntil(const Clock& clock, double time) {
 void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
-  if (areIsolated(world))
-    steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
+  if (areIsolated(world)) steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
   const double before = clock.time;
   if (!moveIsolated(world, steps)) {

@@ -154,11 +154,10 @@ struct AskedRow {
 
 /// Of one thing: nothing if there is nothing to measure.
 template <class Of>
-void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, const CellPath& a,
-             const CellPath& b, const Of& of, std::vector<TakenMeasure>& taken) {
+void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, const CellPath& a, const CellPath& b,
+             const Of& of, std::vector<TakenMeasure>& taken) {
   if (!has(now, asked.row->needs)) return;
-  if (const std::optional<double> value = asked.row->get(of))
-    taken.push_back({scope, *asked.name, a, b, *value});
+  if (const std::optional<double> value = asked.row->get(of)) taken.push_back({scope, *asked.name, a, b, *value});
 }
 
 void takeOfWorld(const Observation& now, const AskedMeasure& asked, std::vector<TakenMeasure>& taken) {
@@ -181,16 +180,14 @@ void takeOfCells(const Observation& now, const std::vector<AskedRow<CellContext>
   }
 }
 
-void takeOfPairs(const Observation& now, const std::vector<AskedRow<Touch>>& rows,
-                 std::vector<TakenMeasure>& taken) {
+void takeOfPairs(const Observation& now, const std::vector<AskedRow<Touch>>& rows, std::vector<TakenMeasure>& taken) {
   if (rows.empty()) return;
   const std::vector<ContactArea>& contacts = now.contacts();
   const std::span<const double> durations = now.contactDurations;
   MORULA_CHECK(durations.empty() || durations.size() == contacts.size(), "one duration for each contact");
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [a, b, area] = contacts[i];
-    const Touch touch{now.cell(a), now.cell(b), area,
-                      durations.empty() ? std::nullopt : std::optional(durations[i])};
+    const Touch touch{now.cell(a), now.cell(b), area, durations.empty() ? std::nullopt : std::optional(durations[i])};
     for (const auto& row : rows)
       if (has(row.selected, a) || has(row.selected, b))
         takeOne(now, row, Scope::pair, touch.a.path, touch.b.path, touch, taken);
@@ -230,8 +227,6 @@ Mesh cellMesh(const World& world, const CellPath& path) {
   return number < 0 ? Mesh{} : takeSurface(*world.bodies, world.bodies->slots[number]);
 }
 
-std::vector<Point> cellVertices(const World& world, const CellPath& path) {
-  return cellMesh(world, path).vertices;
-}
+std::vector<Point> cellVertices(const World& world, const CellPath& path) { return cellMesh(world, path).vertices; }
 
 }  // namespace morula

@@ -68,8 +68,7 @@ const Measure<Of>& measure(std::string_view name);
 template <class Of>
 class Measured {
  public:
-  std::vector<std::optional<double>> values =
-      std::vector<std::optional<double>>(sampledMeasures<Of>().size());
+  std::vector<std::optional<double>> values = std::vector<std::optional<double>>(sampledMeasures<Of>().size());
 
   std::optional<double>& operator[](std::string_view name) { return values[indexOf(name)]; }
   const std::optional<double>& operator[](std::string_view name) const { return values[indexOf(name)]; }
@@ -130,9 +129,7 @@ std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const s
 
 inline WorldMeasures measureWorld(const World& world) { return measureWorld(Observation(world)); }
 inline std::vector<CellMeasures> measureCells(const World& world) { return measureCells(Observation(world)); }
-inline std::vector<ContactMeasures> measureContacts(const World& world) {
-  return measureContacts(Observation(world));
-}
+inline std::vector<ContactMeasures> measureContacts(const World& world) { return measureContacts(Observation(world)); }
 
 /// The surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such
 /// cell lives, or without bodies.

@@ -44,19 +44,17 @@ constexpr double perCellEver = 400;
 /// [byte] Of a vertex in storage.
 double perVertex(const MechanicsScene& m) {
   const double vector = 3 * (m.physics.precision == Precision::binary64 ? 8 : 4);
-  double bytes = 3 * vector;                                              // place, velocity, acceleration
-  bytes += 2 * sizeof(Vector);                                            // Body, while cells divide
-  if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;  // Bodies::substeps
-  if (shellShapeOf(m.physics) == ShellShape::surface) bytes += vector;    // Bodies::held
+  double bytes = 3 * vector;                                                     // place, velocity, acceleration
+  bytes += 2 * sizeof(Vector);                                                   // Body, while cells divide
+  if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;         // Bodies::substeps
+  if (shellShapeOf(m.physics) == ShellShape::surface) bytes += vector;           // Bodies::held
   if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 6 * sizeof(std::int32_t);
   return bytes;
 }
 
-double storedVertices(const World& world) {
-  return world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0;
-}
+double storedVertices(const World& world) { return world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0; }
 
 /// Half a sentence, or "" if there is memory enough.
 std::string problemOf(const World& world, double cellsEver, double vertices) {
@@ -115,16 +113,16 @@ MemoryUse measureMemory(const World& world) {
   m.cells = bytes(c.path, c.state, c.lastCycle, c.growth, c.entry) + bytes(world.lineage.entries);
   if (world.bodies) {
     const Bodies& b = *world.bodies;
-    m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths,
-                   b.mesh.springWeights, b.mesh.ringStart, b.mesh.ring);
+    m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths, b.mesh.springWeights,
+                   b.mesh.ringStart, b.mesh.ring);
     m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.held, b.vertexMass, b.restScale,
                      b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
     for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
   }
   if (world.contacts) {
     const Contacts& k = *world.contacts;
-    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
-                        k.list.reference);
+    m.snapshots =
+        bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change, k.list.reference);
     m.listRows = bytes(k.list.firstSlice);
     m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
     for (const BlockLists& lists : k.list.perBlock) {

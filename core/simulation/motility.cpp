@@ -18,8 +18,8 @@ void addMotility(World& world) {
   if (!m.isCurrent || m.interval != interval) {
     m.direction.resize(world.cells.path.size());
     parallelFor(cells, threads, [&](int cell) {
-      m.direction[cell] = randomDirection({world.model.seed, world.cells.path[cell],
-                                           static_cast<std::uint32_t>(interval), Purpose::motility});
+      m.direction[cell] = randomDirection(
+          {world.model.seed, world.cells.path[cell], static_cast<std::uint32_t>(interval), Purpose::motility});
     });
     m.interval = interval;
     m.isCurrent = true;

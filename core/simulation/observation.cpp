@@ -47,8 +47,7 @@ const std::vector<ContactArea>& Observation::contacts() const {
 
 std::span<const Observation::Contact> Observation::contactsOf(int number) const {
   contacts();
-  return std::span(contactsByCell_)
-      .subspan(firstContact_[number], firstContact_[number + 1] - firstContact_[number]);
+  return std::span(contactsByCell_).subspan(firstContact_[number], firstContact_[number + 1] - firstContact_[number]);
 }
 
 double Observation::meshVolume(int meshLevel) const {
@@ -110,8 +109,7 @@ BodyUnit::BodyUnit(const Observation& observation, int slot)
     : observation_(observation), bodies_(*observation.world.bodies), slot_(slot) {}
 
 double BodyUnit::getRestVolume() const {
-  return measureRestVolume(bodies_, slot_,
-                           observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].meshLevel));
+  return measureRestVolume(bodies_, slot_, observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].meshLevel));
 }
 
 double BodyUnit::getMeshVolume() const {
@@ -127,8 +125,7 @@ const BodyShape& BodyUnit::getShape() const {
   return *shape_;
 }
 
-ObservedCell::ObservedCell(const Observation& observation, int number)
-    : observation_(observation), number_(number) {
+ObservedCell::ObservedCell(const Observation& observation, int number) : observation_(observation), number_(number) {
   const Cells& cells = observation.world.cells;
   path = cells.path[number];
   state = cells.state[number];

@@ -81,8 +81,7 @@ Value measureRelativesInContact(const Observation& now, int relation) {
   for (int a = 0; a < static_cast<int>(paths.size()); ++a) {
     const int common = paths[a].depth() - relation;
     if (common < 0) continue;
-    for (int b = a + 1; b < static_cast<int>(paths.size()) && commonDepth(paths[a], paths[b]) >= common;
-         ++b) {
+    for (int b = a + 1; b < static_cast<int>(paths.size()) && commonDepth(paths[a], paths[b]) >= common; ++b) {
       if (paths[b].depth() != paths[a].depth() || commonDepth(paths[a], paths[b]) != common) continue;
       ++pairs;
       touching += touch(now, a, b) ? 1 : 0;
@@ -153,13 +152,11 @@ Value measureCloneSpread(const Observation& now, int depth) {
     double volume = 0, second = 0;
     Vector first;
     for (const int cell : clone) {
-      const SolidMoments& m =
-          cells.emplace_back(measureMoments(*now.world.bodies, now.world.bodies->slots[cell]));
+      const SolidMoments& m = cells.emplace_back(measureMoments(*now.world.bodies, now.world.bodies->slots[cell]));
       volume += m.volume, first += m.volume * m.centre;
     }
     const Point centre = first / volume;
-    for (const SolidMoments& m : cells)
-      second += m.second + m.volume * dot(m.centre - centre, m.centre - centre);
+    for (const SolidMoments& m : cells) second += m.second + m.volume * dot(m.centre - centre, m.centre - centre);
     const double radius = cubeRoot(volume * 3 / (4 * std::numbers::pi));
     sum += std::sqrt(second / volume / 0.6) / radius;
     ++clones;
@@ -230,8 +227,7 @@ ContactsCompared compareContacts(const Observation& now) {
     ++found.here;
     found.both += reference.contains({one, other}) ? 1 : 0;
   }
-  for (const auto& [a, b] : reference)
-    found.there += cellNumber(cells, a) >= 0 && cellNumber(cells, b) >= 0 ? 1 : 0;
+  for (const auto& [a, b] : reference) found.there += cellNumber(cells, a) >= 0 && cellNumber(cells, b) >= 0 ? 1 : 0;
   return found;
 }
 

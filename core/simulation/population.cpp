@@ -28,8 +28,7 @@ Division divide(const World& world, const ObservedCell& cell) {
   const Bodies& bodies = *world.bodies;
   const Body mother = takeBody(bodies, cell.slot());
   Cut cut = world.divisionPolicy->findCut(cell);
-  DivisionRecord record{
-      cell.path, world.clock.time, world.clock.step, cut.normal, cut.share.value_or(0.5), {}, {}, {}};
+  DivisionRecord record{cell.path, world.clock.time, world.clock.step, cut.normal, cut.share.value_or(0.5), {}, {}, {}};
   if (bodies.areSpheres())
     return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
   const Faces faces = bodies.meshOf(cell.slot()).mesh.faces;
@@ -43,8 +42,7 @@ Division divide(const World& world, const ObservedCell& cell) {
   auto& [a, b] = result.daughters;
   record.share = a.mass / mother.mass;  // mass goes by volume
   if (bodies.model().hasRestShape)      // a volume at rest, and no membrane
-    for (Body* daughter : {&a, &b})
-      daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
+    for (Body* daughter : {&a, &b}) daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
   return {cut, {coarsen(bodies, std::move(a)), coarsen(bodies, std::move(b))}, record};
 }
 
@@ -91,8 +89,7 @@ struct Population {
   std::vector<BirthSize> birthSizes;  // 0 of newborns; empty where no division asks for them
 };
 
-void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth,
-         std::uint32_t entry) {
+void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth, std::uint32_t entry) {
   p.cells.path.push_back(path);
   p.cells.state.push_back(state);
   p.cells.lastCycle.push_back(lastCycle);
@@ -138,8 +135,7 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
   std::size_t division = 0;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::divides)
-      inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf,
-                         centreBefore);
+      inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf, centreBefore);
 }
 
 /// Sorts in what mothers left to their daughters.
@@ -148,8 +144,7 @@ void keepPolarities(World& world, const std::vector<CellChange>& changes, const 
   std::size_t division = 0;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] != CellChange::divides) continue;
-    if (const auto& polarity = cuts[division++].polarity)
-      world.polarities->push_back({world.cells.path[i], *polarity});
+    if (const auto& polarity = cuts[division++].polarity) world.polarities->push_back({world.cells.path[i], *polarity});
   }
   std::ranges::sort(*world.polarities, {}, &PolarityRecord::path);
 }
@@ -189,8 +184,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
   std::vector<Division> divisions;
   if (world.bodies)
     for (std::size_t i = 0; i < changes.size(); ++i)
-      if (changes[i] == CellChange::divides)
-        divisions.push_back(divide(world, ObservedCell(now, static_cast<int>(i))));
+      if (changes[i] == CellChange::divides) divisions.push_back(divide(world, ObservedCell(now, static_cast<int>(i))));
 
   Population next;
   std::vector<Cut> cuts;

@@ -22,8 +22,7 @@ std::vector<double> ranks(std::span<const double> values) {
   for (std::size_t first = 0; first < order.size();) {
     std::size_t end = first + 1;
     while (end < order.size() && values[order[end]] - values[order[end - 1]] <= 1e-9 * largest) ++end;
-    for (std::size_t i = first; i < end; ++i)
-      rank[order[i]] = 0.5 * static_cast<double>(first + end - 1) - middle;
+    for (std::size_t i = first; i < end; ++i) rank[order[i]] = 0.5 * static_cast<double>(first + end - 1) - middle;
     first = end;
   }
   return rank;

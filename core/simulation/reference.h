@@ -11,9 +11,8 @@
 namespace morula {
 
 struct Reference {
-  std::set<std::pair<CellPath, CellPath>>
-      contacts;                         // (a, b) with a < b; those of a cell in here are all it has
-  std::map<CellPath, Point> positions;  // of centres; any unit of length, any frame
+  std::set<std::pair<CellPath, CellPath>> contacts;  // (a, b) with a < b; those of a cell in here are all it has
+  std::map<CellPath, Point> positions;               // of centres; any unit of length, any frame
 };
 
 }  // namespace morula

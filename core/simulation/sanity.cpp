@@ -79,8 +79,7 @@ double turnedBoxVolume(const Mesh& a, const Mesh& b) {
   if (!(norm(way) > 0)) return INFINITY;
   const Vector first = (1 / norm(way)) * way;
   const Vector aside = std::abs(first.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};
-  const Vector across = cross(first, aside), second = (1 / norm(across)) * across,
-               third = cross(first, second);
+  const Vector across = cross(first, aside), second = (1 / norm(across)) * across, third = cross(first, second);
   return sharedLength(a, b, first) * sharedLength(a, b, second) * sharedLength(a, b, third);
 }
 
@@ -119,8 +118,7 @@ std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector
         share = std::min(share, turnedBoxVolume(surfaces[a], surfaces[b]) / volumes[smaller]);
       if (share > sanity::mostOverlap) pairs.push_back({share, smaller, a + b - smaller});
     }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.share > b.share; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.share > b.share; });
   return pairs;
 }
 
@@ -177,9 +175,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   if (!all[0].holds()) return all;
 
   const Observation now(world);
-  const auto valueOf = [](const char* name, const CellContext& cell) {
-    return *measure<CellContext>(name).get(cell);
-  };
+  const auto valueOf = [](const char* name, const CellContext& cell) { return *measure<CellContext>(name).get(cell); };
   std::vector<Mesh> surfaces;
   std::vector<Point> centres;
   Worst least{1}, most{1}, inverted{0};
@@ -206,8 +202,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     Worst outermost{0};
     for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
-    all.push_back(
-        measureOf(world, "fill", {*measure<Observation>("shell_fill").get(now)}, 0, sanity::mostFill));
+    all.push_back(measureOf(world, "fill", {*measure<Observation>("shell_fill").get(now)}, 0, sanity::mostFill));
   }
   return all;
 }

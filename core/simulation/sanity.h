@@ -14,9 +14,9 @@ struct World;
 namespace sanity {
 
 constexpr double leastVolume = 0.1, mostVolume = 10;  // [1] of a cell, over its volume at rest
-constexpr double mostInverted = 0.25;       // [1] share of a cell's surface whose inner side shows outwards
-constexpr double mostOverlap = 0.2;         // [1] share of a cell's volume that one other cell has too
-constexpr double mostOutermost = 1 + 1e-6;  // [shell radii] vertices are projected onto it, up to rounding
+constexpr double mostInverted = 0.25;                 // [1] share of a cell's surface whose inner side shows outwards
+constexpr double mostOverlap = 0.2;                   // [1] share of a cell's volume that one other cell has too
+constexpr double mostOutermost = 1 + 1e-6;            // [shell radii] vertices are projected onto it, up to rounding
 // [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 % where
 // cells of twice the shell's volume are pressed together (senses/pressed-and-old).
 constexpr double mostFill = 1.02;

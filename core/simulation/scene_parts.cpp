@@ -69,8 +69,8 @@ void addMesh(Hasher& h, const Mesh& mesh) {
 }
 
 void addPart(Hasher& h, const PhysicsParameters& physics) {
-  const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
-               shapeMatching, drag, growth, shell, motility, settle] = physics;
+  const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
+               drag, growth, shell, motility, settle] = physics;
   h.field("physics").add(number(integrator)).add(number(precision)).add(drag);
   if (substeps) h.field("substeps").add(*substeps);
   add(h, coarsen);

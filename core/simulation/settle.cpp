@@ -180,8 +180,8 @@ void settle(World& world) {
     throw NumericalError(
         world.cells.path[descent.restless()].text(), record.step,
         "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
-            " of what holds cells in shape, more than " + numberText(farOff) +
-            " times physics.settle.tolerance " + exactText(p.tolerance) + ": cells are far from rest",
+            " of what holds cells in shape, more than " + numberText(farOff) + " times physics.settle.tolerance " +
+            exactText(p.tolerance) + ": cells are far from rest",
         "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower what is stiff "
         "(physics.contact.stiffness, physics.pressure.constant)");
   if (p.sample && record.step % *p.sample == 0) measureDistance(world, descent, world.settlings->back());
@@ -204,9 +204,7 @@ double nextEvent(const World& world) {
 
 }  // namespace
 
-bool settles(const World& world) {
-  return world.bodies && kindOf(world.bodies->parameters.integrator).settles;
-}
+bool settles(const World& world) { return world.bodies && kindOf(world.bodies->parameters.integrator).settles; }
 
 void stepQuasiStatic(World& world) {
   Clock& clock = world.clock;

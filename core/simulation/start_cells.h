@@ -13,11 +13,11 @@ struct World;
 
 /// One of the cells that a scene begins with: the egg at another place, of another size or shape.
 struct StartCell {
-  Point at = {};         // [length] its centre
-  Vector velocity = {};  // [length/time] of all its vertices
-  double scale = 1;  // its size at rest over the egg's: lengths; the fluid's k_p and mass go with the cube
-  Vector stretch{1, 1, 1};          // of its shape along x, y and z; what it is at rest with stays
-  std::optional<double> mass = {};  // [mass]; absent: the egg's times scale³
+  Point at = {};            // [length] its centre
+  Vector velocity = {};     // [length/time] of all its vertices
+  double scale = 1;         // its size at rest over the egg's: lengths; the fluid's k_p and mass go with the cube
+  Vector stretch{1, 1, 1};  // of its shape along x, y and z; what it is at rest with stays
+  std::optional<double> mass = {};                          // [mass]; absent: the egg's times scale³
   std::optional<std::vector<std::string>> substances = {};  // sorted; absent: what the DNA starts with
 };
 

@@ -17,9 +17,7 @@ StartCell moved(StartCell cell, const Vector& by) {
 /// outside of the sphere that it stands for.
 StartCell movedWithin(const StartCell& cell, const Vector& by, const MechanicsScene& scene) {
   if (!scene.physics.shell) return moved(cell, by);
-  const auto outermost = [&](const StartCell& c) {
-    return outermostSquare(c, scene.mesh, *scene.physics.shell);
-  };
+  const auto outermost = [&](const StartCell& c) { return outermostSquare(c, scene.mesh, *scene.physics.shell); };
   const double bound = std::max(1.0, outermost(cell));
   if (outermost(moved(cell, by)) <= bound) return moved(cell, by);
   double low = 0, high = 1;  // the share of the way that is inside, and one that is not

@@ -131,9 +131,8 @@ void visitFields(T& connection, auto&& visit) {
 /// stands in the blocks.
 template <IsA<Bodies> T>
 void visitFields(T& bodies, auto&& visit) {
-  auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position,
-         velocity, acceleration, vertexMass, restScale, pressureConstant, substeps, held, volume, pressure,
-         scratch] = bodies;
+  auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position, velocity,
+         acceleration, vertexMass, restScale, pressureConstant, substeps, held, volume, pressure, scratch] = bodies;
   visit(Field{"vertex mass", "vertex mass"}, vertexMass);
   visit(Field{"rest scale", "rest scale"}, restScale);
   visit(Field{"pressure constant", "pressure constant"}, pressureConstant);
@@ -174,8 +173,8 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 /// positions at which its list was built.
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
-  auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, birthSizes, polarities, settlings, before, motility, swirls] = world;
+  auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts, connections,
+         lineage, timeSteps, divisions, birthSizes, polarities, settlings, before, motility, swirls] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);

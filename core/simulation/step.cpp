@@ -74,9 +74,9 @@ void refreshLists(World& world) {
     const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
     throw NumericalError(
         world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
-        "lists of the vertices near each vertex would take more than " +
-            bytesText(world.contacts->list.mostBytes) + ", which the memory limit of " +
-            bytesText(world.execution.memoryLimit) + " leaves them: cells are in one another",
+        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
+            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
+            " leaves them: cells are in one another",
         "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
         "raise --memory-limit",
         Want::memory);
@@ -95,8 +95,8 @@ void evaluateForces(World& world) { movePhysics(world, 0); }
 void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool isolated = !world.contacts && !world.connections && !world.motility &&
-                        !world.swirls;  // one pass while a block is in cache
+  const bool isolated =
+      !world.contacts && !world.connections && !world.motility && !world.swirls;  // one pass while a block is in cache
 
   const auto stagesOf = [&](const BlockView& block) {
     const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];

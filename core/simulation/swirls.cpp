@@ -32,8 +32,7 @@ void addSwirl(World& world, int cell, std::span<const std::uint32_t> order) {
   if (!chirality || age > lifetime * chirality->time) return;
   const bool isB = path.letter(path.depth() - 1);
   const double angle = chirality->angle * (std::numbers::pi / 180);
-  world.swirls->push_back(
-      {cell, division->axis, (isB ? -angle : angle) / chirality->time, chirality->time, born});
+  world.swirls->push_back({cell, division->axis, (isB ? -angle : angle) / chirality->time, chirality->time, born});
 }
 
 }  // namespace

@@ -30,8 +30,7 @@ struct Limit {
 /// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (kindOf(integrator).needsDrag)
-    return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
+  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
   if (!(least < INFINITY)) return INFINITY;
   const double a = least / l.spring, b = least / l.pressure, c = least / l.contact,
@@ -83,8 +82,8 @@ Limit limitOf(const World& world, int cell, int slot, double held, double contac
   const StabilityLimits own = measureLimits(b, slot);
   Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
   if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
-    l.contact = contactLimit(b.parameters.integrator, contact, world.contacts->parameters.damping,
-                             b.vertexMass[slot], b.parameters.drag);
+    l.contact = contactLimit(b.parameters.integrator, contact, world.contacts->parameters.damping, b.vertexMass[slot],
+                             b.parameters.drag);
   return l;
 }
 
@@ -98,10 +97,9 @@ Limit tightestLimit(const World& world, double& combined) {
   const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
   double contact = 0;
-  if (world
-          .contacts)  // a time step that the scene gives is held against what contacts are before they harden
-    contact = contactStiffness(*world.contacts, b,
-                               b.parameters.timeStep ? 1 : excess(measureHardening(*world.contacts)));
+  if (world.contacts)  // a time step that the scene gives is held against what contacts are before they harden
+    contact =
+        contactStiffness(*world.contacts, b, b.parameters.timeStep ? 1 : excess(measureHardening(*world.contacts)));
   for (int cell = 0; cell < b.count; ++cell) {
     const Limit l = limitOf(world, cell, b.slots[cell], held, contact);
     const double all = combine(b.parameters.integrator, l);
@@ -112,19 +110,17 @@ Limit tightestLimit(const World& world, double& combined) {
 
 void refuseAbove(double limit, const char* mode, const World& world, int cell, double timeStep) {
   if (timeStep <= margin * limit) return;
-  throw NumericalError(
-      world.cells.path[cell].text(), world.clock.step,
-      "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
-          numberText(limit) + " of its " + mode,
-      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
+                       "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
+                           numberText(limit) + " of its " + mode,
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
 }
 
 /// Explicit Euler without drag.
 [[noreturn]] void refuseUndamped(const World& world, int cell) {
-  throw NumericalError(
-      world.cells.path[cell].text(), world.clock.step,
-      "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
-      "give the scene a physics.drag > 0, or use another physics.integrator");
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
+                       "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
+                       "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
 /// XPBD without pair contact; spheres that nothing touches and nothing drags.
@@ -138,13 +134,12 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
 void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || *end - world.clock.time <= mostSteps * timeStep) return;
-  throw NumericalError(
-      world.cells.path[cell].text(), world.clock.step,
-      "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
-          ": more than " + numberText(mostSteps) + " steps",
-      "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
-      "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
-      "stop earlier");
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
+                       "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
+                           ": more than " + numberText(mostSteps) + " steps",
+                       "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
+                       "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
+                       "stop earlier");
 }
 
 struct ShortestCycle {
@@ -168,12 +163,12 @@ ShortestCycle shortestCycle(const Scene& scene) {
 void refuseAboveCycle(const World& world, double timeStep) {
   const ShortestCycle cycle = shortestCycle(world.model);
   if (timeStep <= cycle.length) return;
-  throw NumericalError(
-      world.cells.path[0].text(), world.clock.step,
-      "physics.time_step " + exactText(timeStep) + " is longer than the shortest cell cycle, " + cycle.key +
-          (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
-      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
-          ", or give a longer " + cycle.key);
+  throw NumericalError(world.cells.path[0].text(), world.clock.step,
+                       "physics.time_step " + exactText(timeStep) + " is longer than the shortest cell cycle, " +
+                           cycle.key + (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") +
+                           exactText(cycle.length),
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
+                           ", or give a longer " + cycle.key);
 }
 
 /// As refuseAboveCycle, of events that share a settling.
@@ -181,23 +176,22 @@ void refuseTogether(const World& world) {
   const double together = world.bodies->parameters.settle.together;
   const ShortestCycle cycle = shortestCycle(world.model);
   if (together < cycle.length) return;
-  throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.settle.together " + exactText(together) +
-                           " is not shorter than the shortest cell cycle, " + cycle.key +
-                           (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") +
-                           exactText(cycle.length),
-                       "give less, or 0: each round of events then settles by itself");
+  throw NumericalError(
+      world.cells.path[0].text(), world.clock.step,
+      "physics.settle.together " + exactText(together) + " is not shorter than the shortest cell cycle, " + cycle.key +
+          (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
+      "give less, or 0: each round of events then settles by itself");
 }
 
 /// The run would end behind its stop.
 void refuseAboveRun(const World& world, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || timeStep <= *end) return;
-  throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step " + exactText(timeStep) +
-                           " is longer than the whole run, which stops at " + exactText(*end),
-                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
-                           ", or give a later stop.time or more stop.cycles");
+  throw NumericalError(
+      world.cells.path[0].text(), world.clock.step,
+      "physics.time_step " + exactText(timeStep) + " is longer than the whole run, which stops at " + exactText(*end),
+      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
+          ", or give a later stop.time or more stop.cycles");
 }
 
 constexpr double mostCycles = 1e12;  // one after the other; more than a week of a cell without a body
@@ -276,10 +270,9 @@ void refuseEndlessPace(const Scene& scene) {
     for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
   const double until = std::max(longest, plannedEnd(scene).value_or(0));
   if (until <= mostCycles * shortest.length) return;
-  throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " +
-                   exactText(until) + ", which is the run's end or another cycle: more than " +
-                   numberText(mostCycles) + " cell cycles; give a longer one, at least " +
-                   numberText(until / mostCycles) + ", or stop earlier");
+  throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " + exactText(until) +
+                   ", which is the run's end or another cycle: more than " + numberText(mostCycles) +
+                   " cell cycles; give a longer one, at least " + numberText(until / mostCycles) + ", or stop earlier");
 }
 
 double automaticTimeStep(const Scene& scene, double limit) {
@@ -332,8 +325,7 @@ void chooseTimeStep(World& world) {
   clock.timeStep = timeStep;
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
-  const bool again =
-      !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
+  const bool again = !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
   if (again) world.timeSteps.pop_back();
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
   evaluateForces(world);  // the thesis' contact law and the grip of friction depend on the time step

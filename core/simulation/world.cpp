@@ -54,8 +54,7 @@ World makeWorld(const Scene& scene, const Execution& execution) {
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution) {
   World world;
   world.model = scene;
-  if (scene.mechanics && kindOf(scene.mechanics->physics.integrator).settles)
-    leaveOutMotion(*world.model.mechanics);
+  if (scene.mechanics && kindOf(scene.mechanics->physics.integrator).settles) leaveOutMotion(*world.model.mechanics);
   world.execution = execution;
   world.biology = std::move(biology);
   refuseEndlessPace(scene);
@@ -66,8 +65,8 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search),
-                                  m.physics.precision, m.physics.cell.model);
+    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search), m.physics.precision,
+                                  m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();
   if (m.physics.motility) world.motility.emplace();
@@ -81,8 +80,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   }
   if (scene.cycle.divisionSize)  // an egg may have to grow before its first cycle
     for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-      world.cells.growth[i] =
-          world.biology->wantsToGrow(ObservedCell(Observation(world), static_cast<int>(i)));
+      world.cells.growth[i] = world.biology->wantsToGrow(ObservedCell(Observation(world), static_cast<int>(i)));
   try {
     beginWithBodies(world);
     checkNumbers(world);
@@ -124,9 +122,7 @@ std::optional<double> plannedEnd(const Scene& scene) {
 bool usesSeed(const Scene& scene) {
   const VariationParameters& v = scene.variation;
   if (v.cycle > 0 || (scene.mechanics && v.start > 0)) return true;
-  const auto divides = [&](const Gene& gene) {
-    return scene.dna.substances[gene.product] == substance::divide;
-  };
+  const auto divides = [&](const Gene& gene) { return scene.dna.substances[gene.product] == substance::divide; };
   if (scene.mechanics && (scene.mechanics->physics.motility || v.adhesion > 0)) return true;
   if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;
   const DivisionParameters& division = scene.mechanics->division;

@@ -18,8 +18,7 @@ struct Sheet {
 
 std::vector<Spot> allPoints(const Chart& chart) {
   std::vector<Spot> points;
-  for (const ChartLine& line : chart.lines)
-    points.insert(points.end(), line.points.begin(), line.points.end());
+  for (const ChartLine& line : chart.lines) points.insert(points.end(), line.points.begin(), line.points.end());
   for (const ChartMark& mark : chart.marks) points.push_back(mark.at);
   return points;
 }
@@ -36,8 +35,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
   Range x, y;
   for (const Spot& p : allPoints(chart)) x.see(p.x), y.see(p.y);
   if (chart.xScale == Axis::Scale::decades) x.low *= 0.8, x.high *= 1.25;
-  const bool levelIsLinear = chart.xScale == Axis::Scale::linear,
-             upIsLinear = chart.yScale == Axis::Scale::linear;
+  const bool levelIsLinear = chart.xScale == Axis::Scale::linear, upIsLinear = chart.yScale == Axis::Scale::linear;
   if (!(x.low < x.high)) {
     if (levelIsLinear) x.low -= 0.5, x.high += 0.5;
     else x.low /= 2, x.high *= 2;
@@ -61,9 +59,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
 
 struct Box {
   double left, top, right, bottom;
-  bool touches(const Box& b) const {
-    return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
-  }
+  bool touches(const Box& b) const { return left < b.right && b.left < right && top < b.bottom && b.top < bottom; }
 };
 
 Box around(Spot p, double reach) { return {p.x - reach, p.y - reach, p.x + reach, p.y + reach}; }
@@ -119,8 +115,7 @@ class Shapes {
  public:
   explicit Shapes(const Chart& chart) {
     for (const ChartLine& line : chart.lines)
-      if (std::find(colours_.begin(), colours_.end(), line.colour) == colours_.end())
-        colours_.push_back(line.colour);
+      if (std::find(colours_.begin(), colours_.end(), line.colour) == colours_.end()) colours_.push_back(line.colour);
     shown_ = chart.dots || chart.lines.size() <= mostLines;
   }
   Marker of(Colour colour) const {
@@ -164,8 +159,7 @@ void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart, const 
   };
   std::vector<Label> labels;
   for (const ChartLine& line : chart.lines)
-    if (!line.points.empty() && !line.label.empty())
-      labels.push_back({&line, sheet.place(line.points.back()).y});
+    if (!line.points.empty() && !line.label.empty()) labels.push_back({&line, sheet.place(line.points.back()).y});
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
   const double size = sheet.frame.textSize, pitch = 1.25 * size;
   for (int turn = 0; turn < 200; ++turn)

@@ -22,8 +22,8 @@ Drawing drawMatrix(const MatrixPicture& asked) {
   MatrixPicture picture = asked;
   const std::size_t n = picture.names.size();
   if (picture.values.size() != n * n)
-    throw InputError("a matrix of " + std::to_string(n) + " names needs " + std::to_string(n * n) +
-                     " values, not " + std::to_string(picture.values.size()));
+    throw InputError("a matrix of " + std::to_string(n) + " names needs " + std::to_string(n * n) + " values, not " +
+                     std::to_string(picture.values.size()));
   if (picture.width == 0) picture.width = int(std::clamp(260.0 + 14.0 * double(n), 800.0, 2400.0));
   if (picture.height == 0) picture.height = picture.width + 120;
   Drawing drawing(picture.width, picture.height);
@@ -31,8 +31,7 @@ Drawing drawMatrix(const MatrixPicture& asked) {
   annotate(drawing, words);
   if (n == 0) return drawing;
   const double size = textSizeFor(picture.width, picture.height);
-  const double bar = colourBarHeight(size) + 2 * size,
-               top = bandsFor(words, picture.width, picture.height).top;
+  const double bar = colourBarHeight(size) + 2 * size, top = bandsFor(words, picture.width, picture.height).top;
   const double most = std::min(picture.width - 3 * size, picture.height - top - bar - size);
   // Names take a part of the square; their letters are as high as a row.
   double text = std::min(size, 0.8 * most / double(n)), room = 0;
@@ -59,9 +58,8 @@ Drawing drawMatrix(const MatrixPicture& asked) {
         // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
         const double gap = side >= leastFramed ? 0.06 * side : 0, own = side - 2 * gap;
         const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
-        drawing.box(
-            {x, y}, own, own,
-            scaleColour(range.low < range.high ? (*value - range.low) / (range.high - range.low) : 0));
+        drawing.box({x, y}, own, own,
+                    scaleColour(range.low < range.high ? (*value - range.low) / (range.high - range.low) : 0));
         if (side >= leastFramed)
           drawing.line({{x, y}, {x + own, y}, {x + own, y + own}, {x, y + own}, {x, y}},
                        {.width = side < 12 ? 0.5 : 1, .colour = quietInk});
@@ -75,9 +73,8 @@ Drawing drawMatrix(const MatrixPicture& asked) {
     drawing.text({corner.x + middle, corner.y - 0.4 * text}, name, style);
   }
   if (range.low <= range.high)
-    drawColourBar(drawing, {picture.quantity, range.low, range.high},
-                  {1.5 * size, picture.height - bar + size}, std::min(picture.width - 3 * size, 24 * size),
-                  size);
+    drawColourBar(drawing, {picture.quantity, range.low, range.high}, {1.5 * size, picture.height - bar + size},
+                  std::min(picture.width - 3 * size, 24 * size), size);
   return drawing;
 }
 

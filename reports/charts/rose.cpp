@@ -30,16 +30,16 @@ std::vector<Spot> arc(const Circle& circle, double from, double to, double share
   return points;
 }
 
-void drawRose(Drawing& drawing, const Rose& rose, const Circle& circle, const std::vector<int>& counts,
-              int most, double size) {
+void drawRose(Drawing& drawing, const Rose& rose, const Circle& circle, const std::vector<int>& counts, int most,
+              double size) {
   for (const double share : {0.5, 1.0}) drawing.line(arc(circle, 0, 360, share), {.colour = gridInk});
   for (const double degrees : {0.0, 90.0})
     drawing.line({circle.at(degrees, 1), circle.at(degrees + 180, 1)}, {.colour = gridInk});
   const double wide = 360.0 / double(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;
-    std::vector<Spot> wedge = arc(circle, (double(i) - 0.46) * wide, (double(i) + 0.46) * wide,
-                                  std::sqrt(double(counts[i]) / most));
+    std::vector<Spot> wedge =
+        arc(circle, (double(i) - 0.46) * wide, (double(i) + 0.46) * wide, std::sqrt(double(counts[i]) / most));
     wedge.push_back(circle.middle);
     drawing.area(wedge, seriesColour(0));
   }
@@ -54,8 +54,7 @@ void drawRose(Drawing& drawing, const Rose& rose, const Circle& circle, const st
   TextStyle title = plain;
   title.colour = ink;
   drawing.text({circle.middle.x, circle.middle.y + circle.radius + 2.2 * size},
-               shortened(rose.title + ": " + std::to_string(rose.degrees.size()), title, 2.6 * circle.radius),
-               title);
+               shortened(rose.title + ": " + std::to_string(rose.degrees.size()), title, 2.6 * circle.radius), title);
 }
 
 }  // namespace
@@ -72,8 +71,7 @@ std::vector<int> countSectors(const std::vector<double>& degrees, int sectors) {
 
 Drawing drawRoses(const RosePicture& picture) {
   if (picture.sectors < 4 || picture.sectors > 360)
-    throw InputError("a rose cannot have " + std::to_string(picture.sectors) +
-                     " sectors; it must have 4 to 360");
+    throw InputError("a rose cannot have " + std::to_string(picture.sectors) + " sectors; it must have 4 to 360");
   for (const Rose& rose : picture.roses)
     for (const double direction : rose.degrees)
       if (!std::isfinite(direction)) throw InputError("a direction of a rose is not finite");
@@ -83,8 +81,7 @@ Drawing drawRoses(const RosePicture& picture) {
   if (picture.roses.empty()) return drawing;
   const double size = std::max(11.0, textSizeFor(picture.width, picture.height));
   const double top = bandsFor(words, picture.width, picture.height).top + 1.8 * size;
-  const double bottom = picture.height - 3.4 * size,
-               each = double(picture.width) / double(picture.roses.size());
+  const double bottom = picture.height - 3.4 * size, each = double(picture.width) / double(picture.roses.size());
   const double radius = std::max(8.0, std::min(0.5 * (bottom - top), 0.5 * each - 3.2 * size));
   int most = 0;
   std::vector<std::vector<int>> counts;
@@ -93,8 +90,8 @@ Drawing drawRoses(const RosePicture& picture) {
     most = std::max(most, *std::max_element(counts.back().begin(), counts.back().end()));
   }
   for (std::size_t i = 0; i < picture.roses.size(); ++i)
-    drawRose(drawing, picture.roses[i], {{each * (double(i) + 0.5), 0.5 * (top + bottom)}, radius}, counts[i],
-             most, size);
+    drawRose(drawing, picture.roses[i], {{each * (double(i) + 0.5), 0.5 * (top + bottom)}, radius}, counts[i], most,
+             size);
   return drawing;
 }
 

@@ -80,8 +80,7 @@ void drawStrip(Drawing& drawing, const Strip& strip, const Axis& x, double top, 
   if (counts && n > mostPoints) return drawCounts(drawing, strip, x, top + 0.5 * row);
   for (std::size_t i = 0; i < n; ++i) {
     const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.5;
-    drawMarker(drawing, {x.place(strip.values[i]), top + row * (0.12 + 0.42 * share)}, 2.6, strip.colour,
-               strip.marker);
+    drawMarker(drawing, {x.place(strip.values[i]), top + row * (0.12 + 0.42 * share)}, 2.6, strip.colour, strip.marker);
   }
   const double at = top + 0.78 * row, mean = x.place(strip.mean);
   if (strip.interval)
@@ -98,8 +97,7 @@ void drawStrips(Drawing& drawing, const Panel& panel, const ChartFrame& frame, c
     if (startsGroup(panel, i)) {
       const TextStyle style{.size = size, .colour = ink, .halo = 2};
       y += headOf(strip);
-      drawing.text({frame.left, y - 0.4 * size}, shortened(strip.label, style, frame.right - frame.left),
-                   style);
+      drawing.text({frame.left, y - 0.4 * size}, shortened(strip.label, style, frame.right - frame.left), style);
     }
     drawStrip(drawing, strip, x, y, panel.counts);
     y += row;
@@ -134,8 +132,7 @@ void drawPanel(Drawing& drawing, const Panel& panel, const Place& place) {
                    .right = place.left + place.width - 1.5 * size,
                    .bottom = place.top + heightOf(panel) - 2.4 * size,
                    .textSize = size};
-  drawing.text({frame.left, place.top + 1.2 * size}, shortened(panel.title, title, place.width - 3 * size),
-               title);
+  drawing.text({frame.left, place.top + 1.2 * size}, shortened(panel.title, title, place.width - 3 * size), title);
   if (panel.lines.empty()) {
     values.from = frame.left, values.to = frame.right;
     return drawStrips(drawing, panel, frame, values);
@@ -165,8 +162,7 @@ Drawing drawSmallMultiples(const SmallMultiples& chart) {
   for (;; ++columns) {
     heights = rowHeights(chart.panels, columns);
     if (columns == std::min(mostColumns, std::max<std::size_t>(1, chart.panels.size())) ||
-        std::accumulate(heights.begin(), heights.end(), 0) <=
-            page * static_cast<double>(columns) * chart.panelWidth)
+        std::accumulate(heights.begin(), heights.end(), 0) <= page * static_cast<double>(columns) * chart.panelWidth)
       break;
   }
   const int width = static_cast<int>(columns) * chart.panelWidth,
@@ -179,8 +175,8 @@ Drawing drawSmallMultiples(const SmallMultiples& chart) {
   double top = bands.top;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     drawPanel(drawing, chart.panels[i],
-              {static_cast<double>(i % columns) * chart.panelWidth, top,
-               static_cast<double>(chart.panelWidth), static_cast<double>(heights[i / columns])});
+              {static_cast<double>(i % columns) * chart.panelWidth, top, static_cast<double>(chart.panelWidth),
+               static_cast<double>(heights[i / columns])});
     if (i % columns + 1 == columns) top += heights[i / columns];
   }
   return drawing;

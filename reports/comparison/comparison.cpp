@@ -52,8 +52,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
       distances[i].assign(cell.vertices.size(), norm(to - from));
       if (norm(to - from) > leastArrow * eggRadius) map.lines.push_back({from, to, ink, true, true});
     } else {
-      distances[i] =
-          measureDistances({cell.vertices, facesOf(of, cell)}, {partner.vertices, facesOf(beside, partner)});
+      distances[i] = measureDistances({cell.vertices, facesOf(of, cell)}, {partner.vertices, facesOf(beside, partner)});
     }
     for (const double d : distances[i]) {
       if (d > most) most = d, where = cell.path;
@@ -65,9 +64,9 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
     for (const double d : distances[i]) map.cells[i].shares.push_back(most > 0 ? d / most : 0);
   }
   map.title = what.ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
-  map.caption = most > 0 ? "at most " + numberText(most, 3) + " [length], " +
-                               numberText(most / eggRadius, 2) + " radii of the egg, of " + cellName(where) +
-                               "; mean " + numberText(sum / double(count), 3)
+  map.caption = most > 0
+                    ? "at most " + numberText(most, 3) + " [length], " + numberText(most / eggRadius, 2) +
+                          " radii of the egg, of " + cellName(where) + "; mean " + numberText(sum / double(count), 3)
                 : count ? "none"
                         : "no cell is in both";
   if (what.named) map.caption = what.named(map.caption);
@@ -88,10 +87,8 @@ ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, do
   one.camera.framing = other.camera.framing = fitFraming({one, other});
   const OrganismPicture &of = map.ofOther ? other : one, &beside = map.ofOther ? one : other;
   const std::size_t grey = countUnmatched(of, beside), missing = countUnmatched(beside, of);
-  ComparisonImages images{drawOrganism(one), drawOrganism(other),
-                          drawOrganism(mapOf(of, beside, eggRadius, map)), ""};
-  const std::string ofWhich = map.ofOther ? "second" : "first",
-                    besideWhich = map.ofOther ? "first" : "second";
+  ComparisonImages images{drawOrganism(one), drawOrganism(other), drawOrganism(mapOf(of, beside, eggRadius, map)), ""};
+  const std::string ofWhich = map.ofOther ? "second" : "first", besideWhich = map.ofOther ? "first" : "second";
   const auto isOnly = [](std::size_t count, const std::string& which) {
     return cellsOf(count) + (count == 1 ? " is" : " are") + " only in the " + which + " picture.";
   };
@@ -107,13 +104,12 @@ Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string>
 
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
   if (one.cells.size() != other.cells.size())
-    throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " +
-                     std::to_string(other.cells.size()) + " cells cannot be compared cell by cell");
+    throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " + std::to_string(other.cells.size()) +
+                     " cells cannot be compared cell by cell");
   return comparisonSheet(compareOrganisms(std::move(one), std::move(other), eggRadius));
 }
 
-Drawing contactSheet(const std::vector<Image>& images, int columns, int gap,
-                     const std::vector<std::string>& notes) {
+Drawing contactSheet(const std::vector<Image>& images, int columns, int gap, const std::vector<std::string>& notes) {
   if (images.empty()) throw InputError("a contact sheet needs at least one image");
   const int count = int(images.size());
   if (columns <= 0)

@@ -15,12 +15,12 @@ constexpr double most = 190;     // [pixel] of the words before a row
 void check(const OrganismGrid& grid) {
   const std::size_t rows = grid.rows.size(), columns = grid.columns.size();
   if (rows == 0 || columns == 0 || grid.tiles.size() != rows * columns)
-    throw InputError(std::to_string(grid.tiles.size()) + " pictures do not fill " + std::to_string(rows) +
-                     " rows of " + std::to_string(columns));
+    throw InputError(std::to_string(grid.tiles.size()) + " pictures do not fill " + std::to_string(rows) + " rows of " +
+                     std::to_string(columns));
   if (rows > mostGridRows || columns > mostGridColumns)
     throw InputError("a grid of " + std::to_string(rows) + " rows and " + std::to_string(columns) +
-                     " columns is too large for one picture; it has room for " +
-                     std::to_string(mostGridRows) + " and " + std::to_string(mostGridColumns));
+                     " columns is too large for one picture; it has room for " + std::to_string(mostGridRows) +
+                     " and " + std::to_string(mostGridColumns));
 }
 
 /// Gives all pictures one size and one framing, and returns it. All empty: nothing.
@@ -66,8 +66,7 @@ Sheet layOut(const OrganismGrid& grid, int side) {
   sheet.block = std::max(480, sheet.first + columns * side + 12);
   const auto fitting = [&](int blocks) {
     const int words = heading + static_cast<int>(12 * textSize);  // with legend and scale bar
-    return blocks *
-           std::max(1, (static_cast<int>(page * std::max(blocks * sheet.block, 800)) - words) / sheet.pitch);
+    return blocks * std::max(1, (static_cast<int>(page * std::max(blocks * sheet.block, 800)) - words) / sheet.pitch);
   };
   while (rows > fitting(sheet.blocks) && (sheet.blocks + 1) * sheet.block <= mostWidth) ++sheet.blocks;
   sheet.pages = (rows + fitting(sheet.blocks) - 1) / fitting(sheet.blocks);
@@ -85,8 +84,7 @@ Sheet layOut(const OrganismGrid& grid) {
   return layOut(grid, 180);
 }
 
-void drawRow(Drawing& drawing, const OrganismGrid& grid, std::size_t row, const Sheet& sheet, int left,
-             int top) {
+void drawRow(Drawing& drawing, const OrganismGrid& grid, std::size_t row, const Sheet& sheet, int left, int top) {
   const TextStyle bold{.size = textSize, .colour = ink, .bold = true};
   const auto& lines = grid.rows[row];
   double baseline = top + sheet.side / 2.0 - 0.65 * textSize * (static_cast<double>(lines.size()) - 2);
@@ -110,8 +108,7 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
             blocks = (static_cast<int>(end - begin) + rows - 1) / rows;
   Instruments bar;
   bar.scaleBar = framing.has_value(), bar.colourBar = grid.colourBar;
-  const int width = blocks * sheet.block,
-            body = heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
+  const int width = blocks * sheet.block, body = heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
   // The bands are at most a quarter of the whole height each, and so depend on it.
   Bands bands;
   for (int i = 0; i < 16; ++i) bands = bandsFor(words, width, body + bands.top + bands.bottom, textSize);
@@ -120,17 +117,16 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
   for (int b = 0; b < blocks; ++b) {
     const TextStyle bold{.size = textSize, .colour = ink, .bold = true, .anchor = Anchor::centre};
     for (std::size_t c = 0; c < grid.columns.size(); ++c)
-      drawing.text({b * sheet.block + sheet.first + (static_cast<double>(c) + 0.5) * sheet.side,
-                    bands.top + 1.3 * textSize},
-                   shortened(grid.columns[c], bold, sheet.side - textSize), bold);
+      drawing.text(
+          {b * sheet.block + sheet.first + (static_cast<double>(c) + 0.5) * sheet.side, bands.top + 1.3 * textSize},
+          shortened(grid.columns[c], bold, sheet.side - textSize), bold);
     for (int r = 0; r < rows; ++r)
       if (const std::size_t row = begin + static_cast<std::size_t>(b * rows + r); row < end)
         drawRow(drawing, grid, row, sheet, b * sheet.block, bands.top + heading + r * sheet.pitch);
   }
   if (!framing) return drawing;
   const EyeAxes axes = eyeAxes(grid.tiles[0].picture.camera);
-  const double pixelsPerLength =
-      0.5 * sheet.side / (apertureOf(sheet.side, sheet.side).x * framing->distance);
+  const double pixelsPerLength = 0.5 * sheet.side / (apertureOf(sheet.side, sheet.side).x * framing->distance);
   drawInstruments(drawing, bar, {axes.x, axes.y, axes.z, pixelsPerLength},
                   bands.top + heading + static_cast<double>(rows) * sheet.pitch, textSize);
   return drawing;
@@ -147,8 +143,8 @@ std::vector<Drawing> drawOrganismGrid(OrganismGrid grid) {
   for (std::size_t page = 0; page < pages; ++page) {
     Annotations words{grid.title, grid.caption, grid.legend};
     if (pages > 1)
-      words.caption += (words.caption.empty() ? "page " : ", page ") + std::to_string(page + 1) + " of " +
-                       std::to_string(pages);
+      words.caption +=
+          (words.caption.empty() ? "page " : ", page ") + std::to_string(page + 1) + " of " + std::to_string(pages);
     const std::size_t begin = page * sheet.rowsOfPage();
     drawings.push_back(
         drawPage(grid, begin, std::min(begin + sheet.rowsOfPage(), grid.rows.size()), sheet, words, framing));

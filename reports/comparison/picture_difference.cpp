@@ -64,13 +64,12 @@ bool PictureDifference::isNoticeable() const { return most > noticeableDifferenc
 
 PictureDifference differenceOf(const Image& one, const Image& other) {
   if (one.width != other.width || one.height != other.height)
-    throw InputError("pictures of " + std::to_string(one.width) + " x " + std::to_string(one.height) +
-                     " and " + std::to_string(other.width) + " x " + std::to_string(other.height) +
+    throw InputError("pictures of " + std::to_string(one.width) + " x " + std::to_string(one.height) + " and " +
+                     std::to_string(other.width) + " x " + std::to_string(other.height) +
                      " pixels cannot be compared; needs two of one size");
   PictureDifference difference;
   difference.map.assign(one.pixels.size(), 0);
-  for (std::size_t i = 0; i < one.pixels.size(); ++i)
-    difference.unequalPixels += one.pixels[i] != other.pixels[i];
+  for (std::size_t i = 0; i < one.pixels.size(); ++i) difference.unequalPixels += one.pixels[i] != other.pixels[i];
   if (difference.unequalPixels == 0) return difference;
   const Pixels a = smoothed(one), b = smoothed(other);
   double sum = 0;
@@ -97,16 +96,15 @@ Drawing drawPictureDifference(const Image& one, const Image& other, const Pictur
   // At least up to what is noticed: what is not must not glow.
   const double end = std::max(difference.most, noticeableDifference);
   Image map(one.width, one.height, paper);
-  for (std::size_t i = 0; i < difference.map.size(); ++i)
-    map.pixels[i] = scaleColour(difference.map[i] / end);
+  for (std::size_t i = 0; i < difference.map.size(); ++i) map.pixels[i] = scaleColour(difference.map[i] / end);
   constexpr int gap = 8;
   const Image sheet = contactSheet({one, other, map}, 3, gap, notes).pixels();
   const double size = textSizeFor(one.width, one.height);
   Drawing drawing(sheet.width, sheet.height + static_cast<int>(colourBarHeight(size) + size));
   drawing.image(0, 0, sheet);
   drawColourBar(drawing, {"difference ΔE00; noticed above " + numberText(noticeableDifference), 0, end},
-                {2.0 * (one.width + gap) + gap, static_cast<double>(sheet.height)},
-                std::min(300.0, one.width * 0.8), size);
+                {2.0 * (one.width + gap) + gap, static_cast<double>(sheet.height)}, std::min(300.0, one.width * 0.8),
+                size);
   return drawing;
 }
 

@@ -24,8 +24,7 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
   double x = 0;
   int row = 0;
   for (const LegendEntry& entry : legend) {
-    const double length =
-        swatch(size) + 0.45 * size + textWidth(legendText(entry, size, width), {.size = size});
+    const double length = swatch(size) + 0.45 * size + textWidth(legendText(entry, size, width), {.size = size});
     if (x > 0 && x + length > width) x = 0, ++row;
     places.push_back({x, row});
     x += length + 1.3 * size;
@@ -51,8 +50,7 @@ Bands bandsFor(const Annotations& annotations, int width, int height, double tex
 }
 
 void annotate(Drawing& drawing, const Annotations& annotations, double textSize) {
-  const double size = textSize > 0 ? textSize : textSizeFor(drawing.width(), drawing.height()),
-               left = 1.5 * size;
+  const double size = textSize > 0 ? textSize : textSizeFor(drawing.width(), drawing.height()), left = 1.5 * size;
   const Bands bands = bandsFor(annotations, drawing.width(), drawing.height(), size);
   const double room = drawing.width() - 2 * left;
   double y = 0.9 * size;
@@ -76,9 +74,7 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
     const LegendEntry& entry = shown[i];
     if (entry.marker == Marker::square)
       drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), entry.colour);
-    else
-      drawMarker(drawing, {x + 0.5 * swatch(size), baseline - 0.36 * size}, 0.38 * size, entry.colour,
-                 entry.marker);
+    else drawMarker(drawing, {x + 0.5 * swatch(size), baseline - 0.36 * size}, 0.38 * size, entry.colour, entry.marker);
     drawing.text({x + swatch(size) + 0.45 * size, baseline}, legendText(entry, size, room),
                  {.size = size, .colour = quietInk});
   }

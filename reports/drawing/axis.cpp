@@ -52,8 +52,7 @@ std::vector<double> Axis::ticks(int wanted) const {
   const bool all = scale == Scale::decades && high / low < manyDecades;
   for (double power = std::floor(std::log(low) / std::log(base)); std::pow(base, power) <= high; ++power)
     for (const double digit : {1.0, 2.0, 5.0})
-      if (const double tick = digit * std::pow(base, power);
-          (digit == 1 || all) && tick >= low && tick <= high)
+      if (const double tick = digit * std::pow(base, power); (digit == 1 || all) && tick >= low && tick <= high)
         list.push_back(tick);
   return list;
 }

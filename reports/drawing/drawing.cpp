@@ -23,8 +23,8 @@ std::uint8_t uncovered(std::uint32_t channel, std::uint32_t opacity) {
 /// cairo's pixels are numbers 0xrrggbb, or with opacity 0xaarrggbb.
 Surface surfaceOf(const Image& image) {
   const bool opaque = image.opacity.empty();
-  Surface surface(cairo_image_surface_create(opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width,
-                                             image.height));
+  Surface surface(
+      cairo_image_surface_create(opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width, image.height));
   requireSuccess(cairo_surface_status(surface.get()));
   unsigned char* row = cairo_image_surface_get_data(surface.get());
   for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface.get())) {
@@ -136,9 +136,8 @@ void Drawing::box(Spot topLeft, double width, double height, Colour colour) {
 }
 
 void Drawing::text(Spot baseline, std::string_view text, const TextStyle& style) {
-  marks_.push_back([=, text = std::string(text)](cairo_t* target) {
-    showText(target, baseline.x, baseline.y, text, style);
-  });
+  marks_.push_back(
+      [=, text = std::string(text)](cairo_t* target) { showText(target, baseline.x, baseline.y, text, style); });
 }
 
 void Drawing::image(int x, int y, const Image& image) {
@@ -163,8 +162,8 @@ void Drawing::replay(cairo_t* target) const {
 }
 
 Image Drawing::pixels() const {
-  const Surface surface(cairo_image_surface_create(
-      ground_ == Ground::paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width_, height_));
+  const Surface surface(
+      cairo_image_surface_create(ground_ == Ground::paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width_, height_));
   replay(Context(cairo_create(surface.get())).get());
   return imageOf(surface.get());
 }
@@ -186,8 +185,7 @@ std::string Drawing::file(PictureFormat format) const {
   requireSuccess(cairo_surface_status(surface.get()));
   if (!svg) return bytes;
   // cairo numbers all surfaces of the process: the only thing that would differ between equal drawings.
-  if (const auto id = bytes.find(" id=\"surface"); id != bytes.npos)
-    bytes.erase(id, bytes.find('"', id + 5) + 1 - id);
+  if (const auto id = bytes.find(" id=\"surface"); id != bytes.npos) bytes.erase(id, bytes.find('"', id + 5) + 1 - id);
   return bytes.insert(bytes.find(svgEnd) + svgEnd.size(), "<!-- Morula -->\n");
 }
 
@@ -214,8 +212,7 @@ std::string pngFile(const Image& image) {
 }
 
 bool isOwnPng(std::string_view head) {
-  return head.starts_with("\x89PNG\r\n\x1a\n") &&
-         head.substr(std::min(headerEnd, head.size())).starts_with(ownMark);
+  return head.starts_with("\x89PNG\r\n\x1a\n") && head.substr(std::min(headerEnd, head.size())).starts_with(ownMark);
 }
 
 double crisp(double place) { return std::floor(place) + 0.5; }

@@ -27,9 +27,7 @@ Marker seriesMarker(std::size_t i) {
 }
 
 void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Marker marker) {
-  const auto shape = [&](const std::vector<Spot>& points) {
-    drawShape(drawing, centre, radius, colour, points);
-  };
+  const auto shape = [&](const std::vector<Spot>& points) { drawShape(drawing, centre, radius, colour, points); };
   switch (marker) {
     case Marker::disc:
       return drawing.disc(centre, radius, colour);

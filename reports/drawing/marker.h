@@ -6,16 +6,7 @@
 
 namespace morula {
 
-enum class Marker {
-  disc,
-  square,
-  triangle,
-  diamond,
-  hanging,
-  plus,
-  ring,
-  cross
-};  // hanging: a triangle on its tip
+enum class Marker { disc, square, triangle, diamond, hanging, plus, ring, cross };  // hanging: a triangle on its tip
 
 /// Of series number i, counted from 0: no two of the first seven are alike; never a cross.
 Marker seriesMarker(std::size_t i);

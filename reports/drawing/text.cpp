@@ -39,9 +39,9 @@ ScaledFont scaled(cairo_font_face_t* face, double size) {
 /// The font's file where systems keep it: by name fontconfig would read its settings, and perhaps write a
 /// cache into the user's home directory.
 Face findFace(bool bold) {
-  for (const std::string folder : {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
-                                   "/usr/share/fonts/dejavu/", "/usr/share/fonts/TTF/",
-                                   "/usr/share/fonts/ttf-dejavu/", "/usr/local/share/fonts/dejavu/"}) {
+  for (const std::string folder :
+       {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/", "/usr/share/fonts/dejavu/",
+        "/usr/share/fonts/TTF/", "/usr/share/fonts/ttf-dejavu/", "/usr/local/share/fonts/dejavu/"}) {
     const std::string file = folder + (bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf");
     FcPattern* pattern = FcPatternCreate();
     FcPatternAddString(pattern, FC_FILE, reinterpret_cast<const FcChar8*>(file.c_str()));
@@ -84,8 +84,8 @@ std::vector<double> edgesOf(const Letters& letters, const TextStyle& style) {
   cairo_glyph_t* glyphs = nullptr;
   int count = 0;
   const std::string text = letters.text + ellipsis;  // begins where the text ends
-  const auto status = cairo_scaled_font_text_to_glyphs(font.get(), 0, 0, text.data(), int(text.size()),
-                                                       &glyphs, &count, nullptr, nullptr, nullptr);
+  const auto status = cairo_scaled_font_text_to_glyphs(font.get(), 0, 0, text.data(), int(text.size()), &glyphs, &count,
+                                                       nullptr, nullptr, nullptr);
   const std::unique_ptr<cairo_glyph_t, decltype(&cairo_glyph_free)> owned(glyphs, cairo_glyph_free);
   requireSuccess(status);
   std::vector<double> edges;
@@ -95,9 +95,7 @@ std::vector<double> edgesOf(const Letters& letters, const TextStyle& style) {
 
 }  // namespace
 
-double textWidth(std::string_view text, const TextStyle& style) {
-  return edgesOf(lettersOf(text), style).back();
-}
+double textWidth(std::string_view text, const TextStyle& style) { return edgesOf(lettersOf(text), style).back(); }
 
 std::string shortened(std::string_view text, const TextStyle& style, double width) {
   const Letters letters = lettersOf(text);

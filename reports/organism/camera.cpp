@@ -42,8 +42,8 @@ void FramingFinder::seeFirst(const Point& point) {
 void FramingFinder::seeAgain(const Point& point) {
   // A point at (x, y, z) from the middle is seen if |x| <= aperture · (distance − z).
   const Vector p = axes_.of(point) - middle();
-  distance_ = std::max(
-      {distance_, std::abs(p.x) * margin / aperture_.x + p.z, std::abs(p.y) * margin / aperture_.y + p.z});
+  distance_ =
+      std::max({distance_, std::abs(p.x) * margin / aperture_.x + p.z, std::abs(p.y) * margin / aperture_.y + p.z});
 }
 
 Framing FramingFinder::framing() const {
@@ -64,8 +64,8 @@ double distanceFor(const std::vector<Point>& points, const Point& centre, const 
   double distance = 0;
   for (const Point& point : points) {
     const Vector p = axes.of(point - centre);
-    distance = std::max(
-        {distance, std::abs(p.x) * margin / aperture.x + p.z, std::abs(p.y) * margin / aperture.y + p.z});
+    distance =
+        std::max({distance, std::abs(p.x) * margin / aperture.x + p.z, std::abs(p.y) * margin / aperture.y + p.z});
   }
   return distance > 0 ? distance : 1;
 }

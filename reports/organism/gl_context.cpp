@@ -42,8 +42,7 @@ bool threadsAreToBeHad() {
   std::vector<std::jthread> threads;
   bool enough = true;
   try {
-    for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i)
-      threads.emplace_back([&] { over.wait(); });
+    for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i) threads.emplace_back([&] { over.wait(); });
   } catch (const std::system_error&) { enough = false; }
   over.count_down();
   return enough;
@@ -81,8 +80,7 @@ void requireMemoryToDraw(double bytes, const std::string& remedy) {
 
 OffscreenContext::OffscreenContext() {
   settleDriver();
-  requireMemoryToDraw(ofContext,
-                      ", however small the picture; draw where there is more, or run with --no-pictures");
+  requireMemoryToDraw(ofContext, ", however small the picture; draw where there is more, or run with --no-pictures");
   handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,

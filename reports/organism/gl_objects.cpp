@@ -24,8 +24,7 @@ GLuint compile(GLenum kind, const std::string& text) {
 
 }  // namespace
 
-Program::Program(const std::string& vertexSource, const std::string& fragmentSource)
-    : program_(glCreateProgram()) {
+Program::Program(const std::string& vertexSource, const std::string& fragmentSource) : program_(glCreateProgram()) {
   const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource);
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentSource);
   glAttachShader(program_, vertex);
@@ -46,17 +45,11 @@ Program::~Program() { glDeleteProgram(program_); }
 
 void Program::use() const { glUseProgram(program_); }
 
-void Program::set(const char* name, int value) const {
-  glUniform1i(glGetUniformLocation(program_, name), value);
-}
+void Program::set(const char* name, int value) const { glUniform1i(glGetUniformLocation(program_, name), value); }
 
-void Program::set(const char* name, float value) const {
-  glUniform1f(glGetUniformLocation(program_, name), value);
-}
+void Program::set(const char* name, float value) const { glUniform1f(glGetUniformLocation(program_, name), value); }
 
-void Program::set(const char* name, float x, float y) const {
-  glUniform2f(glGetUniformLocation(program_, name), x, y);
-}
+void Program::set(const char* name, float x, float y) const { glUniform2f(glGetUniformLocation(program_, name), x, y); }
 
 void Program::set(const char* name, float x, float y, float z) const {
   glUniform3f(glGetUniformLocation(program_, name), x, y, z);
@@ -66,9 +59,7 @@ void Program::set(const char* name, float x, float y, float z, float w) const {
   glUniform4f(glGetUniformLocation(program_, name), x, y, z, w);
 }
 
-void Program::setSize(const char* name, int x, int y) const {
-  glUniform2i(glGetUniformLocation(program_, name), x, y);
-}
+void Program::setSize(const char* name, int x, int y) const { glUniform2i(glGetUniformLocation(program_, name), x, y); }
 
 void Program::setPairs(const char* name, const float* values, int pairs) const {
   glUniform2fv(glGetUniformLocation(program_, name), pairs, values);
@@ -84,8 +75,7 @@ Texture::Texture(int width, int height, GLenum internalFormat) : width_(width) {
   GLenum format = GL_RGBA, type = GL_FLOAT;
   if (internalFormat == GL_R32UI) format = GL_RED_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_DEPTH_COMPONENT32F) format = GL_DEPTH_COMPONENT;
-  if (internalFormat == GL_DEPTH32F_STENCIL8)
-    format = GL_DEPTH_STENCIL, type = GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
+  if (internalFormat == GL_DEPTH32F_STENCIL8) format = GL_DEPTH_STENCIL, type = GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), width, height, 0, format, type, nullptr);
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
@@ -106,8 +96,7 @@ void Texture::setRows(int first, int rows, const float* texels) const {
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, rows, GL_RGBA, GL_FLOAT, texels);
 }
 
-Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth,
-                         bool hasStencil) {
+Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth, bool hasStencil) {
   glGenFramebuffers(1, &framebuffer_);
   bind();
   std::vector<GLenum> targets;
@@ -120,8 +109,7 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
     glFramebufferTexture2D(GL_FRAMEBUFFER, hasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                            GL_TEXTURE_2D, depth->id(), 0);
   glDrawBuffers(GLsizei(targets.size()), targets.data());
-  MORULA_CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
-               "OpenGL refuses the textures");
+  MORULA_CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "OpenGL refuses the textures");
 }
 
 Framebuffer::~Framebuffer() { glDeleteFramebuffers(1, &framebuffer_); }
@@ -148,8 +136,8 @@ VertexBuffer::VertexBuffer(const void* data, std::size_t bytes, std::size_t stri
     if (attribute.integer)
       glVertexAttribIPointer(location, attribute.components, attribute.type, GLsizei(stride), offset);
     else
-      glVertexAttribPointer(location, attribute.components, attribute.type, attribute.normalised,
-                            GLsizei(stride), offset);
+      glVertexAttribPointer(location, attribute.components, attribute.type, attribute.normalised, GLsizei(stride),
+                            offset);
     ++location;
   }
 }
@@ -163,8 +151,7 @@ VertexBuffer::~VertexBuffer() {
 void VertexBuffer::drawTriangles(std::size_t firstCorner, std::size_t corners) const {
   glBindVertexArray(array_);
   if (indices_)
-    glDrawElements(GL_TRIANGLES, GLsizei(corners), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(4 * firstCorner));
+    glDrawElements(GL_TRIANGLES, GLsizei(corners), GL_UNSIGNED_INT, reinterpret_cast<const void*>(4 * firstCorner));
   else glDrawArrays(GL_TRIANGLES, GLint(firstCorner), GLsizei(corners));
 }
 

@@ -76,8 +76,7 @@ struct VertexAttribute {
 class VertexBuffer {
  public:
   VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,
-               std::initializer_list<VertexAttribute> attributes,
-               const std::vector<std::uint32_t>& indices = {});
+               std::initializer_list<VertexAttribute> attributes, const std::vector<std::uint32_t>& indices = {});
   ~VertexBuffer();
   VertexBuffer(const VertexBuffer&) = delete;
   VertexBuffer& operator=(const VertexBuffer&) = delete;

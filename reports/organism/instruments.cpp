@@ -71,19 +71,17 @@ void drawAxes(Drawing& drawing, const PictureScale& eye, Spot middle, double tex
       drawing.disc(middle, 0.2 * textSize, colour);
     }
     const double size = std::hypot(way.x, way.y), reach = length * std::max(seen, size) + 0.6 * textSize;
-    drawing.text({middle.x + reach * way.x / size, middle.y + reach * way.y / size + 0.33 * textSize},
-                 names[i],
+    drawing.text({middle.x + reach * way.x / size, middle.y + reach * way.y / size + 0.33 * textSize}, names[i],
                  {.size = 0.95 * textSize, .colour = colour, .bold = true, .anchor = Anchor::centre});
   }
 }
 
 /// A bar of a round number of units with the number above it.
-void drawRuler(Drawing& drawing, Spot at, double width, double pixelsPerUnit, const std::string& unit,
-               Colour colour, bool arrow, double textSize) {
+void drawRuler(Drawing& drawing, Spot at, double width, double pixelsPerUnit, const std::string& unit, Colour colour,
+               bool arrow, double textSize) {
   const double value = roundBelow(width / pixelsPerUnit), length = value * pixelsPerUnit;
   const TextStyle style{.size = textSize, .colour = quietInk};
-  drawing.text({at.x, at.y + 1.4 * textSize}, shortened(numberText(value, 3) + " " + unit, style, width),
-               style);
+  drawing.text({at.x, at.y + 1.4 * textSize}, shortened(numberText(value, 3) + " " + unit, style, width), style);
   const double y = at.y + 2.3 * textSize, thick = std::max(2.0, std::round(0.25 * textSize));
   if (!arrow) return drawing.box({std::round(at.x), std::round(y)}, length, thick, colour);
   const double head = std::min(0.9 * textSize, 0.5 * length);
@@ -124,8 +122,8 @@ void drawInstruments(Drawing& drawing, const Instruments& instruments, const Pic
                   instruments.arrowKey->unit, instruments.arrowKey->colour, true, textSize);
         break;
       case Kind::scaleBar:
-        drawRuler(drawing, at, place.width, scale.pixelsPerLength / instruments.perLength,
-                  instruments.lengthUnit, ink, false, textSize);
+        drawRuler(drawing, at, place.width, scale.pixelsPerLength / instruments.perLength, instruments.lengthUnit, ink,
+                  false, textSize);
     }
   }
 }

@@ -107,8 +107,7 @@ class Places {
   }
 
   bool isFree(const PlacedLabel& label) const {
-    if (label.left < 1 || label.top < 1 || label.right > ground_.width - 1 ||
-        label.bottom > ground_.height - 1)
+    if (label.left < 1 || label.top < 1 || label.right > ground_.width - 1 || label.bottom > ground_.height - 1)
       return false;
     const Spot middle{0.5 * (label.left + label.right), 0.5 * (label.top + label.bottom)};
     return std::none_of(placed.begin(), placed.end(), [&](const PlacedLabel& other) {
@@ -125,8 +124,7 @@ class Places {
 
 }  // namespace
 
-std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vector<LabelWish>& wishes,
-                                     double textSize) {
+std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vector<LabelWish>& wishes, double textSize) {
   const std::vector<double> distances = distancesInside(ground);
   std::map<std::uint32_t, Room> rooms;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -140,8 +138,7 @@ std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vecto
     if (wish.text.empty()) continue;
     const auto room = rooms.find(wish.owner);
     if (room != rooms.end()) candidates.push_back({&wish, room->second});
-    else if (wish.at && wish.at->x > 0 && wish.at->y > 0 && wish.at->x < ground.width &&
-             wish.at->y < ground.height)
+    else if (wish.at && wish.at->x > 0 && wish.at->y > 0 && wish.at->x < ground.width && wish.at->y < ground.height)
       candidates.push_back({&wish, {*wish.at, 0}});
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
@@ -152,8 +149,7 @@ std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vecto
   return places.placed;
 }
 
-void drawLabels(Drawing& drawing, const std::vector<PlacedLabel>& labels, double left, double top,
-                double textSize) {
+void drawLabels(Drawing& drawing, const std::vector<PlacedLabel>& labels, double left, double top, double textSize) {
   const double halo = std::max(1.2, 0.16 * textSize);
   for (const PlacedLabel& label : labels) {
     if (!label.leader) continue;
@@ -164,9 +160,8 @@ void drawLabels(Drawing& drawing, const std::vector<PlacedLabel>& labels, double
     drawing.disc(to, 2.2, ink);
   }
   for (const PlacedLabel& label : labels)
-    drawing.text(
-        {left + 0.5 * (label.left + label.right), top + 0.5 * (label.top + label.bottom) + 0.36 * textSize},
-        label.text, {.size = textSize, .colour = ink, .anchor = Anchor::centre, .halo = halo});
+    drawing.text({left + 0.5 * (label.left + label.right), top + 0.5 * (label.top + label.bottom) + 0.36 * textSize},
+                 label.text, {.size = textSize, .colour = ink, .anchor = Anchor::centre, .halo = halo});
 }
 
 }  // namespace morula

@@ -31,11 +31,9 @@ struct PlacedLabel {
 /// Cells with much room come first: each label is put where its cell is widest, or else around that place at the
 /// nearest of some places that is free. What is not seen, or finds no place, is left out. The result does not
 /// depend on the order of wishes with different numbers.
-std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vector<LabelWish>& wishes,
-                                     double textSize);
+std::vector<PlacedLabel> placeLabels(const LabelGround& ground, const std::vector<LabelWish>& wishes, double textSize);
 
 /// Draws them, the ground's upper left corner at (left, top).
-void drawLabels(Drawing& drawing, const std::vector<PlacedLabel>& labels, double left, double top,
-                double textSize);
+void drawLabels(Drawing& drawing, const std::vector<PlacedLabel>& labels, double left, double top, double textSize);
 
 }  // namespace morula

@@ -20,8 +20,7 @@ std::int32_t neededBy(const std::vector<Face>& faces) {
   std::int32_t needed = 0;
   for (const Face& face : faces)
     for (const auto corner : face) {
-      if (corner < 0)
-        throw InputError("the picture's faces count vertices from 0, not from a negative number");
+      if (corner < 0) throw InputError("the picture's faces count vertices from 0, not from a negative number");
       needed = std::max(needed, corner + 1);
     }
   return needed;
@@ -40,8 +39,7 @@ void checkCells(const OrganismPicture& picture) {
       throw InputError(cellName(cell.path) + " has " + std::to_string(cell.shares.size()) +
                        " values of a map for its " + std::to_string(cell.vertices.size()) + " vertices");
     if (!std::all_of(cell.shares.begin(), cell.shares.end(), [](double s) { return s >= 0 && s <= 1; }))
-      throw InputError("the values of a map on " + cellName(cell.path) +
-                       " must be shares of its scale, from 0 to 1");
+      throw InputError("the values of a map on " + cellName(cell.path) + " must be shares of its scale, from 0 to 1");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
       throw InputError("the opacity of " + cellName(cell.path) + " must be 0 (not drawn) to 1 (solid)");
   }
@@ -50,27 +48,24 @@ void checkCells(const OrganismPicture& picture) {
 void check(const OrganismPicture& picture) {
   const auto fits = [](int side) { return side >= 16 && side <= 8192; };
   if (!fits(picture.width) || !fits(picture.height))
-    throw InputError("a picture of " + std::to_string(picture.width) + " x " +
-                     std::to_string(picture.height) +
+    throw InputError("a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                      " pixels cannot be drawn; width and height must be 16 to 8192");
   if (picture.samples < 1 || picture.samples > 4)
     throw InputError("a picture cannot have " + std::to_string(picture.samples) +
                      " samples per pixel side; it must be 1 to 4");
   constexpr long long mostSamples = 50'000'000;  // some 40 bytes each
   if (1LL * picture.width * picture.height * picture.samples * picture.samples > mostSamples)
-    throw InputError(
-        "a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-        " pixels with " + std::to_string(picture.samples) +
-        " samples per pixel side takes too much memory; width · height · samples² must not exceed " +
-        std::to_string(mostSamples));
+    throw InputError("a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                     " pixels with " + std::to_string(picture.samples) +
+                     " samples per pixel side takes too much memory; width · height · samples² must not exceed " +
+                     std::to_string(mostSamples));
   if (picture.shell &&
       !(finite(*picture.shell) && picture.shell->x > 0 && picture.shell->y > 0 && picture.shell->z > 0))
     throw InputError("the shell's semi-axes must be greater than 0");
   for (const LineMark& line : picture.lines)
-    if (!finite(line.from) || !finite(line.to))
-      throw InputError("a line of the picture has an end that is not finite");
-  if (picture.clip && !(finite(picture.clip->normal) && std::isfinite(picture.clip->offset) &&
-                        norm(picture.clip->normal) > 0))
+    if (!finite(line.from) || !finite(line.to)) throw InputError("a line of the picture has an end that is not finite");
+  if (picture.clip &&
+      !(finite(picture.clip->normal) && std::isfinite(picture.clip->offset) && norm(picture.clip->normal) > 0))
     throw InputError("a clip plane needs a normal other than (0, 0, 0), and a finite offset");
   for (const CellLabel& label : picture.labels)
     if (label.cell >= picture.cells.size())
@@ -81,9 +76,7 @@ void check(const OrganismPicture& picture) {
   checkCells(picture);
 }
 
-Annotations wordsOf(const OrganismPicture& picture) {
-  return {picture.title, picture.caption, picture.legend};
-}
+Annotations wordsOf(const OrganismPicture& picture) { return {picture.title, picture.caption, picture.legend}; }
 
 int instrumentsHeight(const OrganismPicture& picture, int width) {
   return instrumentsHeight(picture.instruments, width, textSizeFor(width, picture.height));
@@ -93,9 +86,8 @@ int sceneHeight(const OrganismPicture& picture, int width) {
   const Bands bands = bandsFor(wordsOf(picture), width, picture.height);
   const int height = picture.height - bands.top - bands.bottom - instrumentsHeight(picture, width);
   if (height < 16)
-    throw InputError("words and scales leave no room for the cells in a picture of " + std::to_string(width) +
-                     " x " + std::to_string(picture.height) +
-                     " pixels; it must be larger, or show fewer of them");
+    throw InputError("words and scales leave no room for the cells in a picture of " + std::to_string(width) + " x " +
+                     std::to_string(picture.height) + " pixels; it must be larger, or show fewer of them");
   return height;
 }
 
@@ -104,13 +96,11 @@ std::vector<Point> extent(const OrganismPicture& picture) {
   std::vector<Point> points;
   if (picture.shell) {
     const Vector semi = *picture.shell * shellThickness;
-    for (const Point& p : makeIcosphere(3).vertices)
-      points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
+    for (const Point& p : makeIcosphere(3).vertices) points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
   }
   // With a shell cells may come and go in one framing.
   for (const CellShape& cell : picture.cells)
-    if (cell.opacity > 0 && !picture.shell)
-      points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
+    if (cell.opacity > 0 && !picture.shell) points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
   for (const LineMark& line : picture.lines) points.push_back(line.from), points.push_back(line.to);
   return points;
 }
@@ -155,10 +145,8 @@ OrganismRenderer& rendererOfThisThread() {
 Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) {
   check(picture);
   const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);
-  const Framing framing =
-      picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
-  Drawing drawing(width, picture.height,
-                  picture.transparent ? Drawing::Ground::none : Drawing::Ground::paper);
+  const Framing framing = picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
+  Drawing drawing(width, picture.height, picture.transparent ? Drawing::Ground::none : Drawing::Ground::paper);
   const int top = bandsFor(wordsOf(picture), width, picture.height).top;
   const EyeAxes axes = eyeAxes(picture.camera);
   const Aperture aperture = apertureOf(picture.width, height);
@@ -190,9 +178,7 @@ Image drawSolidAndWireframe(const OrganismPicture& picture) {
   return compose(picture, {Style::solid, Style::wireframe});
 }
 
-Framing fitFraming(const OrganismPicture& picture) {
-  return fitFraming(std::vector<OrganismPicture>{picture});
-}
+Framing fitFraming(const OrganismPicture& picture) { return fitFraming(std::vector<OrganismPicture>{picture}); }
 
 Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
   if (sequence.empty()) throw InputError("a framing needs at least one picture");
@@ -233,8 +219,7 @@ Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>&
   const Aperture aperture = apertureOf(picture.width, sceneHeight(picture, picture.width));
   Framing framing{(low + high) * 0.5, 0};
   for (const Camera& camera : cameras)
-    framing.distance =
-        std::max(framing.distance, distanceFor(points, framing.centre, eyeAxes(camera), aperture));
+    framing.distance = std::max(framing.distance, distanceFor(points, framing.centre, eyeAxes(camera), aperture));
   return framing;
 }
 
@@ -247,11 +232,10 @@ void addNormals(OrganismPicture& picture, double length, Colour colour) {
   }
 }
 
-void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces,
-               double lengthPerForce, Colour colour) {
+void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces, double lengthPerForce,
+               Colour colour) {
   if (cell >= picture.cells.size() || forces.size() != picture.cells[cell].vertices.size())
-    throw InputError(
-        "forces to be drawn must name a cell of the picture and be one for each of its vertices");
+    throw InputError("forces to be drawn must name a cell of the picture and be one for each of its vertices");
   const std::vector<Point>& vertices = picture.cells[cell].vertices;
   for (std::size_t i = 0; i < forces.size(); ++i)
     picture.lines.push_back({vertices[i], vertices[i] + forces[i] * lengthPerForce, colour});

@@ -60,8 +60,7 @@ struct OrganismPicture {
   std::vector<CellShape> cells;
   std::optional<Vector> shell;  // semi-axes [length] > 0, about the origin; a faint rim, 2 % outside
   std::vector<LineMark> lines;
-  std::vector<CellLabel>
-      labels;  // of cells that are seen, as many as have room; the caption says how many have not
+  std::vector<CellLabel> labels;  // of cells that are seen, as many as have room; the caption says how many have not
   std::optional<ClipPlane> clip;  // of cells and lines; translucent cells are hollow. The shell stays whole.
   Instruments instruments;
   bool transparent = false;  // where nothing is drawn: no paper
@@ -112,7 +111,7 @@ void addNormals(OrganismPicture& picture, double length, Colour colour = {0x33, 
 
 /// Adds a line along the force on every vertex of cell number `cell`, counted from 0. `lengthPerForce` in
 /// [length/force]. Throws InputError if there is no such cell, or not one force for each of its vertices.
-void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces,
-               double lengthPerForce, Colour colour = {0xcc, 0x22, 0x22});
+void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces, double lengthPerForce,
+               Colour colour = {0xcc, 0x22, 0x22});
 
 }  // namespace morula

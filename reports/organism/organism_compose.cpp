@@ -58,8 +58,7 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   targets_->solid.owners.bind(2);
   targets_->firstVisible.bind(3);
   if (veiled) targets_->veils->bind(4);
-  if (frame.picture.shell)
-    setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
+  if (frame.picture.shell) setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
   fillScreen(targets_->resultBuffer, frame.width, frame.height);
   return readBack(frame.width, frame.height, frame.picture.transparent);
 }

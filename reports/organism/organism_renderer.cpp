@@ -24,11 +24,11 @@ void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes&
   constexpr float headSide = 5;  // [half widths of the line]
   const Vector a = axes.of(line.from - centre), b = axes.of(line.to - centre);
   const auto vertex = [&](const Vector& p, const Vector& q, float side) {
-    to.push_back({{float(p.x), float(p.y), float(p.z)},
-                  {float(q.x), float(q.y), float(q.z)},
-                  side,
-                  {float(linearLight(line.colour.r)), float(linearLight(line.colour.g)),
-                   float(linearLight(line.colour.b))}});
+    to.push_back(
+        {{float(p.x), float(p.y), float(p.z)},
+         {float(q.x), float(q.y), float(q.z)},
+         side,
+         {float(linearLight(line.colour.r)), float(linearLight(line.colour.g)), float(linearLight(line.colour.b))}});
   };
   vertex(a, b, -1), vertex(b, a, 1), vertex(a, b, 1);
   vertex(a, b, 1), vertex(b, a, 1), vertex(b, a, -1);
@@ -65,8 +65,7 @@ void setSpiral(const Program& program) {
 }
 
 /// The depths from the eye that are kept: everything that is drawn, and the middle in any case.
-std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAxes& axes,
-                                     const Framing& framing) {
+std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
   double nearest = framing.distance * 0.9, farthest = framing.distance * 1.1;
   const auto keep = [&](const Point& p) {
     const double depth = framing.distance - axes.of(p - framing.centre).z;
@@ -90,8 +89,7 @@ void clearLayer(float eyeDistance) {
 }
 
 void setPaper(const Program& program) {
-  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)),
-              float(linearLight(paper.b)));
+  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)), float(linearLight(paper.b)));
 }
 
 OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
@@ -115,8 +113,8 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
               .matrix = projection(aperture, framing.distance, nearest, farthest),
               .pixel = float(picture.samples * std::max(1.0, std::min(width, height) / 900.0)),
               .surface = makeSurface(picture, axes, framing, style == Style::wireframe)};
-  const VertexBuffer cells(frame.surface.vertices.data(),
-                           frame.surface.vertices.size() * sizeof(SurfaceVertex), sizeof(SurfaceVertex),
+  const VertexBuffer cells(frame.surface.vertices.data(), frame.surface.vertices.size() * sizeof(SurfaceVertex),
+                           sizeof(SurfaceVertex),
                            {{3, GL_FLOAT, false, false, offsetof(SurfaceVertex, position)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, normal)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, corner)},
@@ -131,14 +129,13 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
     const double beyond = picture.clip->offset / length - dot(framing.centre, picture.clip->normal / length);
     frame.clip = {float(normal.x), float(normal.y), float(normal.z), float(beyond)};
   }
-  if (!targets_ || targets_->width != width || targets_->height != height ||
-      targets_->samples != picture.samples || targets_->counted != picture.clip.has_value()) {
+  if (!targets_ || targets_->width != width || targets_->height != height || targets_->samples != picture.samples ||
+      targets_->counted != picture.clip.has_value()) {
     targets_.reset();
     // As Targets has textures, and once more for what is translucent and for what is read back.
     constexpr double ofSample = 64, ofPixel = 24, ofThreads = 100e6;
-    requireMemoryToDraw(
-        double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
-        "; draw a smaller picture, with less --supersample, or where there is more");
+    requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
+                        "; draw a smaller picture, with less --supersample, or where there is more");
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);
@@ -189,8 +186,7 @@ void OrganismRenderer::drawSolid(const Frame& frame) {
   clearLayer(float(frame.framing.distance));
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  if (frame.picture.clip)
-    glDisable(GL_CULL_FACE);  // the insides of cut cells, where the shader draws the cut
+  if (frame.picture.clip) glDisable(GL_CULL_FACE);  // the insides of cut cells, where the shader draws the cut
   else glEnable(GL_CULL_FACE);
   cellProgram(frame, CellPass::whole);
   if (frame.surface.solid > 0) frame.cells->drawTriangles(0, frame.surface.solid);
@@ -285,8 +281,7 @@ std::vector<std::uint32_t> OrganismRenderer::owners() const {
   owners.reserve(std::size_t(width) * height);
   for (int y = height - 1; y >= 0; --y)  // OpenGL counts upward
     for (int x = 0; x < width; ++x) {
-      const auto owner =
-          grid[(std::size_t(y) * samples + samples / 2) * width * samples + x * samples + samples / 2];
+      const auto owner = grid[(std::size_t(y) * samples + samples / 2) * width * samples + x * samples + samples / 2];
       owners.push_back(owner < lineOwner ? owner : 0);
     }
   return owners;
@@ -295,8 +290,7 @@ std::vector<std::uint32_t> OrganismRenderer::owners() const {
 void OrganismRenderer::findOcclusion(const Frame& frame) {
   frame.describe(programs_->occlusion);
   // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
-  const double radius =
-      std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
+  const double radius = std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
   programs_->occlusion.set("radius", float(radius));
   setSpiral(programs_->occlusion);
   programs_->occlusion.set("shapes", 0);

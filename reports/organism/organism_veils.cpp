@@ -33,13 +33,10 @@ std::vector<Veil> veilsOf(const Surface& surface, double eyeDistance, double ape
       const double y = depth > 0 ? p[1] / (aperture * depth) : p[1] < 0 ? -INFINITY : INFINITY;
       low = std::min(low, y), high = std::max(high, y), nearest = std::max(nearest, p[2]);
     }
-    const auto row = [&](double y) {
-      return int(std::floor(std::clamp(0.5 + 0.5 * y, 0.0, 1.0) * gridHeight));
-    };
+    const auto row = [&](double y) { return int(std::floor(std::clamp(0.5 + 0.5 * y, 0.0, 1.0) * gridHeight)); };
     veils.push_back({corners, row(low) - 1, row(high) + 1, nearest});
   }
-  std::stable_sort(veils.begin(), veils.end(),
-                   [](const Veil& a, const Veil& b) { return a.nearest > b.nearest; });
+  std::stable_sort(veils.begin(), veils.end(), [](const Veil& a, const Veil& b) { return a.nearest > b.nearest; });
   return veils;
 }
 
@@ -60,8 +57,7 @@ class SharedBuffer {
   void* contents(std::size_t bytes) {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_);
-    void* memory =
-        glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+    void* memory = glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
     MORULA_CHECK(memory, "OpenGL gives no access to a buffer");
     return memory;
   }
@@ -139,15 +135,14 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
       const std::size_t lists = std::size_t(width) * (to - from);
       std::vector<std::uint32_t> starts(lists);
       std::uint32_t next = 0;
-      for (std::size_t i = 0; i < lists; ++i)
-        starts[i] = next, next += numbers[std::size_t(from - low) * width + i];
+      for (std::size_t i = 0; i < lists; ++i) starts[i] = next, next += numbers[std::size_t(from - low) * width + i];
       cursors.fill(4 * lists, starts.data());
       fragments.fill(sizeof(VeilFragment) * std::max<std::size_t>(many, 1), nullptr);
       if (many > 0) draw(list, from, to);
-      VeilRows rows{width, to - from,
-                    static_cast<VeilFragment*>(
-                        fragments.contents(sizeof(VeilFragment) * std::max<std::size_t>(many, 1))),
-                    static_cast<const std::uint32_t*>(cursors.contents(4 * lists))};
+      VeilRows rows{
+          width, to - from,
+          static_cast<VeilFragment*>(fragments.contents(sizeof(VeilFragment) * std::max<std::size_t>(many, 1))),
+          static_cast<const std::uint32_t*>(cursors.contents(4 * lists))};
       sortVeils(rows, threads);
       const std::vector<float> seen = composeVeils(rows, first - from, last - from, margin, threads);
       fragments.release(), cursors.release();

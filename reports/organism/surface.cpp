@@ -58,16 +58,15 @@ std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.
 /// One cell on its way to the surface.
 class CellSurface {
  public:
-  CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
-              const Point& centre)
+  CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes, const Point& centre)
       : to_(to), cell_(picture.cells[number]), faces_(facesOf(picture, cell_)) {
     normals_ = vertexNormals(cell_.vertices, faces_);
     positions_.reserve(cell_.vertices.size());
     for (const Point& vertex : cell_.vertices) positions_.push_back(axes.of(vertex - centre));
     for (Vector& normal : normals_) normal = axes.of(normal);
     vertex_.owner = std::uint32_t(number + 1);
-    const double light[4] = {linearLight(cell_.colour.r), linearLight(cell_.colour.g),
-                             linearLight(cell_.colour.b), cell_.opacity};
+    const double light[4] = {linearLight(cell_.colour.r), linearLight(cell_.colour.g), linearLight(cell_.colour.b),
+                             cell_.opacity};
     std::transform(light, light + 4, vertex_.light, asUint16);
     vertex_.share = -1;
     if (!cell_.shares.empty()) to.mapped = true;
@@ -77,16 +76,15 @@ class CellSurface {
   void addSplit(const Split& split) {
     for (const Face& face : faces_) {
       FaceInEye corners;
-      for (int i = 0; i < 3; ++i)
-        corners.position[i] = positions_[face[i]], corners.normal[i] = normals_[face[i]];
+      for (int i = 0; i < 3; ++i) corners.position[i] = positions_[face[i]], corners.normal[i] = normals_[face[i]];
       for (const std::uint32_t corner : split.corners)
         to_.corners.push_back(std::uint32_t(to_.vertices.size()) + corner);
       for (const Weights& w : split.points) {
         const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
         for (int i = 0; i < 3; ++i) vertex_.corner[i] = float(w[i]);
         if (!cell_.shares.empty())
-          vertex_.share = float(cell_.shares[face[0]] * w[0] + cell_.shares[face[1]] * w[1] +
-                                cell_.shares[face[2]] * w[2]);
+          vertex_.share =
+              float(cell_.shares[face[0]] * w[0] + cell_.shares[face[1]] * w[1] + cell_.shares[face[2]] * w[2]);
         add(corners.curved(w), n);
       }
     }
@@ -106,8 +104,7 @@ class CellSurface {
  private:
   void add(const Vector& p, const Vector& n) {
     const double values[6] = {p.x, p.y, p.z, n.x, n.y, n.z};
-    for (int i = 0; i < 3; ++i)
-      vertex_.position[i] = float(values[i]), vertex_.normal[i] = float(values[3 + i]);
+    for (int i = 0; i < 3; ++i) vertex_.position[i] = float(values[i]), vertex_.normal[i] = float(values[3 + i]);
     to_.vertices.push_back(vertex_);
   }
 
@@ -124,8 +121,7 @@ std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std:
   std::vector<Vector> normals(vertices.size());
   for (const Face& f : faces) {
     for (int i = 0; i < 3; ++i) {
-      const Vector one = vertices[f[(i + 1) % 3]] - vertices[f[i]],
-                   other = vertices[f[(i + 2) % 3]] - vertices[f[i]];
+      const Vector one = vertices[f[(i + 1) % 3]] - vertices[f[i]], other = vertices[f[(i + 2) % 3]] - vertices[f[i]];
       const double weight = dot(one, one) * dot(other, other);
       if (weight > 0) normals[f[i]] += cross(one, other) / weight;
     }
@@ -137,8 +133,7 @@ std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std:
   return normals;
 }
 
-Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
-                    bool withEdges) {
+Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing, bool withEdges) {
   std::size_t faces = 0;
   for (const CellShape& cell : picture.cells) faces += facesOf(picture, cell).size();
   const int splits = splitsFor(faces);

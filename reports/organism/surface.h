@@ -35,7 +35,6 @@ struct Surface {
 /// are round although the mesh is coarse; the mesh's own vertices stay where they are. The more faces there
 /// are, the less each is split, because it is then small in the picture. Without edges `corner` is not set, and faces
 /// that are not split share their vertices.
-Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
-                    bool withEdges = true);
+Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing, bool withEdges = true);
 
 }  // namespace morula

@@ -51,8 +51,8 @@ std::vector<float> composeVeils(const VeilRows& veils, int first, int last, int 
       const auto at = [&](int column, int line) { return listAt(veils, std::size_t(line) * width + column); };
       const List list = at(x, y);
       if (list.size() == 0) continue;
-      const List around[4] = {at(std::max(x - outlineReach, 0), y),
-                              at(std::min(x + outlineReach, width - 1), y), at(x, below), at(x, above)};
+      const List around[4] = {at(std::max(x - outlineReach, 0), y), at(std::min(x + outlineReach, width - 1), y),
+                              at(x, below), at(x, above)};
       float* sum = &result[4 * (std::size_t(row) * width + x)];
       for (std::size_t i = 0; i < list.size(); ++i) {
         const VeilFragment& here = list.begin[i];

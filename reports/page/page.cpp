@@ -32,18 +32,17 @@ std::string pageFile(const Page& page) {
       htmlText(policy(page)) +
       "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
-      htmlText(page.title) + "</title>\n<style>\n" + pageStyle() +
-      "</style>\n</head>\n<body>\n<header>\n<h1>" + htmlText(page.title) + "</h1>\n";
+      htmlText(page.title) + "</title>\n<style>\n" + pageStyle() + "</style>\n</head>\n<body>\n<header>\n<h1>" +
+      htmlText(page.title) + "</h1>\n";
   if (!page.summary.empty()) html += "<p class=\"summary\">" + htmlText(page.summary) + "</p>\n";
-  html +=
-      "</header>\n<main>\n<section id=\"verdict\" aria-label=\"Verdict\">\n" + page.verdict + "</section>\n";
+  html += "</header>\n<main>\n<section id=\"verdict\" aria-label=\"Verdict\">\n" + page.verdict + "</section>\n";
   for (const PageBlock& block : page.blocks)
     html += "<section id=\"" + block.id + "\">\n<h2>" + htmlText(block.title) + "</h2>\n" + block.html +
             commandsHtml(block.commands) + "</section>\n";
   html += "</main>\n";
   if (!page.command.empty())
-    html += "<footer>\n<div class=\"again\"><span>Make this page again:</span><code>" +
-            htmlText(page.command) + "</code></div>\n</footer>\n";
+    html += "<footer>\n<div class=\"again\"><span>Make this page again:</span><code>" + htmlText(page.command) +
+            "</code></div>\n</footer>\n";
   if (!page.program.empty() && !page.data.empty()) {
     html += "<script type=\"application/json\" id=\"data\">" + scriptJson(page.data) + "</script>\n";
     for (const PageBytes& bytes : page.bytes)

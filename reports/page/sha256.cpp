@@ -55,8 +55,7 @@ std::string sha256(std::string_view bytes) {
   std::string rest(bytes.substr(whole));
   rest += '\x80';
   while (rest.size() % 64 != 56) rest += '\0';
-  for (int shift = 56; shift >= 0; shift -= 8)
-    rest += static_cast<char>(std::uint64_t{bytes.size()} * 8 >> shift);
+  for (int shift = 56; shift >= 0; shift -= 8) rest += static_cast<char>(std::uint64_t{bytes.size()} * 8 >> shift);
   for (std::size_t i = 0; i < rest.size(); i += 64) takeBlock(hash, std::string_view(rest).substr(i, 64));
   std::string digest;
   for (const std::uint32_t word : hash)

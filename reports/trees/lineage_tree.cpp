@@ -41,8 +41,7 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
   if (picture.height == 0) picture.height = int(std::clamp(420 + 70.0 * double(depth), 640.0, 1100.0));
   for (const int side : {picture.width, picture.height})
     if (side < 64 || side > 16384)
-      throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " +
-                       std::to_string(picture.height) +
+      throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
 }
 
@@ -78,8 +77,7 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
     sheet.upward = widest > sheet.pitch - 0.6 * size;
     below += sheet.upward ? std::min(widest + size, 0.25 * picture.height) : 1.2 * size;
   }
-  sheet.frame.bottom =
-      std::max(sheet.frame.top + 8, picture.height - bands.bottom - barHeight(picture) - below);
+  sheet.frame.bottom = std::max(sheet.frame.top + 8, picture.height - bands.bottom - barHeight(picture) - below);
   sheet.time.from = sheet.frame.top, sheet.time.to = sheet.frame.bottom;
   return sheet;
 }
@@ -146,10 +144,10 @@ Drawing drawLineage(const TreePicture& asked) {
   annotate(drawing, words);
   if (layout.places.empty()) return drawing;
   if (const double size = textSizeFor(picture.width, picture.height); picture.colourBar)
-    drawColourBar(drawing, *picture.colourBar,
-                  {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height).bottom -
-                                   barHeight(picture)},
-                  std::min(picture.width - 3 * size, 24 * size), size);
+    drawColourBar(
+        drawing, *picture.colourBar,
+        {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height).bottom - barHeight(picture)},
+        std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);
   // From the leaves up, so that at a division the mother lies on top.

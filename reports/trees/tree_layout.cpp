@@ -36,8 +36,7 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   std::vector<int> line;
   for (int i = 0; i < int(places.size()); ++i) {
     const std::string& path = places[i].node->path;
-    if (i > 0 && path == places[i - 1].node->path)
-      throw InputError(cellName(path) + " appears twice in the tree");
+    if (i > 0 && path == places[i - 1].node->path) throw InputError(cellName(path) + " appears twice in the tree");
     while (!line.empty() && !path.starts_with(places[line.back()].node->path)) line.pop_back();
     if (!line.empty() && places[line.back()].node->path.size() + 1 == path.size()) {
       places[i].mother = line.back();
@@ -49,8 +48,7 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   }
   for (TreePlace& place : places)
     if (place.isLeaf()) place.x = double(layout.leaves++) + 0.5;
-  for (std::size_t i = places.size();
-       i-- > 0;) {  // daughters stand behind their mothers, so they are placed first
+  for (std::size_t i = places.size(); i-- > 0;) {  // daughters stand behind their mothers, so they are placed first
     TreePlace& place = places[i];
     if (place.isLeaf()) continue;
     const auto [a, b] = place.daughter;

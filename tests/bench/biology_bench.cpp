@@ -13,9 +13,7 @@ using namespace morula;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 struct Cell {
   CellPath path;

@@ -56,8 +56,7 @@ double secondsToStore(Contestant& c, const std::filesystem::path& file) {
 int main(int argc, char** argv) {
   const std::string file = argc > 1 ? argv[1] : "scenarios/thesis/elegans-128.yaml";
   const Scenario scenario = loadScenario(file);
-  Contestant without{makeWorld(scenario.scene), Recorder{}},
-      with{makeWorld(scenario.scene), Recorder({{}, turn})};
+  Contestant without{makeWorld(scenario.scene), Recorder{}}, with{makeWorld(scenario.scene), Recorder({{}, turn})};
   with.recorder.observe(with.world);
   for (bool first = true; !finished(without.world) || !finished(with.world); first = !first) {
     (first ? without : with).go();
@@ -66,13 +65,11 @@ int main(int argc, char** argv) {
   const auto folder = std::filesystem::temp_directory_path() / "morula-hash-chain";
   std::filesystem::create_directories(folder);
   const std::size_t links = with.recorder.chain().size();
-  const double stored =
-      secondsToStore(with, folder / "with.db") - secondsToStore(without, folder / "without.db");
+  const double stored = secondsToStore(with, folder / "with.db") - secondsToStore(without, folder / "without.db");
   std::filesystem::remove_all(folder);
   fmt::print(
       "{}: {} steps, {} links\n  without {:.3f} s, with {:.3f} s: {:.2f} %; storing it {:.3f} s: {:.2f} % in "
       "all\n",
-      file, without.world.clock.step, links, without.seconds, with.seconds,
-      100 * (with.seconds / without.seconds - 1), stored,
-      100 * ((with.seconds + stored) / without.seconds - 1));
+      file, without.world.clock.step, links, without.seconds, with.seconds, 100 * (with.seconds / without.seconds - 1),
+      stored, 100 * ((with.seconds + stored) / without.seconds - 1));
 }

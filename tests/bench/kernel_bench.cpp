@@ -55,8 +55,7 @@ void addContact(Isa isa, double friction) {
     c.addForces = makeContacts(parameters, isa).addForces;
     const auto acceleration = world.bodies->acceleration;
     for (auto _ : state)
-      for (int i = 0; i < world.bodies->blockCount(); ++i)
-        addContactForces(c, *world.bodies, i, world.clock.timeStep);
+      for (int i = 0; i < world.bodies->blockCount(); ++i) addContactForces(c, *world.bodies, i, world.clock.timeStep);
     world.bodies->acceleration = acceleration;
     state.SetItemsProcessed(state.iterations() * cells * world.bodies->vertexCount());
     state.counters["pairs/vertex"] = double(c.list.pairs) / (cells * world.bodies->vertexCount());
@@ -64,17 +63,17 @@ void addContact(Isa isa, double friction) {
 }
 
 void addSearch(Isa isa, ContactSearch method) {
-  benchmark::RegisterBenchmark(
-      (std::string("search by ") + nameOf(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
-        const Bodies& bodies = *packed().bodies;
-        Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
-        resetContacts(c, bodies);
-        for (auto _ : state) {
-          c.listIsValid = false;
-          refreshList(c, bodies, 1);
-        }
-        state.SetItemsProcessed(state.iterations() * cells * bodies.vertexCount());
-      });
+  benchmark::RegisterBenchmark((std::string("search by ") + nameOf(method) + "/" + name(isa)).c_str(),
+                               [=](benchmark::State& state) {
+                                 const Bodies& bodies = *packed().bodies;
+                                 Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
+                                 resetContacts(c, bodies);
+                                 for (auto _ : state) {
+                                   c.listIsValid = false;
+                                   refreshList(c, bodies, 1);
+                                 }
+                                 state.SetItemsProcessed(state.iterations() * cells * bodies.vertexCount());
+                               });
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   const Bodies& bodies = *world.bodies;
   const double vertices = double(bodies.count) * bodies.vertexCount();
   NeighbourList list = makeNeighbourList(method, isa);
-  list.skin = skinShare * *std::min_element(world.contacts->radius.begin(),
-                                            world.contacts->radius.begin() + bodies.count);
+  list.skin =
+      skinShare * *std::min_element(world.contacts->radius.begin(), world.contacts->radius.begin() + bodies.count);
   list.reference = bodies.position;
   const auto search = [&] { buildNeighbourList(list, bodies, world.contacts->radius, 1); };
   const bool slow = method == ContactSearch::bruteForce;
@@ -91,8 +91,8 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   const SearchCounters& c = list.counters;
   const double n = vertices * static_cast<double>(c.searches - before.searches);
   const auto per = [&](std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then) / n; };
-  std::printf("| %d | %s | %.2f | %.0f | %.3f | %.1f | %.0f | %.0f | %.2f | %.1f |\n", bodies.count,
-              nameOf(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
+  std::printf("| %d | %s | %.2f | %.0f | %.3f | %.1f | %.0f | %.0f | %.2f | %.1f |\n", bodies.count, nameOf(method),
+              skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
               per(c.distanceTests, before.distanceTests), per(c.binVisits, before.binVisits),
               per(c.rootTests, before.rootTests), per(c.boxTests, before.boxTests));
   std::fflush(stdout);
@@ -111,11 +111,10 @@ void printStages(World& world) {
                  }) /
            vertices;
   };
-  const double internal =
-      eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
+  const double internal = eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
   evaluateForces(world);
-  const double law = eachBlock(
-      [&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
+  const double law =
+      eachBlock([&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
   evaluateForces(world);
   const auto steps = world.clock.step, rebuilds = contacts.rebuilds;
   const double start = now();
@@ -152,14 +151,12 @@ int main(int argc, char** argv) {
 
   // Cells lose half their mass at each division, and the longest stable step shrinks with its root: one step
   // for all sizes is stable until some generation is not.
-  std::printf(
-      "\nThe same organisms after 200 steps of 1/%.0f each, stable for 128 cells and not for 256:\n\n",
-      1 / fixedStep);
+  std::printf("\nThe same organisms after 200 steps of 1/%.0f each, stable for 128 cells and not for 256:\n\n",
+              1 / fixedStep);
   printHead();
   for (World& world : worlds) {
     if (world.bodies->count > 256) continue;
     for (int i = 0; i < 200; ++i) movePhysics(world, fixedStep);
-    for (ContactSearch method : {ContactSearch::grid, ContactSearch::aabbTree})
-      printSearch(world, method, 0, isa);
+    for (ContactSearch method : {ContactSearch::grid, ContactSearch::aabbTree}) printSearch(world, method, 0, isa);
   }
 }

@@ -17,14 +17,12 @@ const std::string swinging =
 struct Bench {
   TemporaryFolder folder;
   Bench() { writeWhole(folder / "swinging.yaml", swinging); }
-  std::vector<std::string> arguments(const std::vector<std::string>& more,
-                                     const std::string& scenario) const {
+  std::vector<std::string> arguments(const std::vector<std::string>& more, const std::string& scenario) const {
     std::vector<std::string> all{"accuracy", folder / scenario, "--out", folder.path(), "--rounds", "1"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
-  Launched accuracy(const std::vector<std::string>& more,
-                    const std::string& scenario = "swinging.yaml") const {
+  Launched accuracy(const std::vector<std::string>& more, const std::string& scenario = "swinging.yaml") const {
     return launch(arguments(more, scenario));
   }
   /// Outside of continuous integration, where goldens may be written.
@@ -108,8 +106,8 @@ TEST_CASE("accuracy refuses what makes no sense, and says what would") {
 
 TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
   const Bench bench;
-  const auto run = bench.accuracy(
-      {"--json", "--bullet", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"});
+  const auto run =
+      bench.accuracy({"--json", "--bullet", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"});
   CAPTURE(run.err);
   REQUIRE(run.code == 0);
   const auto json = Json::parse(run.out);
@@ -130,9 +128,8 @@ TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
 TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and of no other") {
   const Bench bench;
   const auto accept = [&] {
-    return launch(
-        {"review", bench.folder / "swinging.yaml", "--accept", "--why", "first", "--by", "me", "--quiet"},
-        {{"CI", ""}});
+    return launch({"review", bench.folder / "swinging.yaml", "--accept", "--why", "first", "--by", "me", "--quiet"},
+                  {{"CI", ""}});
   };
   const std::vector<std::string> quick{"--into-golden",   "--quiet",    "--only", "--integrator",
                                        "velocity-verlet", "--halvings", "2"};

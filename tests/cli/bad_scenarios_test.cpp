@@ -30,8 +30,8 @@ TEST_CASE("bad DNA in a file of its own gives exit 3 and names its line") {
   for (const auto& entry : fs::directory_iterator("tests/bad_dna")) {
     if (entry.path().extension() != ".dna") continue;
     INFO(entry.path().string());
-    writeWhole(scenario, "morula: 1\nname: s\ndna: {file: '" + fs::absolute(entry.path()).string() +
-                             "'}\nstop: {cycles: 1}\n");
+    writeWhole(scenario,
+               "morula: 1\nname: s\ndna: {file: '" + fs::absolute(entry.path()).string() + "'}\nstop: {cycles: 1}\n");
     const auto run = launch({"run", "--allow-outside", scenario});
     CHECK(run.code == 3);
     CHECK(run.out.empty());

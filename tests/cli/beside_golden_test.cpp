@@ -21,13 +21,11 @@ const std::string pair =
 
 }  // namespace
 
-TEST_CASE(
-    "a run that differs from its golden is drawn beside it, and one that does not takes the picture away") {
+TEST_CASE("a run that differs from its golden is drawn beside it, and one that does not takes the picture away") {
   const TemporaryFolder folder;
   const auto scenario = folder / "pair.yaml", picture = folder / "pair-1/golden.png";
   writeWhole(scenario, pair);
-  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
-          0);
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code == 0);
   const std::vector<std::string> run{"run", scenario, "--out", folder.path(), "--json", "--quiet"};
   const auto passing = launch(run);
   REQUIRE(passing.code == 0);
@@ -50,8 +48,7 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
   for (int i = 0; i < 20; ++i) genes += "  h" + std::to_string(i) + "(p" + std::to_string(i) + "|a0,A)\n";
   const auto scenario = folder / "pair.yaml";
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
-  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
-          0);
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code == 0);
   const auto pageOf = [&](const std::string& text) {
     writeWhole(scenario, text);
     const auto checked = launch({"check", scenario, "--reports", folder / "out", "--quiet"});
@@ -59,17 +56,16 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     CHECK(checked.code == 1);
     return readWhole(folder / "out/report.html");
   };
-  const std::string changed =
-      replaced(replaced(pair, "stop:", genes + "  h20(die|A)\nstop:"), "drag: 5", "drag: 8");
+  const std::string changed = replaced(replaced(pair, "stop:", genes + "  h20(die|A)\nstop:"), "drag: 5", "drag: 8");
   const std::string without = pageOf(changed);
   CHECK(has(without, "spheres with the accepted volumes"));
   CHECK(has(without, "git has no other"));
 
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
   const auto git = [&](const std::string& words) {
-    return std::system(("git -C '" + folder.path() + "' -c user.name=tests -c user.email=tests " + words +
-                        " >/dev/null 2>&1")
-                           .c_str()) == 0;
+    return std::system(
+               ("git -C '" + folder.path() + "' -c user.name=tests -c user.email=tests " + words + " >/dev/null 2>&1")
+                   .c_str()) == 0;
   };
   if (!git("init") || !git("add pair.yaml pair.golden") || !git("commit -m first")) {
     WARN("skipped: no git here");
@@ -96,10 +92,8 @@ TEST_CASE("compare tells how different two pictures look") {
   CHECK(same.out == "the same pixels\n");
   const auto rounded = launch({"compare", folder / "one.png", folder / "rounded.png"});
   CHECK(rounded.code == 0);
-  CHECK_THAT(rounded.out,
-             ContainsSubstring("they look the same: at most") && ContainsSubstring("needs at most 2.3"));
-  const auto other =
-      launch({"compare", folder / "one.png", folder / "other.png", "--json", "-o", folder / "map.png"});
+  CHECK_THAT(rounded.out, ContainsSubstring("they look the same: at most") && ContainsSubstring("needs at most 2.3"));
+  const auto other = launch({"compare", folder / "one.png", folder / "other.png", "--json", "-o", folder / "map.png"});
   CHECK(other.code == 1);
   const auto json = nlohmann::json::parse(other.out);
   CHECK(json.at("passed") == false);

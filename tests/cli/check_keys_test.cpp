@@ -31,8 +31,7 @@ const std::string refused = replaced(two, "contact: {}", "time_step: 1");
 Launched with(const char* verb, const TemporaryFolder& folder, const std::string& text) {
   writeWhole(folder / "two.yaml", text);
   std::vector<std::string> arguments{verb, folder / "two.yaml", "--json"};
-  if (std::string(verb) == "run")
-    arguments.insert(arguments.end(), {"--out", folder.path(), "--no-pictures"});
+  if (std::string(verb) == "run") arguments.insert(arguments.end(), {"--out", folder.path(), "--no-pictures"});
   return launch(arguments);
 }
 
@@ -40,8 +39,7 @@ Launched with(const char* verb, const TemporaryFolder& folder, const std::string
 
 TEST_CASE("run holds a scenario's invariants also where there is no golden file") {
   const TemporaryFolder folder;
-  const auto good =
-      with("run", folder, two + "check: {volume: [0.9, 1.3], momentum: 1e-9, end-overlap: 0.01}\n");
+  const auto good = with("run", folder, two + "check: {volume: [0.9, 1.3], momentum: 1e-9, end-overlap: 0.01}\n");
   INFO(good.err);
   CHECK(good.code == 0);
   CHECK(Json::parse(good.out)["checked"] == true);

@@ -47,8 +47,8 @@ TEST_CASE("A golden that somebody has edited is one failed check, and others go 
   for (const auto* name : {"a", "b"}) {
     const std::string scenario = folder / (std::string(name) + ".yaml");
     writeWhole(scenario, text);
-    REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}})
-                .code == 0);
+    REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}}).code ==
+            0);
   }
   std::string golden = readWhole(folder / "a.golden");
   golden.replace(golden.find("count cells 1"), 13, "count cells 2");

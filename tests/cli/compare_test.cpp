@@ -60,8 +60,7 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   CHECK(pair.at("effect") < -3);
   CHECK(pair.at("equivalence").at("verdict") == "equivalent");
 
-  CHECK_THAT(launch({"compare", file, "--csv"}).out,
-             ContainsSubstring("pair,clone_radius,,division,longest,random,"));
+  CHECK_THAT(launch({"compare", file, "--csv"}).out, ContainsSubstring("pair,clone_radius,,division,longest,random,"));
   for (const char* name : {"all.png", "all.svg", "all.pdf"}) {
     CHECK(launch({"compare", file, "-o", folder / name}).code == 0);
     CHECK(readWhole(folder / name).size() > 1000);
@@ -91,16 +90,14 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   writePolicies(file);
   std::filesystem::create_directory(folder / "empty");
   refuses({"compare", file, "--by", "divison"}, 2, "did you mean division?");
-  refuses({"compare", file, "--equivalent", "much"}, 2,
-          "--equivalent: 'much' is no margin; needs a number above 0");
+  refuses({"compare", file, "--equivalent", "much"}, 2, "--equivalent: 'much' is no margin; needs a number above 0");
   refuses({"compare", file, "--csv", "--json"}, 2, "--csv and --json: give one of them");
   refuses({"compare", file, "-o", folder / "all.gif"}, 2, "needs a name that ends in");
   const std::string picture = folder / "grid.png";
   refuses({"compare", file, "--moments", "3"}, 2, "--moments: only with --pictures");
   refuses({"compare", file, "--colour", "clone"}, 2, "--colour: only with --pictures");
   refuses({"compare", file, "--pictures", picture, "--colour", "volum"}, 2, "did you mean volume?");
-  refuses({"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"}, 2,
-          "give one of them");
+  refuses({"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"}, 2, "give one of them");
   refuses({"compare", file, "--pictures", picture, "--moments", "13"}, 2, "--moments");
   refuses({"compare", file, "--pictures", picture, "--at-times", "2,1"}, 2, "needs rising times");
   refuses({"compare", file, "--pictures", picture, "--at-cells", "4,4"}, 2, "needs rising numbers of cells");
@@ -113,11 +110,10 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
 
 TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   const TemporaryFolder folder;
-  writeWhole(
-      folder / "pair.yaml",
-      "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
-      "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
-      "variation: {share: 0.05}\n");
+  writeWhole(folder / "pair.yaml",
+             "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
+             "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
+             "variation: {share: 0.05}\n");
   writeWhole(folder / "pair.study.yaml",
              "morula-study: 1\nname: pair\nbase: pair.yaml\n"
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
@@ -144,14 +140,12 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   // The ends are taken from the pictures that the study keeps: here from other ones, which lie in their places.
   const std::string some = folder / "some.png";
   const auto drawn = [&](const std::string& colour) {
-    CHECK(launch({"compare", to, "--pictures", some, "--moments", "1", "--colour", colour, "--quiet"}).code ==
-          0);
+    CHECK(launch({"compare", to, "--pictures", some, "--moments", "1", "--colour", colour, "--quiet"}).code == 0);
     return readWhole(some);
   };
   const std::string before = drawn("substance"), clones = drawn("clone");
   for (const auto& entry : std::filesystem::directory_iterator(to + "/pictures"))
-    std::filesystem::copy_file(folder / "all.png", entry.path(),
-                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(folder / "all.png", entry.path(), std::filesystem::copy_options::overwrite_existing);
   CHECK(drawn("substance") != before);
   CHECK(drawn("clone") == clones);
   std::filesystem::remove_all(to + "/pictures");

@@ -23,8 +23,7 @@ Json explained(std::vector<std::string> arguments, int code) {
 }
 
 void accept(const std::string& scenario) {
-  const auto run =
-      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
+  const auto run = launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
   INFO(run.err);
   REQUIRE(run.code == 0);
 }
@@ -56,9 +55,7 @@ TEST_CASE("explain names the kind of difference, and where it begins") {
   const auto scenario = folder / "pair.yaml";
   writeWhole(scenario, divides);
   accept(scenario);
-  REQUIRE(
-      launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code ==
-      0);
+  REQUIRE(launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code == 0);
   CHECK(explained({scenario, "--db", folder / "run.db"}, 0)["class"] == "");
 
   SECTION("a golden that somebody has edited") {
@@ -113,12 +110,9 @@ TEST_CASE("explain's bad questions") {
   CHECK(launch({"explain", scenario, "--with", "a", "--db", "b"}).code == 2);
   CHECK(launch({"explain", scenario, "--run", "7"}).code == 2);
   CHECK(launch({"explain", scenario, "--with", folder / "none"}).code == 3);
-  CHECK_THAT(launch({"explain", scenario, "--with", "/bin/true"}).err,
-             ContainsSubstring("the trail is cut short"));
+  CHECK_THAT(launch({"explain", scenario, "--with", "/bin/true"}).err, ContainsSubstring("the trail is cut short"));
   CHECK(launch({"explain", scenario, "--db", folder / "none.db"}).code == 6);
-  REQUIRE(
-      launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code ==
-      0);
+  REQUIRE(launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code == 0);
   const auto without = launch({"explain", scenario, "--db", folder / "run.db"});
   CHECK(without.code == 3);
   CHECK_THAT(without.err, ContainsSubstring("kept no chain"));
@@ -174,8 +168,7 @@ TEST_CASE("what differs waits for a review, beside the goldens, and is rejected 
   fs::rename(scenario + ".gone", scenario);
 
   CHECK(launch({"check", scenario}).code == 1);
-  const auto accepted =
-      launch({"review", scenario, "--accept", "--by", "tests", "--why", "more drag"}, {{"CI", ""}});
+  const auto accepted = launch({"review", scenario, "--accept", "--by", "tests", "--why", "more drag"}, {{"CI", ""}});
   CHECK(accepted.code == 0);
   CHECK_FALSE(waits(".golden"));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why more drag"));

@@ -32,16 +32,15 @@ struct Stored {
   explicit Stored(const std::string& scene, int code = 0) { run(scene, {}, code); }
   void run(const std::string& scene, const std::vector<std::string>& more = {}, int code = 0) {
     writeWhole(folder / "scene.yaml", scene);
-    std::vector<std::string> arguments{
-        "run", folder / "scene.yaml", "--db", database, "--no-pictures", "--quiet", "--json"};
+    std::vector<std::string> arguments{"run",   folder / "scene.yaml", "--db", database, "--no-pictures", "--quiet",
+                                       "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const auto launched = launch(arguments);
     INFO(launched.err);
     REQUIRE(launched.code == code);
     id = Json::parse(launched.out)["run_id"];
   }
-  Launched exported(const std::string& format, const std::string& path,
-                    std::vector<std::string> more = {}) const {
+  Launched exported(const std::string& format, const std::string& path, std::vector<std::string> more = {}) const {
     more.insert(more.begin(), {"export", database, "--format", format, "-o", folder / path});
     return launch(more);
   }
@@ -67,19 +66,17 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
     CHECK(fs::file_size(stored.folder / path) > 50);
   }
   CHECK(stored.exported("vtk", "vtk").code == 0);
-  CHECK(stored.files("vtk") == std::vector<std::string>{"cells.csv", "states.csv", "surfaces.pvd",
-                                                        "surfaces_0000.vtp", "surfaces_0001.vtp",
-                                                        "surfaces_0002.vtp", "surfaces_0003.vtp"});
+  CHECK(stored.files("vtk") == std::vector<std::string>{"cells.csv", "states.csv", "surfaces.pvd", "surfaces_0000.vtp",
+                                                        "surfaces_0001.vtp", "surfaces_0002.vtp", "surfaces_0003.vtp"});
   CHECK(stored.exported("ply", "series").code == 0);
-  CHECK(stored.files("series") == std::vector<std::string>{"0000.ply", "0001.ply", "0002.ply", "0003.ply",
-                                                           "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.files("series") == std::vector<std::string>{"0000.ply", "0001.ply", "0002.ply", "0003.ply", "cells.csv",
+                                                           "states.csv", "times.csv"});
   CHECK(stored.exported("gltf", "series-of-one", {"--time", "1"}).code == 0);
-  CHECK(stored.files("series-of-one") ==
-        std::vector<std::string>{"0000.glb", "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.files("series-of-one") == std::vector<std::string>{"0000.glb", "cells.csv", "states.csv", "times.csv"});
   CHECK(stored.exported("csv", "tables").code == 0);
-  CHECK(stored.files("tables") == std::vector<std::string>{"cell_samples.csv", "cells.csv", "checks.csv",
-                                                           "connections.csv", "contacts.csv", "divisions.csv",
-                                                           "runs.csv", "samples.csv", "settlings.csv", "time_steps.csv"});
+  CHECK(stored.files("tables") ==
+        std::vector<std::string>{"cell_samples.csv", "cells.csv", "checks.csv", "connections.csv", "contacts.csv",
+                                 "divisions.csv", "runs.csv", "samples.csv", "settlings.csv", "time_steps.csv"});
   const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
   CHECK(json["format"] == "newick");
   CHECK(json["runs"][0]["run_id"] == stored.id);
@@ -107,8 +104,7 @@ TEST_CASE("a time that was not kept is made again; a kept one is the first step 
   CHECK(stored.exported("ply", "kept.ply", {"--time", "1"}).err.empty());
   const auto launched = stored.exported("ply", "made.ply", {"--time", "1.3"});
   CHECK(launched.code == 0);
-  CHECK_THAT(launched.err,
-             ContainsSubstring("kept surfaces at 0, 1") && ContainsSubstring("simulating it again"));
+  CHECK_THAT(launched.err, ContainsSubstring("kept surfaces at 0, 1") && ContainsSubstring("simulating it again"));
   CHECK(readWhole(stored.folder / "made.ply") != readWhole(stored.folder / "kept.ply"));
 }
 
@@ -116,8 +112,7 @@ TEST_CASE("a run that ends otherwise now is not exported") {
   Stored stored(bodies);
   morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
       .execute("UPDATE run SET state_hash = '000102030405060708090a0b0c0d0e0f'");
-  refuses(stored.exported("ply", "end.ply"), 1,
-          "ends otherwise when it is simulated again: stored 0001020304");
+  refuses(stored.exported("ply", "end.ply"), 1, "ends otherwise when it is simulated again: stored 0001020304");
   CHECK(!fs::exists(stored.folder / "end.ply"));
 }
 
@@ -149,8 +144,7 @@ TEST_CASE("a run that failed is left out among others, which is said, and keeps 
   stored.run(bodies, {"--set", "physics.membrane.production=40"}, 4);
   const auto launched = stored.exported("vtk", "all");
   CHECK(launched.code == 0);
-  CHECK_THAT(launched.err,
-             ContainsSubstring("run " + stored.id + " is left out: it did not come to its end: "));
+  CHECK_THAT(launched.err, ContainsSubstring("run " + stored.id + " is left out: it did not come to its end: "));
   CHECK(stored.files("all") == std::vector<std::string>{good});
   CHECK_THAT(stored.exported("npz", "failed.npz", {"--run", stored.id}).err,
              ContainsSubstring("did not come to its end (failed), so there are no surfaces of it"));
@@ -167,8 +161,7 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
   CHECK_THAT(readWhole(stored.folder / "tree.nwk"),
              Catch::Matchers::EndsWith("egg:1[&&NHX:path=egg:fate=divided:state=a0 divide];\n"));
   for (const char* format : {"vtk", "ply", "gltf"})
-    refuses(stored.exported(format, "none"), 2,
-            "has no bodies, and so no surfaces; needs csv, newick or npz");
+    refuses(stored.exported(format, "none"), 2, "has no bodies, and so no surfaces; needs csv, newick or npz");
   CHECK(!fs::exists(stored.folder / "none"));
 }
 
@@ -176,16 +169,13 @@ TEST_CASE("what is asked for in a wrong way") {
   const Stored stored(bodies + "record: {meshes: 1}\n");
   refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
   refuses(stored.exported("excel", "x"), 2, "needs one of csv, newick, vtk, ply, gltf, npz");
-  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2,
-          "--time: 9 is after the end of run " + stored.id + ", 2.25");
+  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + ", 2.25");
   refuses(stored.exported("vtk", "x", {"--time", "-1"}), 2, "needs a number ≥ 0");
   refuses(stored.exported("csv", "x", {"--time", "1"}), 2, "--time: csv has all times in one table");
   refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times of its own");
   refuses(stored.exported("csv", "x.csv"), 2, "holds one table; name it with --table");
-  refuses(stored.exported("csv", "x", {"--table", "cell"}), 2,
-          "there is no table 'cell'; did you mean cells?");
-  refuses(stored.exported("csv", "x", {"--table", "measures_world"}), 6,
-          "has no rows for the table measures_world");
+  refuses(stored.exported("csv", "x", {"--table", "cell"}), 2, "there is no table 'cell'; did you mean cells?");
+  refuses(stored.exported("csv", "x", {"--table", "measures_world"}), 6, "has no rows for the table measures_world");
   refuses(stored.exported("ply", "x", {"--table", "cells"}), 2, "only --format csv has tables");
   refuses(stored.exported("vtk", "x", {"--run", "ffff"}), 6, "no run ffff");
   refuses(stored.exported("vtk", "x", {"--list"}), 2, "--format and --list: give one of them");

@@ -100,10 +100,8 @@ std::string mistakes(const Json& document, const std::string& folder) {
   };
   const std::regex date(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)");
   const std::vector<Json> contexts = asList(document["@context"]);
-  demand(!contexts.empty() && contexts[0] == "https://w3id.org/ro/crate/1.1/context",
-         "the context of RO-Crate 1.1");
-  demand(contexts.size() == 2 && contexts[1] == "https://w3id.org/ro/terms/workflow-run/context",
-         "the run terms");
+  demand(!contexts.empty() && contexts[0] == "https://w3id.org/ro/crate/1.1/context", "the context of RO-Crate 1.1");
+  demand(contexts.size() == 2 && contexts[1] == "https://w3id.org/ro/terms/workflow-run/context", "the run terms");
   std::map<std::string, int> ids;
   for (const Json& entity : document["@graph"]) {
     demand(entity.contains("@id") && entity["@id"].is_string(), "an entity without @id");
@@ -122,17 +120,14 @@ std::string mistakes(const Json& document, const std::string& folder) {
   for (const char* property : {"name", "description", "datePublished"})
     demand(root->contains(property), std::string("the root's ") + property);
   demand(std::regex_match(root->value("datePublished", ""), date), "the root's date in ISO 8601");
-  demand(idOf(*root, "conformsTo") == "https://w3id.org/ro/wfrun/process/0.5",
-         "the root conforms to the profile");
+  demand(idOf(*root, "conformsTo") == "https://w3id.org/ro/wfrun/process/0.5", "the root conforms to the profile");
   const Json* profile = find(document, "https://w3id.org/ro/wfrun/process/0.5");
-  demand(profile && (*profile)["@type"] == "CreativeWork" && (*profile)["version"] == "0.5",
-         "the profile's entity");
+  demand(profile && (*profile)["@type"] == "CreativeWork" && (*profile)["version"] == "0.5", "the profile's entity");
 
   std::vector<std::string> references;
   for (const Json& entity : document["@graph"])
     for (const auto& [name, value] : entity.items()) collectReferences(value, references);
-  for (const std::string& id : references)
-    demand(id == crate || ids.contains(id), "a reference to nothing: " + id);
+  for (const std::string& id : references) demand(id == crate || ids.contains(id), "a reference to nothing: " + id);
 
   std::vector<std::string> parts;
   for (const Json& part : asList(valueOf(*root, "hasPart"))) {
@@ -142,8 +137,7 @@ std::string mistakes(const Json& document, const std::string& folder) {
     const std::string path = folder + "/" + decoded(parts.back());
     demand(fs::is_regular_file(path), "no such file: " + parts.back());
     if (file && fs::is_regular_file(path))
-      demand(file->value("contentSize", "") == std::to_string(fs::file_size(path)),
-             "the size of " + parts.back());
+      demand(file->value("contentSize", "") == std::to_string(fs::file_size(path)), "the size of " + parts.back());
   }
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file() || entry.path().filename() == "ro-crate-metadata.json") continue;
@@ -162,8 +156,7 @@ std::string mistakes(const Json& document, const std::string& folder) {
     for (const char* time : {"startTime", "endTime"})
       demand(std::regex_match(entity.value(time, ""), date), std::string("the action's ") + time);
     demand(entity.value("actionStatus", "").starts_with("http://schema.org/"), "the action's status");
-    demand(entity.contains("error") ==
-               (valueOf(entity, "actionStatus") == "http://schema.org/FailedActionStatus"),
+    demand(entity.contains("error") == (valueOf(entity, "actionStatus") == "http://schema.org/FailedActionStatus"),
            "an error where it failed, and only there");
     const Json* tool = find(document, idOf(entity, "instrument"));
     demand(tool && (*tool)["@type"] == "SoftwareApplication", "the instrument is software");
@@ -178,8 +171,7 @@ std::string mistakes(const Json& document, const std::string& folder) {
       }
     if (entity.contains("agent")) {
       const Json* agent = find(document, idOf(entity, "agent"));
-      demand(agent && (*agent)["@type"] == "Person" && agent->contains("name"),
-             "the agent is a person with a name");
+      demand(agent && (*agent)["@type"] == "Person" && agent->contains("name"), "the agent is a person with a name");
     }
   }
   demand(actions == 1, "one action");
@@ -196,8 +188,7 @@ bool hasPart(const Json& document, const std::string& id) {
 
 TEST_CASE("a crate is what RO-Crate 1.1 and the profile require") {
   Stored stored;
-  const Json crate =
-      stored.exported({"--agent", "A. Nother", "--license", "https://spdx.org/licenses/CC0-1.0"});
+  const Json crate = stored.exported({"--agent", "A. Nother", "--license", "https://spdx.org/licenses/CC0-1.0"});
   CHECK(mistakes(crate, stored.crate) == "");
   for (const char* part : {"run.db", "scenario/small.yaml", "scenario/resolved.json", "dna/two%20words.dna",
                            "pictures/organism.png", "pictures/lineage.png"}) {
@@ -284,8 +275,8 @@ TEST_CASE("what cannot be exported") {
   CHECK(launch({"export", stored.database, "--run", "ffff", "--ro-crate", stored.crate}).code == 6);
   CHECK(!fs::exists(stored.crate));
   CHECK(launch({"export", stored.database, "--agent", "nobody"}).code == 2);
-  CHECK(launch({"export", stored.database, "--ro-crate", stored.crate, "--pictures", stored.folder / "none"})
-            .code == 6);
+  CHECK(launch({"export", stored.database, "--ro-crate", stored.crate, "--pictures", stored.folder / "none"}).code ==
+        6);
   const auto full = launch({"export", stored.database, "--ro-crate", stored.folder.path()});
   CHECK(full.code == 6);
   CHECK_THAT(full.err, ContainsSubstring("is there already"));

@@ -37,8 +37,7 @@ std::string last(const std::filesystem::path& file, const std::string& table, co
 TEST_CASE("Each measure that samples hold is in the database, in JSON, in goldens and in the list") {
   const TemporaryFolder folder;
   writeWhole(folder / "pair.yaml", pairOfBalls);
-  const auto run =
-      launch({"run", folder / "pair.yaml", "--no-pictures", "--json", "--db", folder / "pair.db"});
+  const auto run = launch({"run", folder / "pair.yaml", "--no-pictures", "--json", "--db", folder / "pair.db"});
   INFO(run.err);
   REQUIRE(run.code == 0);
   const json sample = json::parse(run.out).at("sample");
@@ -58,8 +57,7 @@ TEST_CASE("Each measure that samples hold is in the database, in JSON, in golden
   };
   for (const std::string& name : names<Observation>()) {
     INFO(name);
-    CHECK(json(sample.at(name).get<double>()).dump() ==
-          last(folder / "pair.db", "sample ORDER BY time DESC", name));
+    CHECK(json(sample.at(name).get<double>()).dump() == last(folder / "pair.db", "sample ORDER BY time DESC", name));
     CHECK(isListed("world", name));
     CHECK(isInGolden("final/organism/" + name));
   }
@@ -93,15 +91,13 @@ TEST_CASE(
     CHECK(answer.code == 3);
     return answer.err;
   };
-  CHECK_THAT(wrong("shell_share of skni"),
-             ContainsSubstring("record.measures: the DNA has no substance 'skni'; "
-                               "did you mean skin?"));
+  CHECK_THAT(wrong("shell_share of skni"), ContainsSubstring("record.measures: the DNA has no substance 'skni'; "
+                                                             "did you mean skin?"));
   CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
   CHECK_THAT(wrong("volume of A*"),
              ContainsSubstring("'volume of A*' is taken at every sample without being asked; remove it"));
   CHECK_THAT(wrong("age of A B"), ContainsSubstring("'A B' selects no cells; needs a path"));
-  CHECK_THAT(wrong("lumen of A"),
-             ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("lumen of A"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
   CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("stands there twice; remove it"));
 
   write("shell-share of A*, count of skin, generation, clone_spread of generation 1");
@@ -111,8 +107,7 @@ TEST_CASE(
   REQUIRE(run.code == 0);
   const auto rows = [&](const std::string& condition) {
     Database file(db, Database::Mode::existing, std::chrono::seconds(1));
-    return file.integer("SELECT count(*) FROM measure WHERE time = (SELECT max(time) FROM sample) AND " +
-                        condition);
+    return file.integer("SELECT count(*) FROM measure WHERE time = (SELECT max(time) FROM sample) AND " + condition);
   };
   CHECK(rows("name = 'shell_share of A*' AND scope = 'cell' AND a LIKE 'A%'") == 4);
   CHECK(rows("name = 'shell_share of A*'") == 4);
@@ -120,29 +115,25 @@ TEST_CASE(
   CHECK(rows("name = 'clone_spread of generation 1' AND value > 1") == 1);
   CHECK(launch({"replay", db}).code == 0);
 
-  for (const char* what : {"shell_share of A*", "generation of generation 3", "cell.volume of skin",
-                           "count of skin", "count of BB*", "volume of AAA", "pair.area of A*"}) {
+  for (const char* what : {"shell_share of A*", "generation of generation 3", "cell.volume of skin", "count of skin",
+                           "count of BB*", "volume of AAA", "pair.area of A*"}) {
     INFO(what);
     const auto chart = launch({"chart", db, what, "-o", folder / "chart.svg", "--quiet"});
     CHECK(chart.err == "");
     CHECK(chart.code == 0);
     CHECK_THAT(readWhole(folder / "chart.svg"), ContainsSubstring("<svg"));
   }
-  const auto saysOf = [&](const char* what) {
-    return launch({"chart", db, what, "-o", folder / "chart.svg"}).err;
-  };
+  const auto saysOf = [&](const char* what) { return launch({"chart", db, what, "-o", folder / "chart.svg"}).err; };
   CHECK_THAT(saysOf("shell_share of B*"), ContainsSubstring("--set 'record.measures=[shell_share of B*]'"));
   CHECK_THAT(saysOf("age of skn"),
              ContainsSubstring("age of skn: no cell ever holds a substance 'skn'; did you mean skin?"));
-  CHECK_THAT(saysOf("volumee of A"),
-             ContainsSubstring("there is no measure 'volumee'; did you mean volume?"));
-  const auto coloured = launch(
-      {"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"});
+  CHECK_THAT(saysOf("volumee of A"), ContainsSubstring("there is no measure 'volumee'; did you mean volume?"));
+  const auto coloured =
+      launch({"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"});
   CHECK(coloured.err == "");
   CHECK(coloured.code == 0);
-  CHECK_THAT(
-      launch({"render", folder / "four.yaml", "--colour", "shell_share of A B", "-o", folder / "a.png"}).err,
-      ContainsSubstring("'A B' selects no cells"));
+  CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "shell_share of A B", "-o", folder / "a.png"}).err,
+             ContainsSubstring("'A B' selects no cells"));
   CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "clone_radius", "-o", folder / "a.png"}).err,
              ContainsSubstring("is nothing to colour cells by"));
   CHECK(launch({"lineage", db, "--colour", "volume of A*", "-o", folder / "tree.svg", "--quiet"}).code == 0);
@@ -163,21 +154,17 @@ TEST_CASE("displacement and contact_duration are rows of the database where a sc
   };
   const std::string record = "record: {every: 0.0625, measures: [contact_duration, displacement]}\n";
   writeWhole(folder / "pair.yaml", pairOfBalls + record);
-  REQUIRE(
-      launch({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"}).code ==
-      0);
+  REQUIRE(launch({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"}).code == 0);
   CHECK(rows(folder / "pair.db", "scope='pair' AND name='contact_duration' AND a='A' AND b='B'") ==
         std::vector<double>{0, 0.0625, 0.125});
   CHECK(rows(folder / "pair.db", "name='displacement'").empty());  // no division made them
   CHECK(launch({"replay", folder / "pair.db"}).code == 0);
 
-  writeWhole(
-      folder / "two.yaml",
-      "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a1|a0)\ncycle: {length: 0.125}\n"
-      "stop: {time: 0.375}\nphysics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n" +
-          record);
-  const auto two =
-      launch({"run", folder / "two.yaml", "--no-pictures", "--quiet", "--db", folder / "two.db"});
+  writeWhole(folder / "two.yaml",
+             "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a1|a0)\ncycle: {length: 0.125}\n"
+             "stop: {time: 0.375}\nphysics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n" +
+                 record);
+  const auto two = launch({"run", folder / "two.yaml", "--no-pictures", "--quiet", "--db", folder / "two.db"});
   INFO(two.err);
   REQUIRE(two.code == 0);
   const auto ways = rows(folder / "two.db", "scope='cell' AND name='displacement' AND a='A'");

@@ -37,8 +37,8 @@ TEST_CASE("a failure names its cell, and says her path") {
   const auto scenario = folder / "worm.yaml";
   // A step that is short enough for the egg, and too long for her daughters' daughters' light vertices.
   writeWhole(scenario, worm + "physics: {time_step: 0.0078125, mesh: {icosphere: 1}}\n");
-  const auto run = launch(
-      {"run", scenario, "--db", folder / "worm.db", "--quiet", "--no-pictures", "--set", "stop.cycles=6"});
+  const auto run =
+      launch({"run", scenario, "--db", folder / "worm.db", "--quiet", "--no-pictures", "--set", "stop.cycles=6"});
   CHECK(run.code == 4);
   CHECK_THAT(run.err, ContainsSubstring("P1app (path BABB): physics.time_step 0.0078125 is above"));
 }
@@ -70,9 +70,7 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
     REQUIRE(cell["daughters"].size() == 2);
     CHECK(cell["daughters"][1] == Json{{"path", "AB"}, {"name", "ABp"}});
     for (const char* relative : {"mother", "sister", "daughters"}) cell.erase(relative);
-    CHECK(
-        cell ==
-        Json::parse(launch({"lineage", file, "--json"}).out)["cells"][1]);  // the name comes before the path
+    CHECK(cell == Json::parse(launch({"lineage", file, "--json"}).out)["cells"][1]);  // the name comes before the path
     const Json root = Json::parse(launch({"lineage", file, "--cell", "P0", "--json"}).out)["cell"];
     CHECK(root["mother"].is_null());
     CHECK(root["sister"].is_null());
@@ -100,9 +98,8 @@ TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is 
   CHECK(drawn.code == 2);
   CHECK_THAT(drawn.err, ContainsSubstring("--cell and --output: give one of them"));
   // A dead cell has no daughters, and her line ends with her.
-  writeWhole(
-      scenario,
-      "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");
+  writeWhole(scenario,
+             "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");
   CHECK_THAT(launch({"lineage", scenario, "--cell", "A"}).out, ContainsSubstring("fate       died\n"));
   CHECK_THAT(launch({"lineage", scenario, "--cell", "AB"}).err,
              ContainsSubstring("cell AB was never born: cell A died at 2"));

@@ -84,8 +84,7 @@ TEST_CASE("lineage: the same tree from the scenario and from the database") {
 TEST_CASE("lineage draws the tree as its file's ending says, from the scenario and from the database") {
   const TemporaryFolder folder;
   REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
-  const std::pair<std::string, std::string> endings[] = {
-      {".png", "\x89PNG"}, {".SVG", "<?xml"}, {".pdf", "%PDF-"}};
+  const std::pair<std::string, std::string> endings[] = {{".png", "\x89PNG"}, {".SVG", "<?xml"}, {".pdf", "%PDF-"}};
   for (const auto& [ending, beginning] : endings) {
     const auto file = folder / "a" + ending, other = folder / "b" + ending;
     const auto json = jsonOf({"lineage", four, "-o", file});
@@ -106,8 +105,7 @@ TEST_CASE("render draws a scenario and a stored run alike") {
   const auto a = jsonOf({"render", four, "--time", "1.5", "--size", "200", "-o", folder / "a.png"});
   CHECK(a["pictures"][0] == folder / "a.png");
   CHECK(a["time"] == 1.5);
-  const auto b =
-      launch({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
+  const auto b = launch({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
   CHECK(b.code == 0);
   CHECK(b.out == folder / "b.png" + "\n");
   CHECK(readWhole(folder / "a.png") == readWhole(folder / "b.png"));
@@ -148,8 +146,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   CHECK(launch({"run", scenario, "--out", folder.path(), "--no-check"}).code == 0);
 }
 
-TEST_CASE(
-    "a golden with physics holds for any instruction set and number of threads, and sees a changed default") {
+TEST_CASE("a golden with physics holds for any instruction set and number of threads, and sees a changed default") {
   const TemporaryFolder folder;
   const auto scenario = folder / "bodies.yaml";
   const std::string text =

@@ -57,8 +57,7 @@ TEST_CASE("parts foresees the steps that the run then takes") {
 }
 
 TEST_CASE("parts follows changes of the scene and of the search") {
-  const auto changed =
-      jsonOf({"parts", four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
+  const auto changed = jsonOf({"parts", four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
   CHECK(part(changed, "drag")["engaged"] == false);
   CHECK(part(changed, "search")["how"] == "aabb-tree");
   CHECK(part(changed, "search")["why"] == "--search");

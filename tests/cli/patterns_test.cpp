@@ -50,8 +50,7 @@ std::string distanceOf(bool red) {
 
 }  // namespace
 
-TEST_CASE(
-    "a cyst has sixteen cells and fifteen bridges: two cells with 4, two with 3, four with 2, eight with 1") {
+TEST_CASE("a cyst has sixteen cells and fifteen bridges: two cells with 4, two with 3, four with 2, eight with 1") {
   const TemporaryFolder folder;
   const std::string file = runInto(folder, "cyst.yaml");
   const std::string ends =

@@ -31,8 +31,7 @@ void refused(std::vector<std::string> arguments, const std::string& words) {
 TEST_CASE("render draws what it is asked for, in the size that it is asked for") {
   const TemporaryFolder folder;
   const auto picture = [&](std::vector<std::string> more) {
-    std::vector<std::string> all{"render", four,      "--time", "1.2",
-                                 "--size", "200x150", "-o",     folder / "a.png"};
+    std::vector<std::string> all{"render", four, "--time", "1.2", "--size", "200x150", "-o", folder / "a.png"};
     all.insert(all.end(), more.begin(), more.end());
     const auto end = launch(all);
     INFO(end.err);
@@ -42,22 +41,21 @@ TEST_CASE("render draws what it is asked for, in the size that it is asked for")
     return png;
   };
   std::vector<std::string> seen{picture({})};
-  for (const std::vector<std::string>& more :
-       std::vector<std::vector<std::string>>{{"--view", "top"},
-                                             {"--view", "-90,0"},
-                                             {"--supersample", "3"},
-                                             {"--transparent"},
-                                             {"--clip", "-1,0,0,0"},
-                                             {"--colour", "volume"},
-                                             {"--colour", "clone:1"},
-                                             {"--labels", "path"},
-                                             {"--opacity", "0.4"},
-                                             {"--normals"},
-                                             {"--forces", "spring,pressure"},
-                                             {"--forces", "all"},
-                                             {"--axes"},
-                                             {"--scale-bar"},
-                                             {"--style", "wireframe"}}) {
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--view", "top"},
+                                                                                    {"--view", "-90,0"},
+                                                                                    {"--supersample", "3"},
+                                                                                    {"--transparent"},
+                                                                                    {"--clip", "-1,0,0,0"},
+                                                                                    {"--colour", "volume"},
+                                                                                    {"--colour", "clone:1"},
+                                                                                    {"--labels", "path"},
+                                                                                    {"--opacity", "0.4"},
+                                                                                    {"--normals"},
+                                                                                    {"--forces", "spring,pressure"},
+                                                                                    {"--forces", "all"},
+                                                                                    {"--axes"},
+                                                                                    {"--scale-bar"},
+                                                                                    {"--style", "wireframe"}}) {
     CAPTURE(more);
     const std::string png = picture(more);
     for (const auto& other : seen) CHECK(png != other);
@@ -67,11 +65,10 @@ TEST_CASE("render draws what it is asked for, in the size that it is asked for")
 
 TEST_CASE("render goes around and through time, as numbered pictures") {
   const TemporaryFolder folder;
-  REQUIRE(launch({"render", four, "--time", "1.2", "--size", "100", "--turntable", "3", "-o",
-                  folder / "turn.png"})
-              .code == 0);
-  for (const char* name : {"turn-0000.png", "turn-0001.png", "turn-0002.png"})
-    CHECK(fs::exists(folder / name));
+  REQUIRE(
+      launch({"render", four, "--time", "1.2", "--size", "100", "--turntable", "3", "-o", folder / "turn.png"}).code ==
+      0);
+  for (const char* name : {"turn-0000.png", "turn-0001.png", "turn-0002.png"}) CHECK(fs::exists(folder / name));
   CHECK(readWhole(folder / "turn-0000.png") != readWhole(folder / "turn-0001.png"));
   const auto end =
       launch({"render", four, "--time", "1.2", "--size", "100", "--frames", "3", "-o", folder / "time.png"});
@@ -135,8 +132,7 @@ TEST_CASE("render refuses what it cannot draw, by the option's name") {
   refused({four, "--style", "lineage", "--axes"}, "--style lineage and --axes: give one of them");
   refused({four, "--fps", "10"}, "--fps is of a film");
   refused({four, "--fps", "0.001", "--frames", "3", "-o", "x.gif"}, "--fps: 0.001 is out of range");
-  refused({four, "--size", "8192x8192"},
-          "--size: 8192x8192 pixels with --supersample 2 take too much memory");
+  refused({four, "--size", "8192x8192"}, "--size: 8192x8192 pixels with --supersample 2 take too much memory");
   refused({four, "--time", "0.1", "--opacity", "a*=0.5,zz=0.3"}, "--opacity: no cell in the picture");
   refused({four, "--connections"}, "--connections: no cells of unique-four connect");
   refused({four, "--beside", four, "--style", "both"}, "--beside");
@@ -144,8 +140,7 @@ TEST_CASE("render refuses what it cannot draw, by the option's name") {
 
 TEST_CASE("two runs stand side by side with the distance of their surfaces") {
   const TemporaryFolder folder;
-  const auto end =
-      launch({"render", four, "--time", "1.2", "--size", "150", "--beside", four, "-o", folder / "a.png"});
+  const auto end = launch({"render", four, "--time", "1.2", "--size", "150", "--beside", four, "-o", folder / "a.png"});
   INFO(end.err);
   REQUIRE(end.code == 0);
   CHECK(sidesOf(readWhole(folder / "a.png")).first == 3 * (150 + 8) + 8);
@@ -167,10 +162,8 @@ TEST_CASE("chart draws measures over time, contacts and divisions of a stored ru
   const auto none = launch({"chart", folder / "four.db", "extent_1", "-o", folder / "b.svg"});
   CHECK(none.code == 3);
   CHECK(none.err.find("record.measures must name it") != std::string::npos);
-  const auto bodiless =
-      launch({"chart", "scenarios/thesis/elegans-1024.yaml", "divisions", "-o", folder / "c.svg"});
+  const auto bodiless = launch({"chart", "scenarios/thesis/elegans-1024.yaml", "divisions", "-o", folder / "c.svg"});
   CHECK(bodiless.code == 3);
-  CHECK(launch({"lineage", folder / "four.db", "--colour", "volume", "--labels", "-o", folder / "tree.svg"})
-            .code == 0);
+  CHECK(launch({"lineage", folder / "four.db", "--colour", "volume", "--labels", "-o", folder / "tree.svg"}).code == 0);
   CHECK(launch({"lineage", folder / "four.db", "--colour", "volume"}).code == 2);
 }

@@ -45,8 +45,8 @@ struct Stored {
     const auto run = morula::Store::openForReading(database).find(id);
     const std::string ids = "'" + morula::runId(run.record) + "'";
     execute("UPDATE run SET build_id = '" + buildId(run.record.build) + "', run_id = " + ids);
-    for (const char* table : {"run_document", "cell", "sample", "cell_sample", "contact", "division",
-                              "time_step", "step_hash", "cell_hash"})
+    for (const char* table : {"run_document", "cell", "sample", "cell_sample", "contact", "division", "time_step",
+                              "step_hash", "cell_hash"})
       execute(std::string("UPDATE ") + table + " SET run_id = " + ids);
   }
 };
@@ -146,8 +146,7 @@ TEST_CASE("a run that failed fails again in the same way") {
   const auto run = launch({"replay", stored.database, "--json"});
   INFO(run.err);
   CHECK(run.code == 0);
-  CHECK_THAT(Json::parse(run.out)["state_hash"]["now"].get<std::string>(),
-             ContainsSubstring("failed: step "));
+  CHECK_THAT(Json::parse(run.out)["state_hash"]["now"].get<std::string>(), ContainsSubstring("failed: step "));
 }
 
 TEST_CASE("a replayed run is stored where it is asked for") {

@@ -135,12 +135,10 @@ TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from 
   CHECK_THAT(page, ContainsSubstring("come to the same end within every tolerance"));
 }
 
-TEST_CASE(
-    "accuracy --json makes a page: its verdict, the cheapest settings, where it comes from, the same bytes") {
+TEST_CASE("accuracy --json makes a page: its verdict, the cheapest settings, where it comes from, the same bytes") {
   const TemporaryFolder folder;
   writeWhole(folder / "one.yaml", one);
-  const auto run =
-      launch({"accuracy", folder / "one.yaml", "--quick", "--json", "--quiet", "--out", folder.path()});
+  const auto run = launch({"accuracy", folder / "one.yaml", "--quick", "--json", "--quiet", "--out", folder.path()});
   INFO(run.err);
   REQUIRE(run.code == 0);
   writeWhole(folder / "a.json", run.out);
@@ -157,6 +155,5 @@ TEST_CASE(
   CHECK(first.find("id=\"verdict\"") < first.find("id=\"cheapest\""));
   CHECK_THAT(first, ContainsSubstring("Instruction set"));
   CHECK_THAT(first, ContainsSubstring("download=\"settings.csv\""));
-  CHECK_THAT(first,
-             ContainsSubstring("./morula run " + (folder / "one.yaml") + " --set physics.integrator="));
+  CHECK_THAT(first, ContainsSubstring("./morula run " + (folder / "one.yaml") + " --set physics.integrator="));
 }

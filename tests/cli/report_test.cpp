@@ -25,8 +25,7 @@ struct Stored {
   std::string database = folder / "run.db", page = folder / "page.html";
   Stored() { writeWhole(folder / "small.yaml", scene); }
   void run(std::vector<std::string> more = {}) {
-    more.insert(more.begin(),
-                {"run", folder / "small.yaml", "--db", database, "--out", folder.path(), "--quiet"});
+    more.insert(more.begin(), {"run", folder / "small.yaml", "--db", database, "--out", folder.path(), "--quiet"});
     const auto launched = launch(more);
     INFO(launched.err);
     REQUIRE(launched.code == 0);
@@ -79,8 +78,7 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
   const std::string page = stored.report({"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("<h1>small, 2 runs</h1>"));
   // The one that began first is told of first; two that began in one second are told by their ids.
-  CHECK_THAT(page,
-             ContainsSubstring("<h3>physics.drag 1</h3>") || ContainsSubstring("<h3>physics.drag 2</h3>"));
+  CHECK_THAT(page, ContainsSubstring("<h3>physics.drag 1</h3>") || ContainsSubstring("<h3>physics.drag 2</h3>"));
   CHECK_THAT(page, ContainsSubstring("Beside physics.drag "));
   CHECK_THAT(page, ContainsSubstring("radii of the egg"));
   CHECK_THAT(page, ContainsSubstring("The lineage is the same in all runs."));
@@ -89,8 +87,8 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
 TEST_CASE("A run that failed says why, first of all") {
   Stored stored;
   // Without pressure enough the shell turns the egg inside out in some twenty steps.
-  REQUIRE(launch({"run", "scenarios/thesis/unique-four.yaml", "--db", stored.database, "--out",
-                  stored.folder.path(), "--quiet", "--set", "physics.pressure.constant=3"})
+  REQUIRE(launch({"run", "scenarios/thesis/unique-four.yaml", "--db", stored.database, "--out", stored.folder.path(),
+                  "--quiet", "--set", "physics.pressure.constant=3"})
               .code == 4);
   const std::string page = stored.report();
   CHECK_THAT(page, ContainsSubstring("The run failed: "));
@@ -101,8 +99,7 @@ TEST_CASE("A check leaves a page of what differs") {
   const TemporaryFolder folder;
   const std::string scenario = folder / "small.yaml";
   writeWhole(scenario, scene);
-  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}})
-              .code == 0);
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}}).code == 0);
   REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 0);
   CHECK_THAT(readWhole(folder / "out/report.html"), ContainsSubstring("1 of 1 scenario passes"));
   std::string other = scene;
@@ -120,12 +117,11 @@ TEST_CASE("A check leaves a page of what differs") {
 
 TEST_CASE("A page of a study: its verdicts first, then every value and its runs") {
   Stored stored;
-  writeWhole(
-      stored.folder / "two.study.yaml",
-      "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
-      "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
-  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study",
-                           "--no-predict", "--quiet"});
+  writeWhole(stored.folder / "two.study.yaml",
+             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
+             "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
+  const auto ran = launch(
+      {"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study", "--no-predict", "--quiet"});
   INFO(ran.err);
   REQUIRE(ran.code == 0);
   const auto launched = launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2"});
@@ -134,16 +130,16 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   const std::string page = readWhole(stored.page);
   CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
   CHECK_THAT(page, ContainsSubstring("Every run is done, and sane"));
-  CHECK_THAT(page, ContainsSubstring(
-                       "2 runs have divisions with an ambiguous axis, under <b>less</b> and <b>more</b>"));
+  CHECK_THAT(page,
+             ContainsSubstring("2 runs have divisions with an ambiguous axis, under <b>less</b> and <b>more</b>"));
   CHECK_THAT(page, ContainsSubstring("Seeds change nothing under <b>less</b>"));
   CHECK(page.find("What the study finds") < page.find("id=\"explorer\""));
   CHECK_THAT(page, ContainsSubstring("less, seed 1"));
   CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
   CHECK_THAT(page, ContainsSubstring("the pictures that the study keeps in"));
   // Not all runs: those that are here are said, and the others found by their names.
-  const auto few = launch(
-      {"report", stored.folder / "study", "-o", stored.page, "--frames", "2", "--run", "more, seed 1"});
+  const auto few =
+      launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2", "--run", "more, seed 1"});
   INFO(few.err);
   REQUIRE(few.code == 0);
   CHECK_THAT(readWhole(stored.page), ContainsSubstring("1 of 2 runs are here, first the conditions"));
@@ -153,14 +149,13 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
 
 TEST_CASE("Any condition and seed of a study can be explored, as many as asked for and as fit") {
   Stored stored;
-  writeWhole(
-      stored.folder / "two.study.yaml",
-      "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    little: {physics.drag: 1}\n"
-      "    some: {physics.drag: 1.1}\n    much: {physics.drag: 9}\nseeds: 1..3\nmeasures: [sphericity]\n");
+  writeWhole(stored.folder / "two.study.yaml",
+             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    little: {physics.drag: 1}\n"
+             "    some: {physics.drag: 1.1}\n    much: {physics.drag: 9}\nseeds: 1..3\nmeasures: [sphericity]\n");
   std::string scenario = readWhole(stored.folder / "small.yaml");
   writeWhole(stored.folder / "small.yaml", scenario + "variation: {share: 0.05}\n");
-  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study",
-                           "--no-predict", "--quiet"});
+  const auto ran = launch(
+      {"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study", "--no-predict", "--quiet"});
   INFO(ran.err);
   REQUIRE(ran.code == 0);
   const auto titles = [&](const std::vector<std::string>& options) {
@@ -173,8 +168,7 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
     std::vector<std::string> found;
     const std::string before = "\"title\":\"";
     for (auto at = page.find(before); at != page.npos; at = page.find(before, at + 1))
-      found.push_back(
-          page.substr(at + before.size(), page.find('"', at + before.size()) - at - before.size()));
+      found.push_back(page.substr(at + before.size(), page.find('"', at + before.size()) - at - before.size()));
     return found;
   };
   const auto all = titles({});

@@ -66,13 +66,10 @@ std::int64_t number(const std::string& file, const std::string& sql) {
   } catch (const morula::StoreError&) { return 0; }
 }
 
-std::int64_t checkpointStep(const std::string& file) {
-  return number(file, "SELECT max(step) FROM checkpoint");
-}
+std::int64_t checkpointStep(const std::string& file) { return number(file, "SELECT max(step) FROM checkpoint"); }
 
 /// Sends the signal once there is a checkpoint behind `step`.
-Launched stopBehind(std::int64_t step, int signal, const std::string& file,
-                    const std::vector<std::string>& how) {
+Launched stopBehind(std::int64_t step, int signal, const std::string& file, const std::vector<std::string>& how) {
   return launch(how, {}, [&](int process) {
     waitUntil([&] { return checkpointStep(file) > step; });
     kill(process, signal);
@@ -99,8 +96,7 @@ TEST_CASE("killed three times and resumed, a run leaves the same database and th
   REQUIRE(launch(arguments("whole", {})).code == 0);
   const std::string whole = folder / "whole/stopped-0", stopped = folder / "stopped/stopped-0";
   std::int64_t step = 0;
-  const std::vector<std::vector<std::string>> ways{
-      {"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow"}};
+  const std::vector<std::vector<std::string>> ways{{"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow"}};
   for (const auto& way : ways) {
     auto how = arguments("stopped", {"--checkpoint-every", "50", "--resume"});
     how.insert(how.end(), way.begin(), way.end());

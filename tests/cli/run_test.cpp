@@ -110,8 +110,7 @@ TEST_CASE("a dry run writes nothing") {
 TEST_CASE("a numerical failure is stored and gives exit 4") {
   const TemporaryFolder folder;
   // Daughters with forty times their mother's membrane crumple at once.
-  const auto run =
-      launch({"run", four, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
+  const auto run = launch({"run", four, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
   INFO(run.err);
   CHECK(run.code == 4);
   const auto json = Json::parse(run.out);
@@ -126,12 +125,12 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
     const TemporaryFolder folder;
     const auto database = folder / "long.db";
-    const auto run = launch(
-        {"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
-        [&, signal = signal](int process) {
-          waitUntilComputing(process);
-          kill(process, signal);
-        });
+    const auto run =
+        launch({"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
+               [&, signal = signal](int process) {
+                 waitUntilComputing(process);
+                 kill(process, signal);
+               });
     INFO(run.err);
     CHECK(run.code == code);
     CHECK(Json::parse(run.out)["status"] == "killed");
@@ -163,8 +162,8 @@ TEST_CASE("on a terminal errors are red, unless NO_COLOR says otherwise") {
 
 TEST_CASE("on a terminal a bar shows cells, time, speed and what is left, and goes away") {
   const TemporaryFolder folder;
-  const auto run = launchOnTerminal(
-      {"run", four, "--out", folder.path(), "--no-pictures", "--set", "stop.cycles=60"}, {{"TERM", "xterm"}});
+  const auto run = launchOnTerminal({"run", four, "--out", folder.path(), "--no-pictures", "--set", "stop.cycles=60"},
+                                    {{"TERM", "xterm"}});
   if (!run) {
     WARN(skippedWithoutTerminal);
     return;

@@ -146,8 +146,7 @@ std::vector<KeptRun> keptRuns(const std::string& study) {
     if (cells[1] == "failed") runs.back().reason = line.substr(line.find(",failed,") + 8);
     else
       for (std::size_t i = 3; i < cells.size(); ++i)
-        if (!cells[i].empty())
-          runs.back().values.emplace_back(std::stod(cells[2]), head[i], std::stod(cells[i]));
+        if (!cells[i].empty()) runs.back().values.emplace_back(std::stod(cells[2]), head[i], std::stod(cells[i]));
   }
   return runs;
 }
@@ -167,9 +166,8 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   if (std::filesystem::exists(file)) return file;
   INFO(study);
   const auto kept = keptRuns(study);
-  std::vector<std::string> command{"study",  "run", "scenarios/" + familyOf(study) + study + ".study.yaml",
-                                   "--out",  to,    "--no-predict",
-                                   "--quiet"};
+  std::vector<std::string> command{
+      "study", "run", "scenarios/" + familyOf(study) + study + ".study.yaml", "--out", to, "--no-predict", "--quiet"};
   const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
   std::vector<std::size_t> made = madeAgain.at(study);
   if (whole)
@@ -186,11 +184,9 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   REQUIRE(merged.code == (whole ? 0 : 5));  // most runs are missing
   Database db(file, Database::Mode::existing, std::chrono::seconds(1));
   CHECK(db.integer("SELECT count(*) FROM task") == static_cast<std::int64_t>(kept.size()));
-  CHECK(db.integer("SELECT count(*) FROM task WHERE status <> 'missing'") ==
-        static_cast<std::int64_t>(made.size()));
+  CHECK(db.integer("SELECT count(*) FROM task WHERE status <> 'missing'") == static_cast<std::int64_t>(made.size()));
   db.execute("BEGIN; CREATE TEMPORARY TABLE copy AS SELECT * FROM run LIMIT 1");
-  Statement find(
-      db, "SELECT task.status, run_id, state_hash FROM task LEFT JOIN run USING (run_id) WHERE task_id = ?");
+  Statement find(db, "SELECT task.status, run_id, state_hash FROM task LEFT JOIN run USING (run_id) WHERE task_id = ?");
   Statement rename(db, "UPDATE copy SET run_id = ?, state_hash = ?");
   Statement add(db, "INSERT INTO run SELECT * FROM copy");
   Statement done(db, "UPDATE task SET status = 'done', run_id = ? WHERE task_id = ?");
@@ -268,8 +264,7 @@ TEST_CASE("Every line that the tutorial shows is what its command prints") {
     auto command = one.command;
     for (std::string& word : command) {
       if (word == "clones/study.db") word = databaseOf(temporary, "clones");
-      if (word.ends_with(".svg") || word.ends_with(".png") || word.ends_with(".html"))
-        word = temporary / word;
+      if (word.ends_with(".svg") || word.ends_with(".png") || word.ends_with(".html")) word = temporary / word;
     }
     const std::string& verb = command[0];
     // The whole study takes minutes: databaseOf makes some of its runs.
@@ -343,10 +338,9 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
           "condition))");
   const auto failing = launch({"study", "check", database, "--reports", temporary / "reports"});
   CHECK(failing.code == 1);
-  CHECK_THAT(
-      failing.out,
-      ContainsSubstring("models: 2 of 3 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
-                        "within 5%\n        clone_radius: different within"));
+  CHECK_THAT(failing.out,
+             ContainsSubstring("models: 2 of 3 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
+                               "within 5%\n        clone_radius: different within"));
   CHECK_THAT(readWhole(temporary / "reports/junit.xml"),
              ContainsSubstring("failures=\"1\"") && ContainsSubstring("models.study.yaml:"));
 }
@@ -354,8 +348,8 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
 TEST_CASE("the statistics in the golden of elegans-128 are those of its study") {
   const TemporaryFolder temporary;
   namespace fs = std::filesystem;
-  for (const std::string name : {"scenarios/thesis/elegans-128.yaml", "scenarios/thesis/elegans-1024.dna",
-                                 "golden/thesis/elegans-128.golden"}) {
+  for (const std::string name :
+       {"scenarios/thesis/elegans-128.yaml", "scenarios/thesis/elegans-1024.dna", "golden/thesis/elegans-128.golden"}) {
     fs::create_directories(fs::path(temporary / name).parent_path());
     fs::copy_file(sourceFile(name), temporary / name);
   }

@@ -21,7 +21,8 @@ TEST_CASE("standard output that is closed or full is told") {
     CHECK(shell("validate '" + (folder / "small.yaml") + "' " + stream + err) == 6);
     CHECK(readWhole(folder / "err").find("standard output cannot be written") != std::string::npos);
     const auto picture = folder / "a.png";
-    CHECK(shell("render --quiet --style lineage -o '" + picture + "' '" + (folder / "small.yaml") + "' " + stream + err) == 6);
+    CHECK(shell("render --quiet --style lineage -o '" + picture + "' '" + (folder / "small.yaml") + "' " + stream +
+                err) == 6);
     CHECK(readWhole(picture).find(picture) == std::string::npos);
   }
   CHECK(shell("validate '" + (folder / "small.yaml") + "' >/dev/null 2>&- <&-") == 0);

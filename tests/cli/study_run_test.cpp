@@ -102,8 +102,7 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
   CHECK(launch({"replay", s.files("/study.db")[0]}).code == 0);
 }
 
-TEST_CASE(
-    "a study that was changed goes on with what is there, and is the same as if it had been run at once") {
+TEST_CASE("a study that was changed goes on with what is there, and is the same as if it had been run at once") {
   const Study study;
   const std::string file = study.folder / "small.study.yaml", first = readWhole(file);
   const auto with = [&](const std::string& old, const std::string& now) {
@@ -114,8 +113,7 @@ TEST_CASE(
   with("seeds: 1..6", "seeds: 1..2");
   REQUIRE(study.run({"run", "--json", "--quiet"}).code == 0);
   with("seeds: 1..2", "seeds: 0..2");
-  with("random: {division.plane: random}",
-       "x: {division.plane: {axis: [1, 0, 0]}}, random: {division.plane: random}");
+  with("random: {division.plane: random}", "x: {division.plane: {axis: [1, 0, 0]}}, random: {division.plane: random}");
   const auto refused = study.run({"run", "--quiet"});
   CHECK(refused.code == 6);
   CHECK_THAT(refused.err,
@@ -126,9 +124,7 @@ TEST_CASE(
   CHECK(parsed(updated).at("computed") == 5);
   CHECK(parsed(updated).at("already") == 4);
   CHECK(study.run({"run", "--quiet"}).code == 0);  // the plan is this one now
-  const auto compare = [&](const std::string& folder) {
-    return launch({"compare", study.folder / folder, "--json"});
-  };
+  const auto compare = [&](const std::string& folder) { return launch({"compare", study.folder / folder, "--json"}); };
   const auto grown = compare("out");
   REQUIRE(launch({"study", "run", file, "--quiet", "--out", study.folder / "at-once"}).code == 0);
   CHECK(grown.code == 0);

@@ -7,8 +7,7 @@
 using namespace morula::test;
 using Json = nlohmann::json;
 
-TEST_CASE(
-    "people see a scenario's units in texts and pages, programs the scene's own, and the run is the same") {
+TEST_CASE("people see a scenario's units in texts and pages, programs the scene's own, and the run is the same") {
   const TemporaryFolder folder;
   const std::string plain =
       "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.5}\n"
@@ -18,8 +17,7 @@ TEST_CASE(
   const auto run = [&](const std::string& name) {
     const auto database = folder / (name + ".db");
     const Json json = Json::parse(
-        launch({"run", folder / (name + ".yaml"), "--db", database, "--quiet", "--no-pictures", "--json"})
-            .out);
+        launch({"run", folder / (name + ".yaml"), "--db", database, "--quiet", "--no-pictures", "--json"}).out);
     const auto text =
         launch({"run", folder / (name + ".yaml"), "--db", folder / (name + "-text.db"), "--no-pictures"}).out;
     return std::pair(json, text);

@@ -34,13 +34,12 @@ TEST_CASE("a chart or tree is refused under a name that it cannot have, before a
       INFO(arguments[0]);
       refuses(all, 2, "needs a name that ends in .png, .svg or .pdf");
     }
-  refuses({"accuracy", four, "--into-golden", "-o", "x.png"}, 2,
-          "--into-golden and --output: give one of them");
+  refuses({"accuracy", four, "--into-golden", "-o", "x.png"}, 2, "--into-golden and --output: give one of them");
 }
 
 TEST_CASE("every verb that help lists is there") {
-  for (const auto* verb : {"run", "check", "accuracy", "review", "validate", "schema", "init", "render",
-                           "lineage", "chart", "replay", "export"}) {
+  for (const auto* verb : {"run", "check", "accuracy", "review", "validate", "schema", "init", "render", "lineage",
+                           "chart", "replay", "export"}) {
     INFO(verb);
     CHECK(launch({"--help"}).out.find(std::string("  ") + verb + " ") != std::string::npos);
     CHECK(launch({verb, "--help"}).code == 0);
@@ -63,8 +62,7 @@ TEST_CASE("misspelt verbs and options are guessed") {
 
 TEST_CASE("numbers on the command line are read strictly") {
   refuses({"run", four, "--threads", "two"}, 2, "--threads: 'two' is not a number");
-  refuses({"run", four, "--threads", "0"}, 2,
-          "--threads: 0 is out of range; needs a whole number from 1 to 1024");
+  refuses({"run", four, "--threads", "0"}, 2, "--threads: 0 is out of range; needs a whole number from 1 to 1024");
   refuses({"run", four, "--threads", "010"}, 2, "leading zero");
   refuses({"run", four, "--seed", "-1"}, 2, "--seed: '-1' is negative");
   refuses({"run", four, "--seed", "1e3"}, 2, "--seed: '1e3' is not a whole number");
@@ -93,7 +91,6 @@ TEST_CASE("files that cannot be used") {
   refuses({"run", four, "--out", "/dev/null/results"}, 6, "cannot be made");
   const TemporaryFolder folder;
   // With the zero byte that ends the mark of a database.
-  writeWhole(folder / "no.db",
-             std::string("SQLite format 3") + '\0' + "but a database has pages, and this has none");
+  writeWhole(folder / "no.db", std::string("SQLite format 3") + '\0' + "but a database has pages, and this has none");
   refuses({"lineage", folder / "no.db"}, 6, "no.db");
 }

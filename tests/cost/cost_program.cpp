@@ -67,8 +67,7 @@ const std::map<std::string, Work>& works() {
        [](World& world) {
          Bodies& b = *world.bodies;
          for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(*world.contacts, b, b.block(i, 0), i);
-         for (int i = 0; i < b.blockCount(); ++i)
-           addContactForces(*world.contacts, b, i, world.clock.timeStep);
+         for (int i = 0; i < b.blockCount(); ++i) addContactForces(*world.contacts, b, i, world.clock.timeStep);
        }},
       {"search",
        [](World& world) {

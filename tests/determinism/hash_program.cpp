@@ -66,8 +66,8 @@ void run(const Scene& scene, const Execution& execution) {
     if (world.clock.step % 8 == 0) chain = Hasher().add(chain).add(stateHash(world)).digest();
   }
   chain = Hasher().add(chain).add(stateHash(world)).digest();
-  std::cout << scene.name << ' ' << std::to_string(world.clock.step) << ' '
-            << std::to_string(world.cells.path.size()) << ' ' << chain.text() << '\n';
+  std::cout << scene.name << ' ' << std::to_string(world.clock.step) << ' ' << std::to_string(world.cells.path.size())
+            << ' ' << chain.text() << '\n';
 }
 
 }  // namespace
@@ -91,8 +91,7 @@ int main(int argc, char** argv) {
   for (const Scene& scene :
        {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
         scenes::lineageOnly(scenes::eventful, 12), inSingle(packed()), inSingle(scenes::ellipsoid()),
-        inSingle(scenes::thesis()), inSingle(scenes::life()), byPositions(), byShapes(),
-        inSingle(byPositions()), inSingle(byShapes()), scenes::sticky(), scenes::turning(), scenes::sensing(),
-        scenes::varied()})
+        inSingle(scenes::thesis()), inSingle(scenes::life()), byPositions(), byShapes(), inSingle(byPositions()),
+        inSingle(byShapes()), scenes::sticky(), scenes::turning(), scenes::sensing(), scenes::varied()})
     run(scene, execution);
 }

@@ -53,8 +53,7 @@ void run(const Scene& scene, const Chain& chain, const Execution& execution) {
     const std::uint64_t step = world.clock.step;
     if (step % chain.every != 0 && !finished(world)) return;
     last = nextLink(last, world).hash;
-    if (chain.written.contains(step))
-      links += "step_hash " + std::to_string(step) + ' ' + last->text() + '\n';
+    if (chain.written.contains(step)) links += "step_hash " + std::to_string(step) + ' ' + last->text() + '\n';
   };
   look();
   while (!finished(world)) {

@@ -32,8 +32,7 @@ class Chance {
 
 /// A piece of text at the end of which a word ends, or of so many bytes.
 std::string_view pieceOf(const std::string& from, Chance& draw) {
-  const std::size_t begin = draw(from.size() + 1),
-                    length = draw(std::min<std::size_t>(from.size() - begin, 60) + 1);
+  const std::size_t begin = draw(from.size() + 1), length = draw(std::min<std::size_t>(from.size() - begin, 60) + 1);
   return std::string_view(from).substr(begin, length);
 }
 

@@ -65,8 +65,8 @@ const Scene& smallScene() {
 
 /// The bytes as a file that a scenario names.
 void readNamed(const char* role, const std::string& path, std::string_view bytes) {
-  readScenario("morula: 1\nname: fuzz\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 3}\n" + path,
-               "fuzz.yaml", "", {}, {{role, "fuzz.txt", text(bytes)}});
+  readScenario("morula: 1\nname: fuzz\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 3}\n" + path, "fuzz.yaml",
+               "", {}, {{role, "fuzz.txt", text(bytes)}});
 }
 
 /// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are taken as
@@ -127,8 +127,7 @@ std::vector<std::string> mergedStudies() {
 
 std::vector<std::string> pictures() {
   Image image(17, 9, paper);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = {std::uint8_t(i * 37), 1, std::uint8_t(i)};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = {std::uint8_t(i * 37), 1, std::uint8_t(i)};
   std::vector<std::string> files{pngFile(image)};
   image.opacity.assign(image.pixels.size(), 100);
   files.push_back(pngFile(image));
@@ -157,8 +156,7 @@ const Reader all[] = {
                     {parseOverride(text(b))});
      },
      [] {
-       return std::vector<std::string>{"physics.drag=2", "stop={cycles: 2}",
-                                       "division.plane={axis: [1, 0, 0]}"};
+       return std::vector<std::string>{"physics.drag=2", "stop={cycles: 2}", "division.plane={axis: [1, 0, 0]}"};
      }},
     {"study", [](std::string_view b) { readStudy(text(b), "fuzz.study.yaml"); },
      [] {
@@ -168,8 +166,7 @@ const Reader all[] = {
      [] {
        return filesIn({"scenarios", "tests/bad_dna"}, ".dna");
      }},
-    {"obj", [](std::string_view b) { readObj(text(b), "fuzz.obj"); },
-     [] { return filesIn({"scenarios"}, ".obj"); }},
+    {"obj", [](std::string_view b) { readObj(text(b), "fuzz.obj"); }, [] { return filesIn({"scenarios"}, ".obj"); }},
     {"shell", [](std::string_view b) { readConvexShell(text(b), "fuzz.obj"); },
      [] { return filesIn({"scenarios"}, ".obj"); }},
     {"golden", [](std::string_view b) { readGolden(text(b), "fuzz.golden"); },
@@ -191,8 +188,7 @@ const Reader all[] = {
     {"check", [](std::string_view b) { checkPart(readChecked(fileOf(b)), "report.json"); }, justEmpty},
     {"trail", [](std::string_view b) { readHashTrace(text(b)); }, justEmpty},
     {"names", [](std::string_view b) { readNamed("names", "names: {file: x}\n", b); }, justEmpty},
-    {"reference", [](std::string_view b) { readNamed("reference", "check: {reference: {file: x}}\n", b); },
-     justEmpty},
+    {"reference", [](std::string_view b) { readNamed("reference", "check: {reference: {file: x}}\n", b); }, justEmpty},
     {"png", [](std::string_view b) { readPng(text(b), "fuzz.png"); }, pictures},
     {"words",
      [](std::string_view b) {

@@ -29,8 +29,7 @@ Point centreOf(const CellMeasures& m) { return {m.at("x"), m.at("y"), m.at("z")}
 
 }  // namespace
 
-TEST_CASE(
-    "coarsening: five cells lie, and are as large, as in the fine run, for less than a third of the work") {
+TEST_CASE("coarsening: five cells lie, and are as large, as in the fine run, for less than a third of the work") {
   const std::string file = MORULA_SOURCE_DIR "/scenarios/organisms/coarsening.yaml";
   const Scene scene = loadScenario(file, {parseOverride("stop.time=3.9375")}).scene;
   Scene fineScene = scene;

@@ -36,11 +36,9 @@ struct Stage {
 
 std::vector<Stage> realStages() {
   std::vector<Stage> stages;
-  for (const auto& [cells, middle] :
-       {std::pair(4, 7.6), std::pair(8, 12.0), std::pair(12, 13.8), std::pair(15, 16.7)})
-    stages.push_back(
-        {std::size_t(cells), middle,
-         *embryo({"check.reference.file=real/" + std::to_string(cells) + ".txt"}).check.reference});
+  for (const auto& [cells, middle] : {std::pair(4, 7.6), std::pair(8, 12.0), std::pair(12, 13.8), std::pair(15, 16.7)})
+    stages.push_back({std::size_t(cells), middle,
+                      *embryo({"check.reference.file=real/" + std::to_string(cells) + ".txt"}).check.reference});
   return stages;
 }
 
@@ -73,8 +71,8 @@ std::vector<Nearness> nearnessOf(int seed, const std::vector<Stage>& stages) {
     now.reference = &stage.real;
     const auto contacts = compareContacts(now);
     const auto positions = comparePositions(now);
-    found.push_back({positions.value().distance * radius,
-                     2 * contacts.both / (contacts.here + contacts.there), clearContacts(world)});
+    found.push_back({positions.value().distance * radius, 2 * contacts.both / (contacts.here + contacts.there),
+                     clearContacts(world)});
     if (world.cells.path.size() != stage.cells) found.back().distance = HUGE_VAL;
   }
   return found;
@@ -82,8 +80,7 @@ std::vector<Nearness> nearnessOf(int seed, const std::vector<Stage>& stages) {
 
 }  // namespace
 
-TEST_CASE(
-    "four and eight cells touch as in the real embryo, in 20 of 20 seeds; 12 and 15 lie near its places") {
+TEST_CASE("four and eight cells touch as in the real embryo, in 20 of 20 seeds; 12 and 15 lie near its places") {
   const auto stages = realStages();
   std::vector<std::vector<Nearness>> seeds(20);
   parallelFor(20, 2, [&](int i) { seeds[i] = nearnessOf(i + 1, stages); });
@@ -122,8 +119,7 @@ TEST_CASE("the embryo goes through the stages of 4, 6, 7, 8, 12, 15, 24, 26 and 
       step(world);
       if (world.cells.path.size() != stages[i].back()) stages[i].push_back(world.cells.path.size());
       if (pharynx[i] == 0 && world.clock.time >= twelve)
-        pharynx[i] =
-            1 + touch(world, scenario.names, "ABalp", "MS") + touch(world, scenario.names, "ABara", "MS");
+        pharynx[i] = 1 + touch(world, scenario.names, "ABalp", "MS") + touch(world, scenario.names, "ABara", "MS");
     }
   });
   int told = 0;

@@ -35,7 +35,8 @@ TEST_CASE("four cells: neither the longest extent nor chance makes the diamond")
 }
 
 TEST_CASE("four cells: what the shell and the volumes do") {
-  const int noShell = diamonds(5, {"physics.shell=null"}), sphere = diamonds(5, {"physics.shell={sphere: 1, fill: 0.87}"});
+  const int noShell = diamonds(5, {"physics.shell=null"}),
+            sphere = diamonds(5, {"physics.shell={sphere: 1, fill: 0.87}"});
   const std::string equal =
       "division.rules=[{of: P0, axis: [-1, 0, 0], tilt: 10}, {of: AB, axis: [-0.4, -0.92, 0], tilt: 10}, "
       "{of: P1, axis: [-0.5, -0.87, 0], tilt: 10}]";

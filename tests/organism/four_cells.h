@@ -56,8 +56,7 @@ inline Arrangement arrangementOf(const World& world) {
 }
 
 /// One run for each seed from 1 on, with these values changed.
-inline std::vector<Arrangement> runSeeds(const std::string& file, int seeds,
-                                         const std::vector<std::string>& changes) {
+inline std::vector<Arrangement> runSeeds(const std::string& file, int seeds, const std::vector<std::string>& changes) {
   std::vector<Scene> scenes;
   for (int seed = 1; seed <= seeds; ++seed) {
     std::vector<Override> overrides{parseOverride("seed=" + std::to_string(seed))};

@@ -86,7 +86,7 @@ TEST_CASE("spiral cleavage in the mirror is that of a left-handed snail") {
   Scene scene = withoutSeed(sceneOf("spiral"));
   const auto apart = [&] { return difference(runToEnd(scene), runToEnd(mirror(scene, Axis::y)), Axis::y); };
   CHECK(apart() < 1e-4);  // rounding has grown to 6e-6 in the packing of 16 cells
-  scene.stop.time = 8;  // four cells
+  scene.stop.time = 8;    // four cells
   CHECK(apart() < 1e-9);
 }
 

@@ -67,12 +67,12 @@ TEST_CASE("the worm's lineage has the counts of the literature, in both encoding
     CHECK(run.scenario.scene.dna.genes.size() == (name == "lineage" ? 830 : 2569));
     CHECK(lineage.entries.size() == 1341);
     CHECK(leavesOf(lineage, "") == Leaves{671, 113});
-    CHECK(leavesOf(lineage, "A") == Leaves{487, 98});    // AB
-    CHECK(leavesOf(lineage, "BAA") == Leaves{94, 14});   // MS
-    CHECK(leavesOf(lineage, "BAB") == Leaves{20, 0});    // E
-    CHECK(leavesOf(lineage, "BBA") == Leaves{48, 1});    // C
-    CHECK(leavesOf(lineage, "BBBA") == Leaves{20, 0});   // D
-    CHECK(leavesOf(lineage, "BBBB") == Leaves{2, 0});    // P4
+    CHECK(leavesOf(lineage, "A") == Leaves{487, 98});   // AB
+    CHECK(leavesOf(lineage, "BAA") == Leaves{94, 14});  // MS
+    CHECK(leavesOf(lineage, "BAB") == Leaves{20, 0});   // E
+    CHECK(leavesOf(lineage, "BBA") == Leaves{48, 1});   // C
+    CHECK(leavesOf(lineage, "BBBA") == Leaves{20, 0});  // D
+    CHECK(leavesOf(lineage, "BBBB") == Leaves{2, 0});   // P4
     std::map<int, int> depths;
     for (const LineageEntry& cell : lineage.entries)
       if (cell.fate != Fate::divided) ++depths[cell.path.depth()];

@@ -43,8 +43,7 @@ namespace {
 using Counter = std::atomic<std::uint64_t>;
 
 enum Kind { none, writes, syncs, renames, makes, removes, reads, files, news, mallocs };
-constexpr const char* kindNames[] = {"",       "write", "sync",  "rename", "make",
-                                     "remove", "read",  "files", "new",    "malloc"};
+constexpr const char* kindNames[] = {"", "write", "sync", "rename", "make", "remove", "read", "files", "new", "malloc"};
 
 struct Fault {
   Kind kind = none;
@@ -57,8 +56,7 @@ struct Fault {
 bool inMain = false;
 
 void readFault() {
-  const char *what = std::getenv("FAULT"), *folder = std::getenv("FAULT_FOLDER"),
-             *count = std::getenv("FAULT_COUNT");
+  const char *what = std::getenv("FAULT"), *folder = std::getenv("FAULT_FOLDER"), *count = std::getenv("FAULT_COUNT");
   if (!what || !folder || !count) return;
   const char* const number = std::strchr(what, ':');
   const char* const how = number ? std::strchr(number + 1, ':') : nullptr;
@@ -92,14 +90,11 @@ bool isHit() {
   return true;
 }
 
-bool isCounted(Kind kind) {
-  return fault.count && (fault.kind == kind || (fault.kind == files && kind < reads));
-}
+bool isCounted(Kind kind) { return fault.count && (fault.kind == kind || (fault.kind == files && kind < reads)); }
 
 bool isOurs(const char* absolute) {
   const std::size_t length = std::strlen(fault.folder);
-  return std::strncmp(absolute, fault.folder, length) == 0 &&
-         (absolute[length] == '/' || absolute[length] == 0);
+  return std::strncmp(absolute, fault.folder, length) == 0 && (absolute[length] == '/' || absolute[length] == 0);
 }
 
 bool fails(Kind kind, int descriptor) {
@@ -129,8 +124,7 @@ int findDrivers(dl_phdr_info* library, size_t, void*) {
   for (const char* name : {"OSMesa", "LLVM", "gallium", "cairo", "pixman", "fontconfig", "freetype", "expat"})
     for (int i = 0; std::strstr(library->dlpi_name, name) && i < library->dlpi_phnum && driverCount < 16; ++i)
       if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X))
-        drivers[driverCount++] = {library->dlpi_addr + part.p_vaddr,
-                                  library->dlpi_addr + part.p_vaddr + part.p_memsz};
+        drivers[driverCount++] = {library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz};
   return 0;
 }
 
@@ -225,8 +219,8 @@ char* strdup(const char* text) {  // or the caller would be the C library
 }
 char* __strdup(const char* text) { return strdup(text); }
 
-int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv, void (*init)(),
-                      void (*fini)(), void (*linkerFini)(), void* stackEnd) {
+int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv, void (*init)(), void (*fini)(),
+                      void (*linkerFini)(), void* stackEnd) {
   static decltype(program) real;
   real = program;
   auto* const start = next<decltype(__libc_start_main)>("__libc_start_main");
@@ -258,12 +252,8 @@ constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 
 void* operator new(std::size_t size) { return orThrow(newMemory(size, usual, MORULA_CALLER)); }
 void* operator new[](std::size_t size) { return orThrow(newMemory(size, usual, MORULA_CALLER)); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return newMemory(size, usual, MORULA_CALLER);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-  return newMemory(size, usual, MORULA_CALLER);
-}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return newMemory(size, usual, MORULA_CALLER); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return newMemory(size, usual, MORULA_CALLER); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return orThrow(newMemory(size, static_cast<std::size_t>(alignment), MORULA_CALLER));
 }

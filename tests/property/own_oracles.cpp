@@ -33,19 +33,17 @@ double ownOverlap(const Mesh& a, const Mesh& b) {
   constexpr int n = 11;
   const Box box = measureBox(a.vertices), other = measureBox(b.vertices);
   const auto inBox = [](const Box& k, const Point& p) {
-    return p.x >= k.low.x && p.x <= k.high.x && p.y >= k.low.y && p.y <= k.high.y && p.z >= k.low.z &&
-           p.z <= k.high.z;
+    return p.x >= k.low.x && p.x <= k.high.x && p.y >= k.low.y && p.y <= k.high.y && p.z >= k.low.z && p.z <= k.high.z;
   };
-  if (other.low.x > box.high.x || other.high.x < box.low.x || other.low.y > box.high.y ||
-      other.high.y < box.low.y || other.low.z > box.high.z || other.high.z < box.low.z)
+  if (other.low.x > box.high.x || other.high.x < box.low.x || other.low.y > box.high.y || other.high.y < box.low.y ||
+      other.low.z > box.high.z || other.high.z < box.low.z)
     return 0;
   int inside = 0, both = 0;
   const Vector size = box.high - box.low;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k) {
-        const Point p =
-            box.low + Vector{(i + 0.5) / n * size.x, (j + 0.5) / n * size.y, (k + 0.5) / n * size.z};
+        const Point p = box.low + Vector{(i + 0.5) / n * size.x, (j + 0.5) / n * size.y, (k + 0.5) / n * size.z};
         if (!isInside(p, a.vertices, a.faces)) continue;
         ++inside;
         both += inBox(other, p) && isInside(p, b.vertices, b.faces);
@@ -58,11 +56,9 @@ constexpr double samplingError = 0.03;
 
 /// [1] 1 on the shell.
 double reachOf(const ShellParameters& shell, const Point& p) {
-  if (!shell.mesh)
-    return norm(Vector{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]});
+  if (!shell.mesh) return norm(Vector{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]});
   double most = 0;
-  for (const ShellPlane& plane : shell.mesh->planes)
-    most = std::max(most, dot(plane.normal, p) / plane.offset);
+  for (const ShellPlane& plane : shell.mesh->planes) most = std::max(most, dot(plane.normal, p) / plane.offset);
   return most;
 }
 
@@ -81,8 +77,8 @@ std::string ownVerdict(const World& world) {
     const double scale = b.restScale[slot], volume = ownVolume(m);
     // Membranes can be made for more or less than what is in them (membrane.production).
     const double contents = b.parameters.pressure.constant;
-    const double rest = egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents
-                                                                     : scale * scale * scale);
+    const double rest =
+        egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents : scale * scale * scale);
     if (!(volume > 0)) return name + " is inside out";
     if (volume > 10.1 * rest) return fmt::format("{} is blown up to {:.3f}", name, volume / rest);
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
@@ -98,13 +94,11 @@ std::string ownVerdict(const World& world) {
         for (const Point& p : m.vertices)
           inside.push_back(centre + (b.parameters.cell.radius * scale / norm(p - centre)) * (p - centre));
       } else {
-        for (const Face& f : m.faces)
-          inside.push_back((m.vertices[f[0]] + m.vertices[f[1]] + m.vertices[f[2]]) / 3);
+        for (const Face& f : m.faces) inside.push_back((m.vertices[f[0]] + m.vertices[f[1]] + m.vertices[f[2]]) / 3);
       }
       for (const Point& p : inside) {
         const double reach = reachOf(*b.parameters.shell, p);
-        if (!(reach <= 1 + 5e-6 + uneven))
-          return fmt::format("{} stands out of its shell: {:.6f}", name, reach);
+        if (!(reach <= 1 + 5e-6 + uneven)) return fmt::format("{} stands out of its shell: {:.6f}", name, reach);
       }
     }
   }
@@ -135,8 +129,8 @@ bool isClosedBetweenEvents(const World& world) {
   const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
   const bool touches =
       world.contacts && (world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair);
-  return world.bodies->model().hasMembrane && !p.shell && !p.growth && !p.motility && !boundless &&
-         !touches && !world.swirls;
+  return world.bodies->model().hasMembrane && !p.shell && !p.growth && !p.motility && !boundless && !touches &&
+         !world.swirls;
 }
 
 const Turn turns[3] = {

@@ -70,8 +70,7 @@ class EnergyWatch {
 
  private:
   static std::size_t released(const World& world) {
-    return std::ranges::count_if(world.connections->history,
-                                 [](const ConnectionRecord& c) { return c.released >= 0; });
+    return std::ranges::count_if(world.connections->history, [](const ConnectionRecord& c) { return c.released >= 0; });
   }
   std::optional<double> begin_;
   double scale_ = 0;
@@ -130,8 +129,7 @@ Course run(const Scenario& scenario, bool diagnoses = false, std::optional<std::
     while (!finished(world) && work < mostWork && (!lastStep || world.clock.step < *lastStep)) {
       const std::uint64_t before = world.clock.step;
       takeSteps(world, lastStep ? std::min<std::uint64_t>(16, *lastStep - before) : 16);
-      if (world.bodies)
-        work = settles(world) ? workOf(world, 0) : work + workOf(world, world.clock.step - before);
+      if (world.bodies) work = settles(world) ? workOf(world, 0) : work + workOf(world, world.clock.step - before);
       energy.see(world);
       if (world.clock.step >= keepAt || (settles(world) && world.clock.step == 2))
         course.half = saveState(world), keepAt = world.clock.step * 2;
@@ -186,9 +184,7 @@ bool dividedAlike(const World& world, const World& copy, const Turn& turn, doubl
 }
 
 /// [1] As rounding that has gone on for a while.
-double jitterOf(const Scene& scene) {
-  return scene.mechanics->physics.precision == Precision::binary32 ? 4e-7 : 1e-12;
-}
+double jitterOf(const Scene& scene) { return scene.mechanics->physics.precision == Precision::binary32 ? 4e-7 : 1e-12; }
 
 /// How far a copy that was moved by so little comes tells how chaotic a scene is.
 Scene jittered(Scene scene) {
@@ -226,8 +222,7 @@ std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& e
   if (!alike) return world.divisions.empty() != copy.world->divisions.empty() ? "divides otherwise" : "";
   if (copy.stopped) return "stops: " + copy.text;
   const double difference = differenceOf(world, *copy.world, turn);
-  return difference <= bound ? ""
-                             : fmt::format("is {:.3g} away after {} steps", difference, world.clock.step);
+  return difference <= bound ? "" : fmt::format("is {:.3g} away after {} steps", difference, world.clock.step);
 }
 
 std::string wrongAfterResuming(const Scenario& scenario, const Course& course, std::uint64_t seed) {
@@ -262,8 +257,7 @@ std::string wrongWithoutBodies(const Scenario& scenario, const World& end) {
   if (one == other) return "";
   for (const auto& [path, state] : one)
     if (!other.contains(path)) return fmt::format("cell /{} does not live", path);
-    else if (other.at(path) != state)
-      return fmt::format("cell /{} holds {}, not {}", path, other.at(path), state);
+    else if (other.at(path) != state) return fmt::format("cell /{} holds {}, not {}", path, other.at(path), state);
   return "more cells live";
 }
 
@@ -298,8 +292,7 @@ Verdict judge(const std::string& text, std::uint64_t seed, bool diagnoses) {
     if (!verdict.course.refused) verdict.course = run(scenario, diagnoses);
     Course& course = verdict.course;
     static const std::regex placed("^(" + sceneFile + R"(|\S+:\d+:\d+): [^\n]+)");
-    if (course.refused && !std::regex_search(course.text, placed))
-      find("refused without a place", course.text);
+    if (course.refused && !std::regex_search(course.text, placed)) find("refused without a place", course.text);
     if (course.refused || course.stopped || !course.world->bodies) return verdict;
     verdict.tooLong = !finished(*course.world);
     if (course.sane) find("called sane and is not", ownVerdict(*course.world));
@@ -381,8 +374,7 @@ void see(std::uint64_t seed, const std::string& folder, Tally& tally) {
       became = course.sane ? "sane" : course.group;
     } catch (const InputError& e) { became = groupOf(e.what()); }
     ++group.advised[became];
-    if (became != "sane")
-      group.example += "\n        with " + advice->first + " " + advice->second + ": " + became;
+    if (became != "sane") group.example += "\n        with " + advice->first + " " + advice->second + ": " + became;
   }
 }
 
@@ -399,8 +391,7 @@ int print(const char* what, const std::map<std::string, Group>& groups, bool exa
     for (const auto& [became, times] : group.advised) advised += times;
     const auto sane = group.advised.find("sane");
     if (advised > 0)
-      std::printf("; its advice, taken %d times, helped %d", advised,
-                  sane == group.advised.end() ? 0 : sane->second);
+      std::printf("; its advice, taken %d times, helped %d", advised, sane == group.advised.end() ? 0 : sane->second);
     std::printf("\n");
     if (examples) std::printf("        %s\n", group.example.c_str());
   }
@@ -429,8 +420,7 @@ int main(int argc, char** argv) {
     std::printf("%s: %s\n%s\n", verdict.find.c_str(), verdict.more.c_str(), verdict.course.text.c_str());
     return verdict.find.empty() ? 0 : 1;
   }
-  if (argc < 3 || argc > 4)
-    return std::fputs("usage: random_scenes FIRST LAST [FOLDER], or FILE.yaml\n", stderr), 2;
+  if (argc < 3 || argc > 4) return std::fputs("usage: random_scenes FIRST LAST [FOLDER], or FILE.yaml\n", stderr), 2;
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), last = std::strtoull(argv[2], nullptr, 10);
   const std::string folder = argc > 3 ? argv[3] : "";
   if (!shrinks()) return std::puts("a scene that fails is not shrunk"), 1;

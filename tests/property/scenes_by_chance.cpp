@@ -41,8 +41,7 @@ const std::vector<std::string> bases = {
         "1.2}\n"
         "  contact: {adhesion: 0.3}\n" +
         mesh,
-    head + divides +
-        "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,
+    head + divides + "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,
     // Rules, names and growth
     head +
         "dna: |\n  START: a\n  g1(b|a, A)\n  g2(c|a, B)\n  g3(divide|a)\n  g4(a|b)\n  g5(c|c)\n  "
@@ -51,8 +50,8 @@ const std::vector<std::string> bases = {
         "division: {rules: [{of: a, axis: [1, 0.2, 0], share: 0.6}]}\nnames: {egg: P0, daughters: [l, r]}\n"
         "cycle: {per-substance: {b: 0.5}}\n",
     head + "dna: |\n  START: a, grow\n  g1(a|a)\n  g2(divide|a)\n  g3(grow|a)\n" +
-        "stop: {time: 3}\ncycle: {length: 0.5}\nphysics:\n  drag: 1\n  growth: {rate: 0.5}\n  contact: {}\n" +
-        mesh + "division: {size: {sizer: 1.2}}\n",
+        "stop: {time: 3}\ncycle: {length: 0.5}\nphysics:\n  drag: 1\n  growth: {rate: 0.5}\n  contact: {}\n" + mesh +
+        "division: {size: {sizer: 1.2}}\n",
     // Closed: cells that fly at each other, and nothing is taken from them
     head + "dna: |\n  START: a\n  g1(a|a)\nstop: {time: 1.5}\nphysics:\n" + mesh +
         "  membrane: {damping: 0}\n  contact: {damping: 0}\ncells:\n  - {at: [-1.3, 0, 0], velocity: [0.8, "
@@ -70,8 +69,8 @@ const std::vector<std::string> bases = {
         "connections: {make: both, on-division: both, release-age: 2, spring: {rest: 0.9}}\n",
     head + divides + "stop: {time: 3.5}\nphysics:\n  drag: 1\n  contact: {}\n" + mesh + "connections: {}\n",
     // Cells that crawl, and turn when they divide
-    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 5\n  motility: {speed: 0.2}\n  contact: {}\n" +
-        mesh + "division: {plane: {polarity: [1, 2, 0]}, chirality: {angle: 30}}\n",
+    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 5\n  motility: {speed: 0.2}\n  contact: {}\n" + mesh +
+        "division: {plane: {polarity: [1, 2, 0]}, chirality: {angle: 30}}\n",
     // Cells that feel
     head +
         "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a, !b)\n  g3(c|b)\nstop: {time: 4}\ncycle: {length: "
@@ -89,8 +88,7 @@ const std::vector<std::string> bases = {
         "{}\n" +
         mesh,
     // Daughters with coarser meshes
-    head + divides +
-        "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
+    head + divides + "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
     // What a seed changes
     head + unlike +
         "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: "
@@ -120,8 +118,7 @@ double drawReal(Draw& draw, const Json& schema, const Json& now) {
   if (schema.contains("maximum") && draw.chance(0.05)) return most;
   double middle = now.is_number() ? std::abs(now.get<double>()) : 1;
   if (middle == 0) middle = 1;
-  if (std::isfinite(least) && std::isfinite(most) && draw.chance(0.5))
-    return rounded(draw.between(least, most));
+  if (std::isfinite(least) && std::isfinite(most) && draw.chance(0.5)) return rounded(draw.between(least, most));
   // Mostly within a factor of four; one in twenty far off.
   const double decades = draw.chance(0.05) ? 6 : draw.chance(0.3) ? 1.5 : 0.6;
   double value = middle * std::pow(10, draw.between(-decades, decades));
@@ -177,8 +174,7 @@ Json drawDna(Draw& draw) {
                                         reads = {"a", "b", "c"}, also = {"", "", ", A", ", B", ", !b"};
   std::string text = "START: a\ng0(a|a)\n";
   for (std::uint64_t gene = 1, genes = 2 + draw.bits() % 6; gene <= genes; ++gene)
-    text +=
-        "g" + std::to_string(gene) + "(" + draw.one(makes) + "|" + draw.one(reads) + draw.one(also) + ")\n";
+    text += "g" + std::to_string(gene) + "(" + draw.one(makes) + "|" + draw.one(reads) + draw.one(also) + ")\n";
   return text;
 }
 
@@ -210,8 +206,7 @@ Json treeOf(const std::string& text) {
     const Json* value = find(tree, p.path);
     if (value && !p.required && *value == p.write(defaults)) setKey(tree, p.path, nullptr);
   }
-  for (auto section = parameterTable().sections.rbegin(); section != parameterTable().sections.rend();
-       ++section) {
+  for (auto section = parameterTable().sections.rbegin(); section != parameterTable().sections.rend(); ++section) {
     const Json* value = find(tree, section->path);
     if (value && value->empty() && !section->make) setKey(tree, section->path, nullptr);
   }
@@ -250,8 +245,7 @@ bool repair(Json& scenario, const std::string& messages) {
 void keepSmall(Json& scenario) {
   constexpr int mostCells = 16, mostLevel = 1;
   const Json* cells = find(scenario, "stop.cells");
-  setKey(scenario, "stop.cells",
-         std::min(cells ? cells->get<std::int64_t>() : mostCells, std::int64_t{mostCells}));
+  setKey(scenario, "stop.cells", std::min(cells ? cells->get<std::int64_t>() : mostCells, std::int64_t{mostCells}));
   if (const Json* level = find(scenario, "physics.mesh.icosphere");
       level && *level > mostLevel && !find(scenario, "physics.mesh.coarsen"))
     setKey(scenario, "physics.mesh.icosphere", mostLevel);

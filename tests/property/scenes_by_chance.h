@@ -14,18 +14,14 @@ namespace morula::chance {
 /// splitmix64 [Steele, Lea, Flood 2014], so that a seed names the same scene wherever this runs.
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : state_(seed) {
-    state_ = bits();
-  }  // or seeds would be one stream, shifted
+  explicit Draw(std::uint64_t seed) : state_(seed) { state_ = bits(); }  // or seeds would be one stream, shifted
   std::uint64_t bits() {
     std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return z ^ (z >> 31);
   }
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
-  }
+  double between(double low, double high) { return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53; }
   bool chance(double p) { return between(0, 1) < p; }
   template <class List>
   const auto& one(const List& of) {

@@ -65,11 +65,9 @@ connections: {release-age: 1.2}
 )";
 
 constexpr double mostMissing = 1e-3;  // [1] of the energy, in a while without events
-constexpr double mostCreep =
-    1.25;  // [1] the mean energy in any tenth, over that in the first one with all cells
-constexpr double mostMemory =
-    16e6;                     // [byte] more than after a tenth: what is kept of 8000 divisions, and more
-constexpr int watched = 128;  // [steps] a while
+constexpr double mostCreep = 1.25;    // [1] the mean energy in any tenth, over that in the first one with all cells
+constexpr double mostMemory = 16e6;   // [byte] more than after a tenth: what is kept of 8000 divisions, and more
+constexpr int watched = 128;          // [steps] a while
 
 double memoryTaken() {
   std::ifstream file("/proc/self/statm");
@@ -82,8 +80,7 @@ double memoryTaken() {
 struct Quiet {
   std::size_t lives = 0, ties = 0;
   double sizes = 0, released = 0;
-  explicit Quiet(const World& world)
-      : lives(world.lineage.entries.size()), ties(world.connections->history.size()) {
+  explicit Quiet(const World& world) : lives(world.lineage.entries.size()), ties(world.connections->history.size()) {
     for (const int slot : world.bodies->slots) sizes += world.bodies->restScale[slot];
     for (const ConnectionRecord& tie : world.connections->history) released += tie.released;
   }
@@ -149,13 +146,12 @@ int soak(std::uint64_t steps, std::uint64_t pieces) {
   const double grown = memoryTaken() - memory;
   std::size_t died = 0;
   for (const LineageEntry& cell : world.lineage.entries) died += cell.fate == Fate::died;
-  bool fine = holds(
-      world.clock.step == steps && died > 0 && world.connections->history.size() > 64,
-      fmt::format("{} steps, {} divisions, {} deaths, {} connections made; {} to {} cells", world.clock.step,
-                  world.divisions.size(), died, world.connections->history.size(), least, most));
+  bool fine =
+      holds(world.clock.step == steps && died > 0 && world.connections->history.size() > 64,
+            fmt::format("{} steps, {} divisions, {} deaths, {} connections made; {} to {} cells", world.clock.step,
+                        world.divisions.size(), died, world.connections->history.size(), least, most));
   fine &= holds(least >= 32 && most <= 128, "cells: as many as were meant");
-  fine &= holds(grown <= mostMemory,
-                fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
+  fine &= holds(grown <= mostMemory, fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
   fine &= holds(balance.whiles > 0 && balance.worst <= mostMissing,
                 fmt::format("energy: {:.2g} of it missing at most, in {} whiles of {} steps without events",
                             balance.worst, balance.whiles, watched));

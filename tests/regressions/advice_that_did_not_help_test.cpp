@@ -17,14 +17,12 @@ Launched runText(const std::string& scenario) {
 }
 
 std::string onlyCell(const std::string& physics) {
-  return "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 2}\nphysics:\n  mesh: {icosphere: 1}\n" +
-         physics;
+  return "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 2}\nphysics:\n  mesh: {icosphere: 1}\n" + physics;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "contents at rest with a fortieth of the mesh's volume: the failure names pressure, not the time step") {
+TEST_CASE("contents at rest with a fortieth of the mesh's volume: the failure names pressure, not the time step") {
   const std::string squeezed = "  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: 20}\n";
   const auto run = runText(onlyCell(squeezed));
   CAPTURE(run.err);
@@ -36,11 +34,9 @@ TEST_CASE(
   CHECK(has(run.err, "helps: use it"));
   CHECK(!has(run.err, "lower physics.time_step"));
   // What it advises does help.
-  const auto at =
-      run.err.rfind("physics.pressure.outside ") + std::string("physics.pressure.outside ").size();
+  const auto at = run.err.rfind("physics.pressure.outside ") + std::string("physics.pressure.outside ").size();
   const std::string value = run.err.substr(at, run.err.find(' ', at) - at);
-  CHECK(runText(onlyCell("  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: " + value + "}\n"))
-            .code == 0);
+  CHECK(runText(onlyCell("  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: " + value + "}\n")).code == 0);
 }
 
 TEST_CASE("a failure reads the same with any number of threads") {

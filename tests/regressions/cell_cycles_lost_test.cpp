@@ -60,9 +60,8 @@ Scene randomScene(Random& random) {
   p.drag = 0.01;
   scene.mechanics->mesh = makeIcosphere(1);
   scene.mechanics->division = {DivisionPlane::axis, {1, 2, 3}};
-  const Integrator integrators[] = {Integrator::velocityVerlet,  Integrator::thesisVerlet,
-                                    Integrator::symplecticEuler, Integrator::rungeKutta4,
-                                    Integrator::explicitEuler,   Integrator::xpbd};
+  const Integrator integrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,  Integrator::symplecticEuler,
+                                    Integrator::rungeKutta4,    Integrator::explicitEuler, Integrator::xpbd};
   p.integrator = integrators[below(random, 6)];
   double shortest = scene.cycle.length;
   for (const auto& [substance, length] : scene.cycle.perSubstance) shortest = std::min(shortest, length);
@@ -156,13 +155,12 @@ TEST_CASE("a time step longer than the shortest cycle, or than the run, is refus
   const std::string substance = refused({"physics.time_step=0.001", "cycle.per-substance={a1: 0.0005}"});
   CHECK(substance.find("cycle.per-substance.a1 5e-04") != std::string::npos);
   const std::string whole = refused({"physics.time_step=0.001", "stop.time=0.0005"});
-  CHECK(whole.find("physics.time_step: 0.001 is longer than the whole run, which stops at 5e-04") !=
-        std::string::npos);
+  CHECK(whole.find("physics.time_step: 0.001 is longer than the whole run, which stops at 5e-04") != std::string::npos);
 }
 
 TEST_CASE("cycles too short for their run are refused, not counted one after the other") {
-  const auto run = launch({"validate", "scenarios/thesis/elegans-1024.yaml", "--set", "cycle.length=1e-20",
-                           "--set", "stop={time: 1}"});
+  const auto run = launch(
+      {"validate", "scenarios/thesis/elegans-1024.yaml", "--set", "cycle.length=1e-20", "--set", "stop={time: 1}"});
   CHECK(run.code == 3);
   CHECK(run.err.find("cycle.length: 1e-20 is too short") != std::string::npos);
 }

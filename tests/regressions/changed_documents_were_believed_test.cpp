@@ -14,23 +14,19 @@ namespace fs = std::filesystem;
 TEST_CASE("a stored run whose record was changed is neither replayed, drawn, explained nor exported") {
   const TemporaryFolder folder;
   const std::string scenario = folder / "small.yaml", whole = folder / "run.db", db = folder / "changed.db";
-  writeWhole(scenario,
-             "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
+  writeWhole(scenario, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
   REQUIRE(launch({"run", scenario, "--db", whole, "--no-pictures", "--out", folder / "out"}).code == 0);
 
   const std::string ofRole = " WHERE hash = (SELECT hash FROM run_document WHERE role = '";
-  const std::string edit =
-      "UPDATE document SET content = CAST(replace(CAST(content AS TEXT), '3', '2') AS BLOB)";
+  const std::string edit = "UPDATE document SET content = CAST(replace(CAST(content AS TEXT), '3', '2') AS BLOB)";
   for (const std::string& sql :
        {edit + ofRole + "resolved')", edit + ofRole + "scenario')",
-        std::string(
-            "UPDATE run_document SET hash = (SELECT max(hash) FROM document WHERE hash <> run_document.hash)"
-            " WHERE role = 'resolved'; DELETE FROM document WHERE hash = (SELECT hash FROM run_document "
-            "WHERE "
-            "role = 'scenario')"),
+        std::string("UPDATE run_document SET hash = (SELECT max(hash) FROM document WHERE hash <> run_document.hash)"
+                    " WHERE role = 'resolved'; DELETE FROM document WHERE hash = (SELECT hash FROM run_document "
+                    "WHERE "
+                    "role = 'scenario')"),
         std::string("UPDATE run SET seed = 7"), std::string("UPDATE run SET sources = 'other'"),
-        std::string("UPDATE run SET build_id = 'other'"),
-        std::string("UPDATE run SET scenario_hash = 'other'")}) {
+        std::string("UPDATE run SET build_id = 'other'"), std::string("UPDATE run SET scenario_hash = 'other'")}) {
     CAPTURE(sql);
     fs::copy_file(whole, db, fs::copy_options::overwrite_existing);
     Database(db, Database::Mode::existing, std::chrono::seconds(5)).execute(sql);

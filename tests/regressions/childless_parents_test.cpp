@@ -20,16 +20,14 @@ TEST_CASE("a study runs where its parent ignores the ends of others, and where t
   const std::string noProc = "unshare -m sh -c 'mount -t tmpfs none /proc && exec \"$@\"' x ";
   for (const std::string& as : {std::string("env --ignore-signal=CHLD "), noProc}) {
     const auto ended = [&](const std::string& program) {
-      const int status =
-          std::system(("cd '" + folder.path() + "' && " + as + program + " >said 2>&1").c_str());
+      const int status = std::system(("cd '" + folder.path() + "' && " + as + program + " >said 2>&1").c_str());
       return WEXITSTATUS(status);
     };
     if (ended("true") != 0) {
       WARN("skipped: this system does not allow " + as);
       continue;
     }
-    const int code =
-        ended("'" + programFile() + "' study run few.study.yaml --no-predict --out out && rm -r out");
+    const int code = ended("'" + programFile() + "' study run few.study.yaml --no-predict --out out && rm -r out");
     INFO(as << readWhole(folder / "said"));
     CHECK(code == 0);
   }

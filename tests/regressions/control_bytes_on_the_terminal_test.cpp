@@ -12,7 +12,13 @@ using namespace morula::test;
 
 namespace {
 
-const std::string escape = "\x1b]0;owned\x07", c1 = "\xc2\x9b" "31m", direction = "\xe2\x80\xae" "abc", noText = "\xff\xfe";
+const std::string escape = "\x1b]0;owned\x07",
+                  c1 = "\xc2\x9b"
+                       "31m",
+                  direction =
+                      "\xe2\x80\xae"
+                      "abc",
+                  noText = "\xff\xfe";
 // What the readers of YAML let pass, and what they refuse at once.
 const std::vector<std::string> hostile{"a" + c1 + direction + "\x7f", escape + "\r" + noText};
 
@@ -32,16 +38,22 @@ TEST_CASE("control bytes in scenarios, names and options are shown, not sent") {
   for (const auto& bytes : hostile) {
     CAPTURE(bytes);
     for (const std::string& text :
-         {smallScene + bytes + ": 1\n", smallScene + "summary: " + bytes + "\n", smallScene + "colours: {" + bytes + ": red}\n",
+         {smallScene + bytes + ": 1\n", smallScene + "summary: " + bytes + "\n",
+          smallScene + "colours: {" + bytes + ": red}\n",
           "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(" + bytes + "|a0)\nstop: {cycles: 1}\n"}) {
       writeWhole(scenario, text);
       checkClean(launch({"validate", scenario}));
       checkClean(launch({"validate", "--json", scenario}));
     }
     writeWhole(scenario, smallScene);
-    for (const auto& words : std::vector<std::vector<std::string>>{
-             {"--set", "summary=" + bytes}, {"--set", bytes + "=1"}, {"--set", "name=" + bytes}, {"--set", bytes},
-             {"--seed", bytes}, {"--" + bytes}, {bytes}, {"--set", "colours={" + bytes + ": '#ffffff'}"}})
+    for (const auto& words : std::vector<std::vector<std::string>>{{"--set", "summary=" + bytes},
+                                                                   {"--set", bytes + "=1"},
+                                                                   {"--set", "name=" + bytes},
+                                                                   {"--set", bytes},
+                                                                   {"--seed", bytes},
+                                                                   {"--" + bytes},
+                                                                   {bytes},
+                                                                   {"--set", "colours={" + bytes + ": '#ffffff'}"}})
       for (const char* verb : {"validate", "run"}) {
         auto all = std::vector<std::string>{verb, scenario};
         all.insert(all.end(), words.begin(), words.end());
@@ -98,9 +110,9 @@ TEST_CASE("control bytes in a database are shown or refused") {
   writeWhole(folder / "small.yaml", smallScene);
   REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", original, folder / "small.yaml"}).code == 0);
   for (const auto& bytes : hostile)
-    for (const char* change : {"UPDATE run SET scenario = ?", "UPDATE run SET started = ?", "UPDATE run SET failure = ?",
-                               "UPDATE run SET command = ?", "UPDATE run SET cpu = ?", "UPDATE cell SET state = ?",
-                               "UPDATE run_document SET role = ?"}) {
+    for (const char* change : {"UPDATE run SET scenario = ?", "UPDATE run SET started = ?",
+                               "UPDATE run SET failure = ?", "UPDATE run SET command = ?", "UPDATE run SET cpu = ?",
+                               "UPDATE cell SET state = ?", "UPDATE run_document SET role = ?"}) {
       CAPTURE(bytes, change);
       std::filesystem::copy_file(original, database, std::filesystem::copy_options::overwrite_existing);
       {

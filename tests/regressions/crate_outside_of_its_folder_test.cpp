@@ -14,12 +14,15 @@ TEST_CASE("export: names from a database stay in the crate") {
   const TemporaryFolder folder;
   const auto database = folder / "in/run.db";
   writeWhole(folder / "small.yaml", smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in", folder / "small.yaml"}).code == 0);
+  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
+                  folder / "small.yaml"})
+              .code == 0);
   const std::string outside = folder / "outside";
   int number = 0;
-  for (const std::string& name : {outside, outside + "/x", std::string("../../outside"), std::string(".."), std::string("."),
-                                  std::string("a/../../../outside"), std::string("..\\outside"), std::string(400, 'x'),
-                                  std::string("\x1b[31m\n\xff"), std::string("run.db"), std::string("resolved.json"), std::string()})
+  for (const std::string& name :
+       {outside, outside + "/x", std::string("../../outside"), std::string(".."), std::string("."),
+        std::string("a/../../../outside"), std::string("..\\outside"), std::string(400, 'x'),
+        std::string("\x1b[31m\n\xff"), std::string("run.db"), std::string("resolved.json"), std::string()})
     for (const char* column : {"role", "path"}) {
       CAPTURE(name, column);
       {
@@ -50,7 +53,9 @@ TEST_CASE("export: no file is copied because a database names its scenario elsew
   const auto database = folder / "in/run.db";
   writeWhole(folder / "small.yaml", smallScene);
   writeWhole(folder / "secret.golden", "morula golden 1\nhunter2\n");
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in", folder / "small.yaml"}).code == 0);
+  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
+                  folder / "small.yaml"})
+              .code == 0);
   {
     morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
     morula::Statement(db, "UPDATE run_document SET path = ? WHERE role = 'scenario'").run(folder / "secret.yaml");

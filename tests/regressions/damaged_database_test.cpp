@@ -22,7 +22,9 @@ struct Loose {
     writeWhole(folder / "small.yaml", smallScene);
     writeWhole(folder / "body.yaml", smallBody);
     for (const char* scene : {"small.yaml", "body.yaml"})
-      REQUIRE(launch({"run", "--quiet", "--no-pictures", "--set", "record.every=0.0078125", "--db", original, folder / scene}).code == 0);
+      REQUIRE(launch({"run", "--quiet", "--no-pictures", "--set", "record.every=0.0078125", "--db", original,
+                      folder / scene})
+                  .code == 0);
     {
       auto db = opened(original);
       db.execute("PRAGMA writable_schema = ON");
@@ -45,7 +47,8 @@ struct Loose {
   std::string original = folder / "original.db", damaged = folder / "damaged.db";
 };
 
-const char* const values[] = {"NULL", "''", "'odd'", "x'00ff1b'", "-1", "0", "9223372036854775807", "1e308", "9e999", "0.5"};
+const char* const values[] = {"NULL",  "''",    "'odd'", "x'00ff1b'", "-1", "0", "9223372036854775807",
+                              "1e308", "9e999", "0.5"};
 
 void checkEnds(const std::vector<std::string>& words) {
   const auto run = launch(words);
@@ -62,7 +65,8 @@ TEST_CASE("a database version that is none is told") {
   for (const char* version : {"-1", "-2147483648", "2147483647", "1", "0"}) {
     CAPTURE(version);
     REQUIRE(loose.damage(std::string("PRAGMA user_version = ") + version));
-    const auto run = launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", loose.damaged, loose.folder / "small.yaml"});
+    const auto run =
+        launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", loose.damaged, loose.folder / "small.yaml"});
     CAPTURE(run.err);
     CHECK(run.code == 6);
     CHECK(launch({"export", loose.damaged}).code == 6);
@@ -74,7 +78,8 @@ TEST_CASE("whatever a column holds, reading ends with a FileError or an answer")
   std::vector<std::pair<std::string, std::string>> columns;
   {
     auto db = opened(loose.original);
-    Statement s(db, "SELECT t.name, c.name FROM sqlite_schema AS t, pragma_table_info(t.name) AS c WHERE t.type = 'table'");
+    Statement s(db,
+                "SELECT t.name, c.name FROM sqlite_schema AS t, pragma_table_info(t.name) AS c WHERE t.type = 'table'");
     for (s.start(); s.next();) columns.emplace_back(s.text(0), s.text(1));
   }
   REQUIRE(columns.size() > 90);
@@ -87,7 +92,9 @@ TEST_CASE("whatever a column holds, reading ends with a FileError or an answer")
       const auto read = [&](auto&& what) {
         try {
           what();
-        } catch (const FileError&) { ++refused; } catch (const std::exception& other) { FAIL_CHECK(other.what()); }
+        } catch (const FileError&) { ++refused; } catch (const std::exception& other) {
+          FAIL_CHECK(other.what());
+        }
       };
       read([&] {
         auto store = Store::openForReading(loose.damaged);
@@ -109,8 +116,7 @@ TEST_CASE("every verb that reads a damaged database ends with a code of its own"
        {"UPDATE run SET status = 'odd'", "UPDATE run SET state_hash = 'xyz'",
         "UPDATE run SET threads = 9223372036854775807", "UPDATE run SET steps = -1",
         "UPDATE run SET run_id = '../../x' WHERE scenario = 'small'",
-        "UPDATE step_hash SET hash = 'g' || substr(hash, 2)",
-        "UPDATE step_hash SET step = 9223372036854775807 - step",
+        "UPDATE step_hash SET hash = 'g' || substr(hash, 2)", "UPDATE step_hash SET step = 9223372036854775807 - step",
         "UPDATE cell SET path = 'AXB' WHERE path = 'AB'", "UPDATE cell SET fate = 'odd'",
         "UPDATE cell SET born = 9e999, ended = NULL", "UPDATE document SET content = x'ff00'",
         "UPDATE run_document SET role = NULL", "DELETE FROM document", "DELETE FROM cell", "DELETE FROM run",

@@ -43,13 +43,12 @@ TEST_CASE("default connections of 32 cells that all hold one another crush nothi
 
 TEST_CASE("the pull on a cell whose connections share a strength is no larger with more of them") {
   const std::vector<CellPath> paths{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
-  const auto scene =
-      readScenario(
-          "morula: 1\nname: x\ndna: 'START: a'\nstop: {time: 1}\nphysics: {mesh: {icosphere: 1}}\n"
-          "cells:\n  - {at: [-3, 0, 0]}\n  - {at: [0, 0, 0]}\n  - {at: [0, 3, 0]}\n"
-          "connections: {}\n",
-          "test.yaml", ".")
-          .scene;
+  const auto scene = readScenario(
+                         "morula: 1\nname: x\ndna: 'START: a'\nstop: {time: 1}\nphysics: {mesh: {icosphere: 1}}\n"
+                         "cells:\n  - {at: [-3, 0, 0]}\n  - {at: [0, 0, 0]}\n  - {at: [0, 3, 0]}\n"
+                         "connections: {}\n",
+                         "test.yaml", ".")
+                         .scene;
   const auto pulls = [&](int number) {
     World world = makeWorld(scene);
     Connections c{ConnectionParameters{}, {}, {}, {}};
@@ -60,8 +59,7 @@ TEST_CASE("the pull on a cell whose connections share a strength is no larger wi
     addConnectionForces(c, paths, b);
     std::vector<Vector> sums(3);
     for (int cell = 0; cell < 3; ++cell)
-      for (int v = 0; v < b.vertexCount(0); ++v)
-        sums[cell] = sums[cell] + b.read(b.acceleration, b.slots[cell], v);
+      for (int v = 0; v < b.vertexCount(0); ++v) sums[cell] = sums[cell] + b.read(b.acceleration, b.slots[cell], v);
     return sums;
   };
   CHECK(norm(pulls(1)[1]) <= sharedStrength * (1 + 1e-9));

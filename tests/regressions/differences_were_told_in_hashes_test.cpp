@@ -34,11 +34,9 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
   const TemporaryFolder folder;
   const std::string file = folder / "pair.yaml", db = folder / "run.db";
   writeWhole(file, scene);
-  REQUIRE(launch({"review", file, "--accept", "--by", "tests", "--why", "the first"}, {{"CI", ""}}).code ==
-          0);
+  REQUIRE(launch({"review", file, "--accept", "--by", "tests", "--why", "the first"}, {{"CI", ""}}).code == 0);
   REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
-  CHECK_THAT(readWhole(folder / "pair.golden"),
-             ContainsSubstring("\nparameter physics.pressure.constant 155\n"));
+  CHECK_THAT(readWhole(folder / "pair.golden"), ContainsSubstring("\nparameter physics.pressure.constant 155\n"));
 
   writeWhole(file, replaced(scene, "constant: 155", "constant: 155.5"));
   const std::vector<std::string> words{"changed   physics.pressure.constant: 155 → 155.5\n",
@@ -50,8 +48,8 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
                                        "pressure  ",
                                        " %\n"};
   auto andCause = words;
-  andCause.insert(andCause.end(), {"FAIL  scenario: INPUT_CHANGED, the scenario changed\n",
-                                   "from it follow: bits; step_hashes"});
+  andCause.insert(andCause.end(),
+                  {"FAIL  scenario: INPUT_CHANGED, the scenario changed\n", "from it follow: bits; step_hashes"});
   for (const auto& verb : {std::vector<std::string>{"check", file}, {"explain", file}, {"review", file}}) {
     const auto run = launch(verb);
     CAPTURE(verb[0]);
@@ -67,8 +65,7 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
   CHECK(inOrder(stored.out, words));
   const Json json = Json::parse(launch({"explain", file, "--json"}).out);
   REQUIRE(json["changed"].size() == 1);
-  CHECK(json["changed"][0] ==
-        Json{{"key", "physics.pressure.constant"}, {"expected", "155"}, {"actual", "155.5"}});
+  CHECK(json["changed"][0] == Json{{"key", "physics.pressure.constant"}, {"expected", "155"}, {"actual", "155.5"}});
   const Json checked = Json::parse(launch({"check", file, "--json"}).out);
   CHECK(checked["results"][0]["field"] == "physics.pressure.constant");
 

@@ -21,8 +21,7 @@ TEST_CASE("the egg has a name, and so has every cell") {
 
 TEST_CASE("a failure of the egg names the egg") {
   const TemporaryFolder folder;
-  const auto run =
-      launch({"run", "scenarios/hard/stiff-inside-out.yaml", "--out", folder.path(), "--no-pictures"});
+  const auto run = launch({"run", "scenarios/hard/stiff-inside-out.yaml", "--out", folder.path(), "--no-pictures"});
   CHECK(run.code == 4);
   CAPTURE(run.err);
   CHECK(run.err.find(", the egg: ") != std::string::npos);

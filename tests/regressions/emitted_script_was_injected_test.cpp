@@ -25,11 +25,10 @@ TEST_CASE("an emitted script names the study's folder and runs nothing else, wha
   const TemporaryFolder folder;
   REQUIRE(launch({"init", folder / "my-organism.yaml"}).code == 0);
   REQUIRE(launch({"init", "--study", "s", folder / "s.study.yaml"}).code == 0);
-  for (const std::string name :
-       {"a b", "$(touch PWNED)", "it's", "`touch PWNED`", "50%", "x;touch PWNED", "\"q"}) {
+  for (const std::string name : {"a b", "$(touch PWNED)", "it's", "`touch PWNED`", "50%", "x;touch PWNED", "\"q"}) {
     CAPTURE(name);
-    const auto emitted = launch({"study", "emit", "slurm", folder / "s.study.yaml", "--out", folder / name,
-                                 "-o", folder / "script", "--force", "--jobs", "2"});
+    const auto emitted = launch({"study", "emit", "slurm", folder / "s.study.yaml", "--out", folder / name, "-o",
+                                 folder / "script", "--force", "--jobs", "2"});
     INFO(emitted.err);
     REQUIRE(emitted.code == 0);
     const std::string script = readWhole(folder / "script");
@@ -42,8 +41,7 @@ TEST_CASE("an emitted script names the study's folder and runs nothing else, wha
       CHECK(std::system(("shellcheck -e SC2016 '" + folder / "script'").c_str()) == 0);
     else WARN("skipped: no shellcheck here");
   }
-  for (const auto& entry : fs::directory_iterator(folder.path()))
-    CHECK(entry.path().filename() != "PWNED");
+  for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().filename() != "PWNED");
 }
 
 TEST_CASE("no script is emitted for a folder whose name would be lines of it") {

@@ -12,9 +12,9 @@ using namespace morula;
 using namespace morula::test;
 
 TEST_CASE("tiny and huge numbers are refused with the range") {
-  for (const char* change : {"physics.cell.radius=1e-300", "physics.cell.radius=1e300",
-                             "physics.cell.mass=1e-40", "record.every=1e-300", "record.pictures=1e-300",
-                             "physics.contact.radius=1e-31", "physics.drag=1e31", "cycle.length=1e-300"})
+  for (const char* change :
+       {"physics.cell.radius=1e-300", "physics.cell.radius=1e300", "physics.cell.mass=1e-40", "record.every=1e-300",
+        "record.pictures=1e-300", "physics.contact.radius=1e-31", "physics.drag=1e31", "cycle.length=1e-300"})
     for (const char* verb : {"validate", "parts"}) {
       CAPTURE(change, verb);
       const auto run = launch({verb, "scenarios/thesis/unique-four.yaml", "--set", change});
@@ -35,8 +35,7 @@ TEST_CASE("intervals that make more samples or pictures than anybody can look at
 
 TEST_CASE("the next multiple is the one that counting up finds") {
   for (double every : {0.1, 0.25, 1.0 / 3, 0.7, 1.0, 3.1})
-    for (double time :
-         {0.0, 0.1, 0.3, 0.30000000000000004, 0.7, 2.1, 2.0999999999999996, 6.0, 100.0, 12345.6}) {
+    for (double time : {0.0, 0.1, 0.3, 0.30000000000000004, 0.7, 2.1, 2.0999999999999996, 6.0, 100.0, 12345.6}) {
       std::uint64_t counted = 0;
       while (static_cast<double>(counted) * every <= time) ++counted;
       CAPTURE(every, time);

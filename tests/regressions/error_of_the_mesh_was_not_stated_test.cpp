@@ -42,9 +42,9 @@ struct Cell {
 /// The first cell at the end.
 Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const std::string& timeStep) {
   const std::string file = folder / ("level" + level + ".db");
-  const auto run = launch({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db",
-                           file, "--out", folder.path(), "--set", "physics.mesh.icosphere=" + level, "--set",
-                           "physics.time_step=" + timeStep});
+  const auto run =
+      launch({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db", file, "--out",
+              folder.path(), "--set", "physics.mesh.icosphere=" + level, "--set", "physics.time_step=" + timeStep});
   CAPTURE(run.err);
   REQUIRE(run.code == 0);
   morula::Database db(file, morula::Database::Mode::existing, std::chrono::seconds(5));

@@ -16,8 +16,8 @@ struct Exports {
   std::string database = folder / "run.db";
   Exports() {
     REQUIRE(
-        launch({"run", "scenarios/thesis/unique-four.yaml", "--db", database, "--no-pictures", "--no-check"})
-            .code == 0);
+        launch({"run", "scenarios/thesis/unique-four.yaml", "--db", database, "--no-pictures", "--no-check"}).code ==
+        0);
   }
   std::vector<std::string> command(const std::string& kind) const {
     if (kind == "crate") return {"export", database, "--ro-crate", folder / "out"};
@@ -77,8 +77,7 @@ TEST_CASE("an export goes into an empty folder that is there, also the current o
   CHECK(launch({"export", e.database, "--format", "csv", "-o", e.folder / "out/"}).code == 0);
   CHECK(e.files("out").size() > 1);
   fs::create_directory(e.folder / "here");
-  CHECK(std::system(
-            ("cd '" + e.folder / "here' && '" + programFile() + "' export ../run.db --ro-crate . >/dev/null")
-                .c_str()) == 0);
+  CHECK(std::system(("cd '" + e.folder / "here' && '" + programFile() + "' export ../run.db --ro-crate . >/dev/null")
+                        .c_str()) == 0);
   CHECK(fs::exists(e.folder / "here/ro-crate-metadata.json"));
 }

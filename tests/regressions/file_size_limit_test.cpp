@@ -48,8 +48,7 @@ TEST_CASE("a limit of file sizes is told, and costs no earlier run") {
   }
   {
     const FileSizeLimit limit(2'000);
-    const auto picture =
-        launch({"render", "--quiet", "--style", "lineage", "-o", folder / "a.png", scenario});
+    const auto picture = launch({"render", "--quiet", "--style", "lineage", "-o", folder / "a.png", scenario});
     CAPTURE(picture.err);
     CHECK(picture.code == 6);
     CHECK(picture.err.find("File too large") != std::string::npos);

@@ -66,10 +66,12 @@ TEST_CASE("a scenario of a database reads no files") {
   REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, folder / "small.yaml"}).code == 0);
   {
     morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
-    morula::Statement(db, "UPDATE document SET content = ? WHERE hash IN (SELECT hash FROM run_document WHERE role = 'resolved')")
+    morula::Statement(
+        db, "UPDATE document SET content = ? WHERE hash IN (SELECT hash FROM run_document WHERE role = 'resolved')")
         .run(morula::Blob{withDna(folder / "secret")});
   }
-  for (const auto& words : std::vector<std::vector<std::string>>{{"replay", database}, {"render", "--style", "lineage", database}}) {
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"replay", database}, {"render", "--style", "lineage", database}}) {
     const auto run = launch(words);
     CAPTURE(words[0], run.err);
     CHECK(run.code != 0);

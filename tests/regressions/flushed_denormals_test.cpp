@@ -24,10 +24,10 @@ Seen runWith(const std::string& rounding, const std::string& threads) {
                    {"OTHER_ROUNDING", rounding},
                    {"ASAN_OPTIONS", "verify_asan_link_order=0:detect_leaks=0"}};
   const auto file = folder / "runs.db";
-  const auto run = launch(
-      {"run", "scenarios/hard/denormal-velocity.yaml", "--json", "--quiet", "--no-pictures", "--no-check",
-       "--threads", threads, "--set", "stop.time=0.25", "--db", file, "--out", folder / "out"},
-      environment);
+  const auto run =
+      launch({"run", "scenarios/hard/denormal-velocity.yaml", "--json", "--quiet", "--no-pictures", "--no-check",
+              "--threads", threads, "--set", "stop.time=0.25", "--db", file, "--out", folder / "out"},
+             environment);
   CAPTURE(run.err);
   REQUIRE(run.code == 0);
   Database db(file, Database::Mode::existing, std::chrono::seconds(1));

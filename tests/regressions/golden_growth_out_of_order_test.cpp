@@ -25,7 +25,6 @@ TEST_CASE("growth lines of a golden rise in size and do not fall in step") {
         Bad{{{1e-9, 20}, {1e-8, 10}}, "before the smaller"}, Bad{{{10, 20}}, "above 1 radius"},
         Bad{{{1e-9, 101}}, "after the run's last, 100"}}) {
     CAPTURE(bad.said);
-    CHECK_THROWS_WITH(reads(bad.growth),
-                      Catch::Matchers::StartsWith("x.golden:") && ContainsSubstring(bad.said));
+    CHECK_THROWS_WITH(reads(bad.growth), Catch::Matchers::StartsWith("x.golden:") && ContainsSubstring(bad.said));
   }
 }

@@ -14,8 +14,7 @@ using Json = nlohmann::json;
 TEST_CASE("a run that is not checked stores no hashes, and each table says why it is there") {
   const TemporaryFolder folder;
   const std::string file = folder / "small.yaml";
-  writeWhole(file,
-             "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
+  writeWhole(file, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
   const auto tablesAfter = [&](const std::string& db, std::vector<std::string> more) {
     more.insert(more.begin(), {"run", file, "--db", db, "--no-pictures", "--out", folder / "out"});
     REQUIRE(launch(more).code == 0);
@@ -38,8 +37,7 @@ TEST_CASE("a run that is not checked stores no hashes, and each table says why i
     CHECK(table["why"] != "");
     CHECK(table["rows"] == db.integer("SELECT count(*) FROM " + name));
   }
-  for (const auto& more :
-       {std::vector<std::string>{"--no-check"}, {"--seed", "7"}, {"--set", "stop.time=2"}}) {
+  for (const auto& more : {std::vector<std::string>{"--no-check"}, {"--seed", "7"}, {"--set", "stop.time=2"}}) {
     CAPTURE(more[0]);
     auto unchecked = tablesAfter(folder / ("un" + more[0].substr(2) + ".db"), more);
     CHECK(unchecked["cell_hash"]["rows"] == 0);
@@ -50,6 +48,5 @@ TEST_CASE("a run that is not checked stores no hashes, and each table says why i
   CHECK(explained.code == 3);
   CHECK_THAT(explained.err, ContainsSubstring("kept no chain") && ContainsSubstring("without --no-check"));
   CHECK(launch({"replay", folder / "unno-check.db"}).code == 0);
-  CHECK_THAT(launch({"export", folder / "checked.db", "--list"}).out,
-             ContainsSubstring("which cells differ"));
+  CHECK_THAT(launch({"export", folder / "checked.db", "--list"}).out, ContainsSubstring("which cells differ"));
 }

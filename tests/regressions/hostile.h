@@ -24,8 +24,8 @@ inline std::string harmfulByte(const std::string& text) {
     const auto third = static_cast<unsigned char>(i + 2 < text.size() ? text[i + 2] : 0);
     const bool c0 = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F;
     const bool c1 = byte == 0xC2 && next >= 0x80 && next <= 0x9F;
-    const bool direction =
-        byte == 0xE2 && ((next == 0x80 && third >= 0xAA && third <= 0xAE) || (next == 0x81 && third >= 0xA6 && third <= 0xA9));
+    const bool direction = byte == 0xE2 && ((next == 0x80 && third >= 0xAA && third <= 0xAE) ||
+                                            (next == 0x81 && third >= 0xA6 && third <= 0xA9));
     const bool noText = byte == 0xFF || byte == 0xFE || byte == 0xC0;
     if (c0 || c1 || direction || noText) return "byte " + std::to_string(byte) + " at " + std::to_string(i);
   }

@@ -13,11 +13,13 @@ namespace {
 
 /// For reading, the file is an input of every verb that reads one.
 std::vector<std::vector<std::string>> readers(const std::string& file, const std::string& scenario) {
-  return {{"run", file},          {"parts", file},          {"check", file},
-          {"explain", file},      {"review", file},         {"validate", file},
-          {"render", file},       {"lineage", file},        {"accuracy", file},
-          {"export", file},       {"replay", file},         {"replay", "ab", "--db", file},
-          {"trail", file},        {"explain", "--db", file, scenario}};
+  return {{"run", file},      {"parts", file},
+          {"check", file},    {"explain", file},
+          {"review", file},   {"validate", file},
+          {"render", file},   {"lineage", file},
+          {"accuracy", file}, {"export", file},
+          {"replay", file},   {"replay", "ab", "--db", file},
+          {"trail", file},    {"explain", "--db", file, scenario}};
 }
 
 }  // namespace

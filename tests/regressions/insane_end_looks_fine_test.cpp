@@ -43,8 +43,7 @@ struct Run {
 Run run(const std::string& scenario, std::vector<std::string> more = {}) {
   const TemporaryFolder folder;
   writeWhole(folder / "s.yaml", scenario);
-  std::vector<std::string> arguments{"run",          folder / "s.yaml", "--out",
-                                     folder / "out", "--no-pictures",   "--json"};
+  std::vector<std::string> arguments{"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures", "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Run r{launch(arguments), {}};
   if (!r.launched.out.empty()) r.json = Json::parse(r.launched.out);
@@ -108,8 +107,7 @@ TEST_CASE("the results of a run that is not sane are stored as such, and no gold
   const auto check = launch({"check", folder / "s.yaml", "--json"});
   CHECK(check.code == 1);
   CHECK(check.out.find("\"kind\": \"sanity\"") != std::string::npos);
-  const auto accepted =
-      launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"},
+  const auto accepted = launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"},
                                {{"CI", ""}, {"GITHUB_ACTIONS", ""}});
   CAPTURE(accepted.out, accepted.err);
   CHECK(accepted.code == 3);

@@ -15,16 +15,14 @@ struct Film {
   TemporaryFolder folder;
   Film() {
     fs::create_directory(folder / "bin");
-    writeWhole(folder / "bin/ffmpeg",
-               "#!/bin/sh\ncase \"$*\" in *-version) exit 0;; esac\n: >\"$STARTED\"\nsleep 5\n");
+    writeWhole(folder / "bin/ffmpeg", "#!/bin/sh\ncase \"$*\" in *-version) exit 0;; esac\n: >\"$STARTED\"\nsleep 5\n");
     fs::permissions(folder / "bin/ffmpeg", fs::perms::owner_all);
     fs::create_directory(folder / "films");
   }
   Launched ended(int signal) const {
-    return launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "--size", "64",
-                   "--turntable", "2", "-o", folder / "films/a.gif"},
-                  {{"PATH", folder / "bin:" + std::getenv("PATH")}, {"STARTED", folder / "started"}},
-                  [&](int process) {
+    return launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "--size", "64", "--turntable", "2",
+                   "-o", folder / "films/a.gif"},
+                  {{"PATH", folder / "bin:" + std::getenv("PATH")}, {"STARTED", folder / "started"}}, [&](int process) {
                     while (!fs::exists(folder / "started") && ::kill(process, 0) == 0) ::usleep(2'000);
                     ::kill(process, signal);
                   });

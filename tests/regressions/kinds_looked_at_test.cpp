@@ -33,8 +33,7 @@ std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
   const fs::path original = fs::absolute("scenarios/" + kind.file + ".yaml");
   std::string text = readWhole(original.string());
   text = std::regex_replace(text, std::regex("\nstop:[^\n]*"), "\nstop: " + kind.stop);
-  if (!kind.cycle.empty())
-    text = std::regex_replace(text, std::regex("\ncycle:[^\n]*"), "\ncycle: " + kind.cycle);
+  if (!kind.cycle.empty()) text = std::regex_replace(text, std::regex("\ncycle:[^\n]*"), "\ncycle: " + kind.cycle);
   const std::regex named("file: ([^ },\n]+)");
   for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at)
     fs::copy_file(original.parent_path() / (*at)[1].str(), folder / fs::path((*at)[1].str()).filename().string());

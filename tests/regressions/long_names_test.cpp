@@ -46,9 +46,8 @@ TEST_CASE("names of a million letters are refused with their place and the limit
 TEST_CASE("names of a hundred letters are drawn") {
   const TemporaryFolder folder;
   const std::string name(100, 'a');
-  writeWhole(folder / "s.yaml", "morula: 1\nname: s\nstop: {cycles: 4}\ndna: |\n  START: " + name +
-                                    "\n  g1(" + name + "|" + name + ")\n  g2(divide|" + name +
-                                    ")\ncolours: {" + name + ": '#e41a1c'}\n");
+  writeWhole(folder / "s.yaml", "morula: 1\nname: s\nstop: {cycles: 4}\ndna: |\n  START: " + name + "\n  g1(" + name +
+                                    "|" + name + ")\n  g2(divide|" + name + ")\ncolours: {" + name + ": '#e41a1c'}\n");
   const auto run = launch({"render", folder / "s.yaml", "--style", "lineage", "-o", folder / "s.png"});
   CAPTURE(run.err);
   CHECK(run.code == 0);

@@ -36,8 +36,7 @@ TEST_CASE("what cannot be rejected is not said to be") {
 
 TEST_CASE("a wrong seed is a wrong command line, as a wrong range of seeds is") {
   refuses({"run", four, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
-  refuses({"run", four, "--seeds", "a..b"}, 2,
-          "--seeds: 'a' is not a number; needs a whole number from 0 to");
+  refuses({"run", four, "--seeds", "a..b"}, 2, "--seeds: 'a' is not a number; needs a whole number from 0 to");
 }
 
 TEST_CASE("a report of what is no file says so, as other verbs do") {

@@ -25,14 +25,13 @@ std::string cellsAt(int count, double apart, const std::string& mesh) {
 }  // namespace
 
 TEST_CASE("a lineage that divides for ever ends at the memory limit, and is stored as failed") {
-  for (const std::string physics :
-       {"",
-        "physics: {mesh: {icosphere: 0}, cell: {model: sphere}, drag: 1, time_step: 0.5}\n"
-        "division: {plane: random}\n"}) {
+  for (const std::string physics : {"",
+                                    "physics: {mesh: {icosphere: 0}, cell: {model: sphere}, drag: 1, time_step: 0.5}\n"
+                                    "division: {plane: random}\n"}) {
     const TemporaryFolder folder;
     writeWhole(folder / "scene.yaml", endless + physics);
-    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--memory-limit", "2M",
-                             "--db", folder / "runs.db", "--out", folder / "out"});
+    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--memory-limit", "2M", "--db",
+                             folder / "runs.db", "--out", folder / "out"});
     CAPTURE(physics, run.out, run.err);
     CHECK(run.code == 4);
     const std::string text = run.out + run.err;

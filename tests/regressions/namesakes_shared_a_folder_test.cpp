@@ -11,8 +11,7 @@ using namespace morula::test;
 TEST_CASE("scenarios of one name in two files have folders of their own") {
   const TemporaryFolder folder;
   const auto text = [](int cycles) {
-    return "morula: 1\nname: twin\nseed: 5\ndna: 'START: a0'\nstop: {cycles: " + std::to_string(cycles) +
-           "}\n";
+    return "morula: 1\nname: twin\nseed: 5\ndna: 'START: a0'\nstop: {cycles: " + std::to_string(cycles) + "}\n";
   };
   const auto databaseOf = [&](const std::string& file) {
     const auto run = launch({"run", folder / file, "--out", folder / "results", "--json", "--no-check"});

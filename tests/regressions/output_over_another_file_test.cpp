@@ -13,7 +13,8 @@ TEST_CASE("a picture does not replace a file of another kind") {
   const TemporaryFolder folder;
   const auto scenario = folder / "scenario.png", database = folder / "out/run.png";
   writeWhole(scenario, smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario}).code == 0);
+  REQUIRE(launch({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario})
+              .code == 0);
   writeWhole(folder / "genes.png", "START: a0\n");
   writeWhole(folder / "golden.png", "morula golden 1\n");
   writeWhole(folder / "letter.png", "Dear all\n");
@@ -27,8 +28,7 @@ TEST_CASE("a picture does not replace a file of another kind") {
     CHECK(readWhole(file) == before);
   }
   // Drawings and papers of somebody else.
-  const std::string svg =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n";
+  const std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n";
   writeWhole(folder / "mine.svg", svg);
   writeWhole(folder / "paper.pdf", "%PDF-1.5\n%\xd0\xd4\xc5\xd8\n");
   for (const auto& file : {folder / "mine.svg", folder / "paper.pdf"}) {

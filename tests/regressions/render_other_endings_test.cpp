@@ -15,15 +15,14 @@ TEST_CASE("render refuses a name that promises what it cannot write") {
     CAPTURE(ending, run.err);
     CHECK(run.code == 2);
     // One picture can be no film: what makes one is told beside.
-    const std::string remedy = ending == ".mp4"
-                                   ? "needs --turntable N or --frames N, or a name that ends in .png"
-                                   : "needs a name that ends in .png";
+    const std::string remedy = ending == ".mp4" ? "needs --turntable N or --frames N, or a name that ends in .png"
+                                                : "needs a name that ends in .png";
     CHECK(run.err.find(remedy) != std::string::npos);
     CHECK(std::filesystem::is_empty(folder.path()));
   }
   for (const std::string name : {"x.png", "x.PNG"}) {
-    const auto run = launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "--size", "64",
-                             "--style", "lineage", "-o", folder / name});
+    const auto run = launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "--size", "64", "--style",
+                             "lineage", "-o", folder / name});
     CAPTURE(run.err);
     CHECK(run.code == 0);
     CHECK(readWhole(folder / name).starts_with("\x89PNG"));

@@ -15,19 +15,18 @@ const std::string bodies = "physics:\n  mesh: {icosphere: 0}\n";
 Launched rendered(const std::string& text, const std::string& time, const std::string& style = "solid") {
   const TemporaryFolder folder;
   writeWhole(folder / "s.yaml", text);
-  return launch({"render", folder / "s.yaml", "--time", time, "--size", "64", "--style", style, "--json",
-                 "-o", folder / "s.png"});
+  return launch({"render", folder / "s.yaml", "--time", time, "--size", "64", "--style", style, "--json", "-o",
+                 folder / "s.png"});
 }
 
 }  // namespace
 
 TEST_CASE("render refuses times after the end of the run, planned or not") {
-  for (const auto& [rest, style] :
-       {std::pair<std::string, std::string>{"stop: {time: 1}\n" + bodies, "solid"},
-        {"stop: {cycles: 8}\n" + bodies, "solid"},
-        {"stop: {cycles: 8}\n", "lineage"},
-        {"  g2(divide|a)\nstop: {cells: 2}\n" + bodies, "solid"},
-        {"  g2(die|a)\nstop: {time: 1}\n" + bodies, "solid"}}) {
+  for (const auto& [rest, style] : {std::pair<std::string, std::string>{"stop: {time: 1}\n" + bodies, "solid"},
+                                    {"stop: {cycles: 8}\n" + bodies, "solid"},
+                                    {"stop: {cycles: 8}\n", "lineage"},
+                                    {"  g2(divide|a)\nstop: {cells: 2}\n" + bodies, "solid"},
+                                    {"  g2(die|a)\nstop: {time: 1}\n" + bodies, "solid"}}) {
     const auto run = rendered(head + rest, "0.99", style);
     const auto late = rendered(head + rest, "99", style);
     CAPTURE(rest, late.err, run.err);

@@ -36,34 +36,27 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", scene);
   const std::string whole = folder / "run.db", changed = folder / "changed.db";
-  REQUIRE(
-      launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"}).code ==
-      0);
+  REQUIRE(launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"}).code == 0);
   const auto same = launch({"replay", whole});
   INFO(same.out << same.err);
   REQUIRE(same.code == 0);
   CHECK_THAT(same.out, ContainsSubstring("tables          all 14 the same"));
 
   const Change changes[] = {
-      {"sample", "UPDATE sample SET volume = volume * 2",
-       "of 4 rows differ\n    first time 0: volume: stored "},
+      {"sample", "UPDATE sample SET volume = volume * 2", "of 4 rows differ\n    first time 0: volume: stored "},
       {"cell", "DELETE FROM cell", "(0 are stored, 3 recomputed)"},
       {"cell", "DELETE FROM cell WHERE path = 'B'", "first path B: stored: no such row; recomputed: a row"},
-      {"cell", "UPDATE cell SET state = 'a9' WHERE path = 'A'",
-       "first path A: state: stored 'a9', recomputed '"},
+      {"cell", "UPDATE cell SET state = 'a9' WHERE path = 'A'", "first path A: state: stored 'a9', recomputed '"},
       {"cell", "UPDATE cell SET name = 'ABp' WHERE path = 'A'", "name: stored 'ABp', recomputed nothing"},
       {"cell_sample", "UPDATE cell_sample SET x = x + 1e-15 WHERE time = 1.5 AND path = 'A'",
        "1 of 6 rows differ\n    first time 1.5, path A: x: stored "},
-      {"cell_sample", "UPDATE cell_sample SET pressure = NULL WHERE time = 0",
-       "pressure: stored nothing, recomputed "},
+      {"cell_sample", "UPDATE cell_sample SET pressure = NULL WHERE time = 0", "pressure: stored nothing, recomputed "},
       {"contact", "DELETE FROM contact", "are stored"},
       {"measure", "UPDATE measure SET value = 0.5 WHERE time = 1", "name sister_contact"},
       {"time_step", "UPDATE time_step SET time_step = 0.5 WHERE step = 0", "step 0: time_step: stored 0.5"},
-      {"step_hash", "UPDATE step_hash SET lineage = state WHERE step = 64",
-       "first step 64: lineage: stored '"},
+      {"step_hash", "UPDATE step_hash SET lineage = state WHERE step = 64", "first step 64: lineage: stored '"},
       {"cell_hash", "DELETE FROM cell_hash WHERE step = 64", "no such row; recomputed: a row"},
-      {"check_result", "UPDATE check_result SET actual = '2' WHERE \"check\" = 'shell'",
-       "actual: stored '2'"},
+      {"check_result", "UPDATE check_result SET actual = '2' WHERE \"check\" = 'shell'", "actual: stored '2'"},
       {"division", "UPDATE division SET share = 0.25", "share: stored 0.25, recomputed "},
       {"run", "UPDATE run SET cells = 7", "cells: stored 7, recomputed 2"},
   };

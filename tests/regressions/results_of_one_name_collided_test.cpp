@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string scene(const std::string& time) {
-  return "morula: 1\nname: twin\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: " + time +
-         "}\ncheck: {}\n";
+  return "morula: 1\nname: twin\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: " + time + "}\ncheck: {}\n";
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -35,16 +34,13 @@ TEST_CASE("scenarios of one file name keep their waiting results and their JUnit
     fs::create_directory(folder / inside);
     files.push_back(folder / inside + "/" + stem + ".yaml");
     writeWhole(files.back(), scene("2"));
-    REQUIRE(
-        launch({"review", files.back(), "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
-        0);
+    REQUIRE(launch({"review", files.back(), "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code == 0);
     writeWhole(files.back(), scene(std::string("2.5")));
   }
   CHECK(launch({"check", files[0], files[1], "--reports", folder / "reports"}).code == 1);
   const auto waits = [&](std::size_t i) {
     const auto pending = fs::path(files[i]).parent_path() / ".pending";
-    return fs::exists(pending) &&
-           count(launch({"review", files[i]}).out, "waits    " + pending.string()) == 1;
+    return fs::exists(pending) && count(launch({"review", files[i]}).out, "waits    " + pending.string()) == 1;
   };
   CHECK((waits(0) && waits(1)));
   const std::string junit = readWhole(folder / "reports/junit.xml");
@@ -71,10 +67,8 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
     return databases;
   };
   std::vector<std::string> all;
-  for (const auto& more : {std::vector<std::string>{a},
-                           {a, "--seed", "7"},
-                           {a, "--set", "stop.time=1"},
-                           {a, "--set", "stop.time=1.5"}})
+  for (const auto& more :
+       {std::vector<std::string>{a}, {a, "--seed", "7"}, {a, "--set", "stop.time=1"}, {a, "--set", "stop.time=1.5"}})
     all.push_back(dbOf(more)[0]);
   CHECK(all[0] == folder / "out/twin-0/run.db");
   CHECK(all[1] == folder / "out/twin-7/run.db");

@@ -26,8 +26,8 @@ record: {every: 0.015625, measures: [sister_contact, energy]}
 struct Stored {
   Stored() {
     writeWhole(folder / "small.yaml", scene);
-    const auto run = launch(
-        {"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--quiet", "--out", folder / "out"});
+    const auto run =
+        launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--quiet", "--out", folder / "out"});
     INFO(run.out << run.err);
     REQUIRE(run.code == 0);
   }
@@ -60,8 +60,7 @@ TEST_CASE("a file with a page of another table is not exported") {
   {
     Database db(stored.damaged, Database::Mode::existing, std::chrono::seconds(1));
     size = static_cast<std::uintmax_t>(db.integer("PRAGMA page_size"));
-    from =
-        static_cast<std::uintmax_t>(db.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'contact'"));
+    from = static_cast<std::uintmax_t>(db.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'contact'"));
     to = static_cast<std::uintmax_t>(db.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'measure'"));
   }
   std::string bytes = readWhole(stored.damaged);
@@ -85,8 +84,7 @@ TEST_CASE("replay misses check results that are gone") {
   Stored stored;
   CHECK(launch({"replay", stored.whole}).code == 0);
   stored.copy();
-  Database(stored.damaged, Database::Mode::existing, std::chrono::seconds(1))
-      .execute("DELETE FROM check_result");
+  Database(stored.damaged, Database::Mode::existing, std::chrono::seconds(1)).execute("DELETE FROM check_result");
   const auto run = launch({"replay", stored.damaged});
   CHECK(run.code == 1);
   CHECK_THAT(run.out, ContainsSubstring("check_result") && ContainsSubstring("(0 are stored"));
@@ -107,8 +105,7 @@ TEST_CASE("replay does not write over the run that it verifies") {
 TEST_CASE("JSON that is nested without end is refused") {
   const TemporaryFolder folder;
   writeWhole(folder / "deep.json", std::string(200'000, '[') + std::string(200'000, ']'));
-  writeWhole(folder / "rows.json",
-             R"({"rows": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}");
+  writeWhole(folder / "rows.json", R"({"rows": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}");
   for (const char* name : {"deep.json", "rows.json"}) {
     const auto run = launch({"report", folder / name, "-o", folder / "page.html"});
     CAPTURE(name, run.err);

@@ -11,10 +11,9 @@ using namespace morula::test;
 TEST_CASE("four runs into one folder at once all end well") {
   const TemporaryFolder folder;
   const std::string file = folder / "small.yaml";
-  writeWhole(
-      file,
-      "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.5}\nphysics: {mesh: "
-      "{icosphere: 0}, contact: {}, drag: 2}\nrecord: {pictures: 0.5}\n");
+  writeWhole(file,
+             "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.5}\nphysics: {mesh: "
+             "{icosphere: 0}, contact: {}, drag: 2}\nrecord: {pictures: 0.5}\n");
   std::vector<Launched> runs(4);
   std::vector<std::thread> threads;
   for (Launched& run : runs)

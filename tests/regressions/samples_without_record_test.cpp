@@ -23,8 +23,8 @@ struct Stored {
   explicit Stored(const std::string& scenario) : db(runAndOpen(folder, scenario)) {}
   static Database runAndOpen(const TemporaryFolder& folder, const std::string& scenario) {
     writeWhole(folder / "scene.yaml", scenario);
-    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db",
-                             folder / "runs.db", "--out", folder / "out"});
+    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db", folder / "runs.db",
+                             "--out", folder / "out"});
     CAPTURE(run.err);
     REQUIRE(run.code == 0);
     return {folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1)};
@@ -48,10 +48,9 @@ TEST_CASE("a run without record has a sample of its start and of its end") {
 
 TEST_CASE("where all cells have died there are bodies, but none alive") {
   Stored stored(dies);
-  Statement last(
-      stored.db,
-      "SELECT cells, volume, kinetic_energy, shell_fill, mean_pressure IS NULL, outermost IS NULL FROM "
-      "sample ORDER BY time DESC LIMIT 1");
+  Statement last(stored.db,
+                 "SELECT cells, volume, kinetic_energy, shell_fill, mean_pressure IS NULL, outermost IS NULL FROM "
+                 "sample ORDER BY time DESC LIMIT 1");
   REQUIRE(last.next());
   CHECK(last.integer(0) == 0);
   for (int column : {1, 2, 3}) {

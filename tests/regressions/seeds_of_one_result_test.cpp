@@ -14,9 +14,8 @@ const std::string four = "scenarios/thesis/unique-four.yaml";
 
 /// Two seeds of it, cheaply.
 Launched runSeeds(const TemporaryFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> all{
-      "run",         four,    "--seeds",       "1..2",  "--no-pictures",           "--out",
-      folder.path(), "--set", "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
+  std::vector<std::string> all{"run",         four,    "--seeds",       "1..2",  "--no-pictures",           "--out",
+                               folder.path(), "--set", "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
   all.insert(all.end(), more.begin(), more.end());
   return launch(all);
 }

@@ -35,12 +35,10 @@ class AddressLimit {
 
 TEST_CASE("a run that memory fails says nothing against one that came to its end") {
   const TemporaryFolder folder;
-  writeWhole(
-      folder / "tree.yaml",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
-  const std::vector<std::string> words{
-      "run",   folder / "tree.yaml", "--quiet", "--no-pictures",  "--no-check",
-      "--out", folder.path(),        "--db",    folder / "run.db"};
+  writeWhole(folder / "tree.yaml",
+             "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
+  const std::vector<std::string> words{"run",   folder / "tree.yaml", "--quiet", "--no-pictures",  "--no-check",
+                                       "--out", folder.path(),        "--db",    folder / "run.db"};
   REQUIRE(launch(words).code == 0);
   auto poor = words;
   poor.insert(poor.end(), {"--memory-limit", "300k"});
@@ -56,9 +54,8 @@ TEST_CASE("a run that memory fails says nothing against one that came to its end
 
 TEST_CASE("a run that memory ends keeps its checkpoint, and goes on from there where there is more") {
   const TemporaryFolder folder;
-  writeWhole(
-      folder / "tree.yaml",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
+  writeWhole(folder / "tree.yaml",
+             "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
   const auto run = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words{
         "run",  folder / "tree.yaml", "--no-pictures",      "--no-check", "--out", folder.path(),
@@ -80,8 +77,8 @@ TEST_CASE("a picture for which there is no memory is refused, and the run is kep
   writeWhole(folder / "body.yaml", smallBody);
   const auto code = [&](rlim_t limit, const std::string& database) {
     const AddressLimit less(limit);
-    const auto run = launch({"run", folder / "body.yaml", "--quiet", "--no-check", "--out", folder.path(),
-                             "--db", folder / database});
+    const auto run = launch(
+        {"run", folder / "body.yaml", "--quiet", "--no-check", "--out", folder.path(), "--db", folder / database});
     CAPTURE(limit, run.err);
     if (run.code == 0) return 0;
     if (run.err.find("loading shared libraries") != std::string::npos) return 2;  // not ours: it never began
@@ -95,8 +92,7 @@ TEST_CASE("a picture for which there is no memory is refused, and the run is kep
     return 2;
   };
   int refused = 0;
-  for (rlim_t limit = 160; limit <= 640; limit += 20)
-    refused += code(limit << 20, std::to_string(limit) + ".db") == 1;
+  for (rlim_t limit = 160; limit <= 640; limit += 20) refused += code(limit << 20, std::to_string(limit) + ".db") == 1;
   CHECK(refused > 2);
   CHECK(code(8'000'000'000, "plenty.db") == 0);
 }

@@ -54,8 +54,7 @@ TEST_CASE("a near miss of a substance that acts is refused, wherever nothing els
                                     {"relaese", "release"}})
     checkRefused(start + "g2(" + slip + "|a)", "",
                  "s.yaml:7:6: dna: '" + std::string(slip) + "' does nothing; did you mean '" + meant + "'?");
-  checkRefused("START: a, conect\ng1(a|a)", "",
-               "s.yaml:5:13: dna: 'conect' does nothing; did you mean 'connect'?");
+  checkRefused("START: a, conect\ng1(a|a)", "", "s.yaml:5:13: dna: 'conect' does nothing; did you mean 'connect'?");
 }
 
 TEST_CASE("names that only look like those of substances that act are fine where something uses them") {
@@ -110,8 +109,7 @@ TEST_CASE("a START substance that nothing reads is refused; cells without any ge
 TEST_CASE("a gene whose input can never be present is refused, through any number of genes") {
   const std::string a = "START: a\ng0(a|a)\n";
   checkRefused(a + "g1(b|b)", "", "s.yaml:7:8: dna: only this gene produces 'b'");
-  checkRefused(a + "g1(b|c)\ng2(c|b)", "",
-               "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
+  checkRefused(a + "g1(b|c)\ng2(c|b)", "", "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
   checkFine(a + "g1(b|a, A)\ng2(divide|a)");
   checkFine(a + "g2(c|b)\ng1(b|a)");  // the order of genes does not matter
   // A cell may begin with what START does not hold, and no gene produces.

@@ -84,9 +84,8 @@ TEST_CASE("an export whose folder cannot be opened or put in its place leaves no
   // Into the folder that is the current one, file by file.
   fs::create_directory(p.folder / "in/here");
   writeWhole(p.folder / "count", std::string(8, 0));
-  const std::string line = "cd '" + p.folder / "in/here' && FAULT=rename:15:EIO FAULT_FOLDER='" +
-                           p.folder / "in" + "' FAULT_COUNT='" +
-                           p.folder / "count' LD_PRELOAD='" MORULA_FAILING "' '" + programFile() +
+  const std::string line = "cd '" + p.folder / "in/here' && FAULT=rename:15:EIO FAULT_FOLDER='" + p.folder / "in" +
+                           "' FAULT_COUNT='" + p.folder / "count' LD_PRELOAD='" MORULA_FAILING "' '" + programFile() +
                            "' export '" + database + "' --format csv -o . >/dev/null 2>&1";
   CHECK(std::system(line.c_str()) != 0);
   CHECK(fs::is_empty(p.folder / "in/here"));

@@ -12,10 +12,9 @@ using namespace morula::test;
 TEST_CASE("a task that finds no memory for its picture keeps its run") {
   const TemporaryFolder folder;
   writeWhole(folder / "body.yaml", smallBody);
-  writeWhole(
-      folder / "few.study.yaml",
-      "morula-study: 1\nname: few\nbase: body.yaml\nvary: {drag: {low: {}, high: {physics.drag: 12}}}\n"
-      "seeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\nlimits: {memory-per-run: 260M}\n");
+  writeWhole(folder / "few.study.yaml",
+             "morula-study: 1\nname: few\nbase: body.yaml\nvary: {drag: {low: {}, high: {physics.drag: 12}}}\n"
+             "seeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\nlimits: {memory-per-run: 260M}\n");
   const auto run =
       launch({"study", "run", folder / "few.study.yaml", "--no-predict", "--json", "--out", folder / "out"});
   CAPTURE(run.out, run.err);

@@ -73,8 +73,7 @@ Json distributionValues() {
   Json list = Json::array();
   for (const double df : {1.0, 2.5, 9.0, 19.0, 37.73, 199.0, 1999.0, 20000.0})
     for (const double t : {-4.0, -0.1, 1e-5, 0.7, 2.1, 5.5, 17.0, 60.0})
-      list.push_back(
-          {{"df", df}, {"t", t}, {"above", studentAbove(t, df)}, {"f", fisherAbove(t * t, 3, df)}});
+      list.push_back({{"df", df}, {"t", t}, {"above", studentAbove(t, df)}, {"f", fisherAbove(t * t, 3, df)}});
   return list;
 }
 
@@ -91,11 +90,11 @@ int main() {
     quantiles.push_back({share, normalQuantile(share), studentQuantile(share, 9)});
   std::vector<double> p;
   for (std::uint32_t i = 0; i < 30; ++i) p.push_back(0.1 * randomUnit({5, {}}, i) * randomUnit({6, {}}, i));
-  const Json all{{"samples", samples},
-                 {"distributions", distributionValues()},
-                 {"quantiles", quantiles},
-                 {"holm", {{"p", p}, {"corrected", correctHolm(p)}}},
-                 {"factorial",
-                  {factorial({3, 5}, 10), factorial({2, 3, 4}, 4), factorial({4}, 7), factorial({2, 2}, 3)}}};
+  const Json all{
+      {"samples", samples},
+      {"distributions", distributionValues()},
+      {"quantiles", quantiles},
+      {"holm", {{"p", p}, {"corrected", correctHolm(p)}}},
+      {"factorial", {factorial({3, 5}, 10), factorial({2, 3, 4}, 4), factorial({4}, 7), factorial({2, 2}, 3)}}};
   std::puts(jsonText(all).c_str());
 }

@@ -16,9 +16,7 @@ Point centreOf(const CellContext& cell) { return cell.physical()->getShape().cen
 
 Cut throughCentre(const CellContext& cell, const Vector& normal) { return {centreOf(cell), normal}; }
 
-Vector longestExtent(const CellContext& cell) {
-  return principalAxis(cell.physical()->getShape().surface.vertices);
-}
+Vector longestExtent(const CellContext& cell) { return principalAxis(cell.physical()->getShape().surface.vertices); }
 
 Vector longestExtentAcross(const CellContext& cell, const Vector& normal) {
   std::vector<Point> within = cell.physical()->getShape().surface.vertices;
@@ -50,8 +48,7 @@ std::optional<Vector> outwardDirection(const CellContext& cell) {
   if (!(norm(out) > 0.01 * radius)) return {};
   if (normal) return normal;
   if (!shell) return out / norm(out);
-  const Vector slope{out.x / (shell->x * shell->x), out.y / (shell->y * shell->y),
-                     out.z / (shell->z * shell->z)};
+  const Vector slope{out.x / (shell->x * shell->x), out.y / (shell->y * shell->y), out.z / (shell->z * shell->z)};
   return slope / norm(slope);
 }
 

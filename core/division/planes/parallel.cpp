@@ -21,8 +21,7 @@ extern const DivisionPlaneKind parallelPlane;
 const DivisionPlaneKind parallelPlane{
     .plane = DivisionPlane::parallel,
     .name = "parallel",
-    .meaning =
-        "the direction of their largest extent along the organism's surface (in the middle as longest)",
+    .meaning = "the direction of their largest extent along the organism's surface (in the middle as longest)",
     .needsShape = true,
     .make = makeFromChoice<ParallelToSurface>,
 };

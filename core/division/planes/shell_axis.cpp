@@ -12,9 +12,7 @@ struct ShellAxis final : DivisionPolicy {
     const std::optional<Vector> shell = cell.shell();
     MORULA_CHECK(shell.has_value(), "division.plane shell-axis in a scene without a shell");
     const auto& [a, b, c] = *shell;
-    return throughCentre(cell, a >= b && a >= c ? Vector{1, 0, 0}
-                               : b >= c         ? Vector{0, 1, 0}
-                                                : Vector{0, 0, 1});
+    return throughCentre(cell, a >= b && a >= c ? Vector{1, 0, 0} : b >= c ? Vector{0, 1, 0} : Vector{0, 0, 1});
   }
 };
 

@@ -12,8 +12,7 @@ namespace {
 struct AlongTension final : DivisionPolicy {
   Cut findCut(const CellContext& cell) const override {
     const Point centre = cell.physical()->getShape().centre;
-    std::vector<Point>
-        pulls;  // each with its opposite, so that their mean is 0 and their covariance 2 Σ u uᵀ
+    std::vector<Point> pulls;  // each with its opposite, so that their mean is 0 and their covariance 2 Σ u uᵀ
     for (const CellContext* other : cell.connected()) {
       const Vector way = other->physical()->getShape().centre - centre;
       if (!(norm(way) > 0)) continue;  // concentric: no direction

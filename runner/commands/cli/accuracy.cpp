@@ -88,8 +88,7 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
       std::erase_if(all, [&](const Override& o) { return o.path == path; });
       all.push_back(parseOverride(change));
     }
-    if (!changes
-             .empty()) {  // these are of the scenario as it is; measures may need what a check compares with
+    if (!changes.empty()) {  // these are of the scenario as it is; measures may need what a check compares with
       all.push_back(parseOverride("check={}"));
       all.push_back(parseOverride("record.measures=null"));
     }
@@ -131,13 +130,12 @@ int actOn(const AccuracyWords& words, const std::string& file) {
     return tellSettlings(words, scenario);
   refuseWithoutError(scenario);
   if (words.intoGolden) refuseIntoGolden(scenario);
-  World start =
-      makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
+  World start = makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
   const auto options = optionsOf(words, scenario, std::move(start));
   if (words.options.until)
     if (const auto end = endBefore(makeScenarioWorld(scenario, execution(words.execution)), *options.until))
-      throw UsageError(fmt::format("--until: {} is after the scene's end; needs at most {}",
-                                   exactText(*options.until), numberText(*end)));
+      throw UsageError(fmt::format("--until: {} is after the scene's end; needs at most {}", exactText(*options.until),
+                                   numberText(*end)));
   const auto folder = std::filesystem::path(words.out) / "accuracy";
   makeFolder(folder);
   const auto report = measureAccuracy(read, options);
@@ -151,9 +149,8 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   bool held = true;
   if (words.target) {
     const auto seed = words.scene.seed ? std::to_string(*words.scene.seed) : "";
-    const TargetQuestion question{
-        *words.target,   file, words.scene.set, seed, options.budget, options.program,
-        folder.string(), read, options.tell};
+    const TargetQuestion question{*words.target,   file, words.scene.set, seed, options.budget, options.program,
+                                  folder.string(), read, options.tell};
     const TargetAnswer answer = findTarget(report, question);
     held = answer.best.has_value();
     if (words.output.json) json["target"] = toJson(answer, question, report);
@@ -173,8 +170,7 @@ int actOnAll(const AccuracyWords& words) {
     try {
       const Scenario scenario = loadScenario(file, {}, words.input.allowOutside);
       if (!scenario.scene.mechanics || !scenario.check.fails.empty()) {
-        tell("accuracy: " + file +
-                 ": left out: " + (scenario.scene.mechanics ? "it must fail" : "it has no bodies"),
+        tell("accuracy: " + file + ": left out: " + (scenario.scene.mechanics ? "it must fail" : "it has no bodies"),
              words.output.quiet);
         continue;
       }
@@ -197,10 +193,9 @@ int act(const AccuracyWords& words) {
 }  // namespace
 
 void addAccuracy(CLI::App& app, Action& action) {
-  Verb verb(
-      app, action, "accuracy",
-      "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
-      "and error");
+  Verb verb(app, action, "accuracy",
+            "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
+            "and error");
   auto& words = verb.does<AccuracyWords>(act);
   verb.needs("scenario", words.scenarios, "FILE", "A scenario file; several with --into-golden");
   verb.takes("--until", words.options.until, "T", number(scenario::positive),
@@ -212,16 +207,13 @@ void addAccuracy(CLI::App& app, Action& action) {
              "Only these beside the scenario's own, as rk4,explicit-euler");
   verb.takes("--level", words.options.levels, "N,...", natural(0, 4),
              "Other icospheres, as 1,3; default: the next coarser one");
-  verb.takes("--bullet", words.options.bullet,
-             "Beside Bullet's soft bodies, where the scene can be put to them");
+  verb.takes("--bullet", words.options.bullet, "Beside Bullet's soft bodies, where the scene can be put to them");
   verb.takes("--into-golden", words.intoGolden,
              "Write the error of the scenario as it is into its golden file; nothing else is tried");
   verb.takes("--budget", words.options.budget, "SECONDS", number(scenario::positive),
              "CPU time that runs on finer meshes may take, and those of --target to their ends");
-  verb.takes("--only", words.only,
-             "No other meshes, precision, contact law or cell model than the scenario's");
-  verb.takes("--quick", words.quick,
-             "A first look: 32 steps of the scenario, few others beside it, once each");
+  verb.takes("--only", words.only, "No other meshes, precision, contact law or cell model than the scenario's");
+  verb.takes("--quick", words.quick, "A first look: 32 steps of the scenario, few others beside it, once each");
   verb.takes("--halvings", words.options.halvings, "N", natural(1, 10),
              "Of the longest time step, twice the scenario's smallest");
   verb.takes("--rounds", words.options.rounds, "N", natural(1, 100), "Runs of each, for the CPU time");

@@ -74,8 +74,7 @@ BenchOptions optionsOf(const BenchWords& words) {
 Json bulletJson(const BenchRow& row) {
   if (row.bulletSettings.empty()) return {};
   const auto one = [](const BulletSettingRow& s) {
-    return Json{
-        {"margin", s.margin}, {"iterations", s.iterations}, {"ns_per_vertex_step", s.nsPerVertexStep}};
+    return Json{{"margin", s.margin}, {"iterations", s.iterations}, {"ns_per_vertex_step", s.nsPerVertexStep}};
   };
   Json all = Json::array();
   for (const auto& s : row.bulletSettings) all.push_back(one(s));
@@ -127,14 +126,10 @@ Json toJson(const BenchReport& report, const std::string& picture) {
                       {"value", r.value},
                       {r.atLeast ? "at_least" : "at_most", r.bound},
                       {"holds", r.notJudged.empty() ? Json(r.holds()) : Json()}});
-  for (const auto& row : thesisTable)
-    thesis.push_back({{"cells", row.cells}, {"ms_per_cell", row.msPerCell}});
-  return {{"machine", toJson(report.machine)},
-          {"rows", rows},
-          {"thesis", thesis},
-          {"ratios", ratios},
-          {"picture", picture},
-          {"remarks", report.remarks}};
+  for (const auto& row : thesisTable) thesis.push_back({{"cells", row.cells}, {"ms_per_cell", row.msPerCell}});
+  return {
+      {"machine", toJson(report.machine)}, {"rows", rows}, {"thesis", thesis}, {"ratios", ratios}, {"picture", picture},
+      {"remarks", report.remarks}};
 }
 
 int act(const BenchWords& words) {
@@ -152,15 +147,11 @@ int act(const BenchWords& words) {
 void addBench(CLI::App& app, Action& action) {
   Verb verb(app, action, "bench", "Measure what each stage costs, beside the machine's limits and Bullet");
   auto& words = verb.does<BenchWords>(act);
-  verb.takes("--cells", words.options.cells, "N,...", natural(1, 65536),
-             "Packed scenes of so many cells, as 64,128");
+  verb.takes("--cells", words.options.cells, "N,...", natural(1, 65536), "Packed scenes of so many cells, as 64,128");
   verb.takes("--vertices", words.options.levels, "N,...", readLevel, "Of each cell: 42, 162, 642");
-  verb.takes("--isa", words.options.isas, "NAME,...", parseIsa,
-             "Only these of scalar, narrow, avx2 and avx512");
-  verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024),
-             "Numbers of threads; default 1,2");
-  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>,
-             "Only these: " + namesOf<Stage>());
+  verb.takes("--isa", words.options.isas, "NAME,...", parseIsa, "Only these of scalar, narrow, avx2 and avx512");
+  verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024), "Numbers of threads; default 1,2");
+  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>, "Only these: " + namesOf<Stage>());
   verb.takes("--quick", words.quick, "Few scenes, few rounds");
   verb.takes("--full", words.full, "Up to 4096 cells");
   verb.oneOf({"--quick", "--full"});

@@ -32,8 +32,7 @@ CellPath pathOf(const CellNames& names, const std::string& text) {
 }
 
 /// That there never was such a cell, and where its line of descent ends.
-[[noreturn]] void refuseUnborn(const RunResults& tree, double end, const NameOf& nameOf,
-                               const CellPath& path) {
+[[noreturn]] void refuseUnborn(const RunResults& tree, double end, const NameOf& nameOf, const CellPath& path) {
   CellPath last = path;
   while (!entryOf(tree, last) && !last.isEgg()) last = last.mother();
   const LineageEntry* ancestor = entryOf(tree, last);
@@ -83,14 +82,13 @@ std::string lifeAsText(const CellLife& life, const Units& units) {
   line("fate", name(cell.fate));
   if (!life.state.empty()) line("state", life.state);
   if (life.mother) line("mother", words(life.mother));
-  if (life.daughterA && life.daughterB)
-    line("daughters", words(life.daughterA) + ", " + words(life.daughterB));
+  if (life.daughterA && life.daughterB) line("daughters", words(life.daughterA) + ", " + words(life.daughterB));
   if (life.sister) line("sister", words(life.sister));
   return text;
 }
 
-Json cellAsJson(const LineageEntry& cell, const std::map<CellPath, std::string>& names,
-                const std::string& state, double end) {
+Json cellAsJson(const LineageEntry& cell, const std::map<CellPath, std::string>& names, const std::string& state,
+                double end) {
   return {{"path", cell.path.text()},
           {"name", orNull(nameIn(names)(cell.path))},
           {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},

@@ -31,7 +31,7 @@ Json lifeAsJson(const CellLife& life);
 
 /// A cell of the whole tree: "path", "name", "parent", "born", "ended", "fate", "state". The `ended` of a living one is
 /// the run's end.
-Json cellAsJson(const LineageEntry& cell, const std::map<CellPath, std::string>& names,
-                const std::string& state, double end);
+Json cellAsJson(const LineageEntry& cell, const std::map<CellPath, std::string>& names, const std::string& state,
+                double end);
 
 }  // namespace morula::cli

@@ -59,8 +59,7 @@ Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optio
              const Scenario& scenario) {
   if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.size));
   if (options.what == "contacts")
-    return drawMatrix(
-        ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.size));
+    return drawMatrix(ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.size));
   return drawRoses(ofSize(divisionsOf(run.results, scenario), options.size));
 }
 
@@ -68,9 +67,7 @@ int act(const ChartOptions& options) {
   std::optional<AskedMeasure> measure;
   if (options.what != "contacts" && options.what != "divisions") try {
       measure = readMeasure(options.what, IfSeveral::first);
-    } catch (const InputError& error) {
-      throw UsageError(std::string(error.what()) + "; or contacts, or divisions");
-    }
+    } catch (const InputError& error) { throw UsageError(std::string(error.what()) + "; or contacts, or divisions"); }
   if (options.time && options.what != "contacts")
     throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
@@ -91,8 +88,7 @@ int act(const ChartOptions& options) {
 }  // namespace
 
 void addChart(CLI::App& app, Action& action) {
-  Verb verb(app, action, "chart",
-            "Draw what was measured of a stored run, or of a scenario that is run for it");
+  Verb verb(app, action, "chart", "Draw what was measured of a stored run, or of a scenario that is run for it");
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
   verb.needs("what", options.what, "WHAT",
@@ -102,8 +98,7 @@ void addChart(CLI::App& app, Action& action) {
              "divisions: "
              "which way cells divided");
   addRunChoice(verb, options.run);
-  verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
-             "Of contacts: when; default: at the end");
+  verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "Of contacts: when; default: at the end");
   verb.takes("--size", options.size, "WxH", pictureSize(200, 8192), "Width and height in pixels");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("chart", true),
              "A .svg, .pdf or .png; default: the scenario's name and WHAT, as .svg");

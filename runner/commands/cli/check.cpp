@@ -46,8 +46,7 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
 /// All scenarios/…/*.yaml below the working folder but the studies, sorted. Throws FileError if there is no folder `scenarios`.
 std::vector<std::string> shippedScenarios() {
   if (!isFolder("scenarios"))
-    throw FileError(
-        "there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
+    throw FileError("there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
   std::vector<std::string> files;
   for (const auto& file : filesBelow("scenarios", ".yaml"))
     if (!file.string().ends_with(".study.yaml")) files.push_back(file.string());
@@ -76,8 +75,7 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   if (run.end.status != RunStatus::done) return failed(scenario, run);
   CheckReport report = check(scenario, *checked, true);
   if (report.passed()) removePending(scenario);
-  else if (scenario.check.fails.empty())
-    signal = putPending(scenario, run, observe(scenario, run), how, quiet);
+  else if (scenario.check.fails.empty()) signal = putPending(scenario, run, observe(scenario, run), how, quiet);
   // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
   report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
@@ -94,18 +92,16 @@ std::vector<std::string> reportNames(const std::vector<Scenario>& scenarios) {
   for (const auto& s : scenarios) {
     const std::string name = goldenName(s.file);
     const bool elsewhere = !liesInScenarios(s.file);
-    names.push_back(
-        elsewhere || count[name] > 1
-            ? std::filesystem::path(s.file).lexically_normal().replace_extension().generic_string()
-            : name);
+    names.push_back(elsewhere || count[name] > 1
+                        ? std::filesystem::path(s.file).lexically_normal().replace_extension().generic_string()
+                        : name);
   }
   return names;
 }
 
 bool hasUnusableGolden(const CheckReport& report) {
-  return std::any_of(report.results.begin(), report.results.end(), [](const CheckResult& r) {
-    return r.check == "golden" && r.failureClass == "INPUT_CHANGED";
-  });
+  return std::any_of(report.results.begin(), report.results.end(),
+                     [](const CheckResult& r) { return r.check == "golden" && r.failureClass == "INPUT_CHANGED"; });
 }
 
 /// What `morula report` needs beyond the contract: what differs in words, and where the scenarios are.
@@ -150,8 +146,7 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
   report.update(found);
   addForPage(report, reports);
   writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
-  writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)),
-            Content::report);
+  writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)), Content::report);
 }
 
 int act(const CheckOptions& options) {
@@ -218,8 +213,7 @@ void addCheck(CLI::App& app, Action& action) {
       "--beside", options.beside, "ENGINES", parseEngines,
       "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
       "(its contact law), bullet, b1, b2, b3");
-  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000),
-             "CPU time of each of their runs");
+  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000), "CPU time of each of their runs");
   verb.onlyWith({"--cpu-limit"}, {"--beside"});
   add(verb, options.input);
   add(verb, options.execution);

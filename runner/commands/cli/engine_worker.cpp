@@ -9,8 +9,7 @@
 namespace morula::cli {
 
 void addEngineWorker(CLI::App& app, Action& action) {
-  Verb verb(app, action, "engine-worker",
-            "Computes one scene: question on stdin, answer on stdout, both JSON");
+  Verb verb(app, action, "engine-worker", "Computes one scene: question on stdin, answer on stdout, both JSON");
   verb.hide();  // not listed
   verb.does([] {
     serveEngine(questionStream(), answerStream());

@@ -36,12 +36,10 @@ int act(const ExplainOptions& options) {
 }  // namespace
 
 void addExplain(CLI::App& app, Action& action) {
-  Verb verb(app, action, "explain",
-            "Say where and why a result differs: first step, cell, vertex, both values");
+  Verb verb(app, action, "explain", "Say where and why a result differs: first step, cell, vertex, both values");
   auto& options = verb.does<ExplainOptions>(act);
   verb.needs("scenario", options.scenario, "FILE", "Scenario file");
-  verb.takes("--with", options.with, "PROGRAM",
-             "Compare with what this Morula program gives, perhaps an older build");
+  verb.takes("--with", options.with, "PROGRAM", "Compare with what this Morula program gives, perhaps an older build");
   verb.takes("--db", options.database, "FILE", "Compare with a stored run");
   addRunChoice(verb, options.run);
   verb.oneOf({"--with", "--db"});

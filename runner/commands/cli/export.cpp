@@ -62,10 +62,9 @@ int listTables(Store& store, const ExportOptions& options) {
   std::uint64_t rows = 0, bytes = 0;
   for (const TableContents& t : contents) rows += t.rows, bytes += t.bytes;
   const Table tables = tableOf("Tables", fields, contents);
-  printEither(
-      options.output,
-      {{"file", options.database}, {"run_id", id.empty() ? Json() : Json(id)}, {"tables", jsonOf(tables)}},
-      textOf(tables) + fmt::format("  all: {} rows, {} bytes\n", rows, bytes));
+  printEither(options.output,
+              {{"file", options.database}, {"run_id", id.empty() ? Json() : Json(id)}, {"tables", jsonOf(tables)}},
+              textOf(tables) + fmt::format("  all: {} rows, {} bytes\n", rows, bytes));
   return fine;
 }
 
@@ -104,8 +103,7 @@ int act(const ExportOptions& options) {
   crate.agent = options.agent, crate.license = options.license;
   writeCrate(crate, draft.path());
   draft.takePlace();
-  printEither(options.output,
-              {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
+  printEither(options.output, {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
               fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
   return fine;
 }
@@ -113,23 +111,19 @@ int act(const ExportOptions& options) {
 }  // namespace
 
 void addExport(CLI::App& app, Action& action) {
-  Verb verb(
-      app, action, "export",
-      "List the runs of a database, or give them to others: as tables, trees, surfaces, arrays or a folder");
+  Verb verb(app, action, "export",
+            "List the runs of a database, or give them to others: as tables, trees, surfaces, arrays or a folder");
   auto& options = verb.does<ExportOptions>(act);
   verb.needs("file", options.database, "FILE", "A database");
   verb.takes("--run", options.request.run, "ID",
              "Which run of the database; default: the latest, and with --format all");
   verb.takes("--format", options.request.format, "NAME", formatCalled, formatList());
-  verb.takes(
-      "-o,--output", options.path, "PATH",
-      "With --format: the file or folder, which must be new; of several runs a folder with one for each");
+  verb.takes("-o,--output", options.path, "PATH",
+             "With --format: the file or folder, which must be new; of several runs a folder with one for each");
   verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative),
              "With surfaces: of this time alone");
-  verb.takes("--table", options.request.table, "NAME",
-             "With --format csv: only this one, as cells or samples");
-  verb.takes("--list", options.list,
-             "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
+  verb.takes("--table", options.request.table, "NAME", "With --format csv: only this one, as cells or samples");
+  verb.takes("--list", options.list, "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
   verb.takes("--ro-crate", options.crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
   verb.takes("--pictures", options.pictures, "FOLDER",
              "Where the run's pictures lie; default: beside a database of one run");

@@ -62,22 +62,19 @@ Tree prescribed(const LineageOptions& options) {
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
     scenario.scene.mechanics.reset();
-  auto run = simulate(
-      scenario, Execution{},
-      {.quiet = options.output.quiet, .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
+  auto run =
+      simulate(scenario, Execution{},
+               {.quiet = options.output.quiet, .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
-std::string line(const LineageEntry& cell, const std::string& states, const std::string& called,
-                 const Units& units) {
+std::string line(const LineageEntry& cell, const std::string& states, const std::string& called, const Units& units) {
   const auto path = cell.path.text();
   return std::string(2 * path.size(), ' ') +
-         fmt::format("{}{}{}  {} {}{}  {}\n", path.empty() ? "egg" : path, called.empty() ? "" : "  ", called,
-                     name(cell.fate),
-                     cell.fate == Fate::alive
-                         ? "since "
-                         : numberText(shownUnit(units, "time").factor * cell.born, 6) + "–",
-                     shownTime(units, cell.fate == Fate::alive ? cell.born : cell.ended, 6), states);
+         fmt::format(
+             "{}{}{}  {} {}{}  {}\n", path.empty() ? "egg" : path, called.empty() ? "" : "  ", called, name(cell.fate),
+             cell.fate == Fate::alive ? "since " : numberText(shownUnit(units, "time").factor * cell.born, 6) + "–",
+             shownTime(units, cell.fate == Fate::alive ? cell.born : cell.ended, 6), states);
 }
 
 int tellLife(const Tree& tree, const LineageOptions& options) {
@@ -95,9 +92,8 @@ int act(const LineageOptions& options) {
   auto& cells = tree.results.lineage;
   // By path: a mother stands before her daughters, and a subtree is one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-  const Units units = options.output.json
-                          ? Units{}
-                          : anyScenario(options.file, options.run, options.input.allowOutside).units;
+  const Units units =
+      options.output.json ? Units{} : anyScenario(options.file, options.run, options.input.allowOutside).units;
   Json list = Json::array();
   for (const auto& cell : cells) {
     const auto& state = tree.results.stateTexts[cell.state];
@@ -128,10 +124,9 @@ void addLineage(CLI::App& app, Action& action) {
   verb.takes("--cell", options.cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("lineage", true),
              "Also draw it: a .png, .svg or .pdf");
-  verb.takes(
-      "--colour", options.colour, "WHAT", parseColouring,
-      "Of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
-      "as volume; default: substance");
+  verb.takes("--colour", options.colour, "WHAT", parseColouring,
+             "Of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
+             "as volume; default: substance");
   verb.takes("--labels", options.labels, "Name all leaves, however many there are");
   verb.takes("--size", options.size, "WxH", pictureSize(64, 16384),
              "Width and height in pixels; default: what suits the number of leaves");

@@ -67,8 +67,7 @@ int act(const PartsOptions& options) {
   PredictionOptions how;
   how.execution = execution(options.execution);
   how.ask.search = how.execution.search.method;
-  if (options.scene.empty() && fileExists(goldenFile(scenario)))
-    how.ask.golden = goldenFile(scenario).string();
+  if (options.scene.empty() && fileExists(goldenFile(scenario))) how.ask.golden = goldenFile(scenario).string();
   const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
   how.ask.pictures = !options.noPictures;
   if (options.rehearsal) how.trial = *options.rehearsal;

@@ -25,8 +25,7 @@ int act(const PlaygroundOptions& options) {
     folder = *installed / "scenarios";
   const std::string page = playgroundPage(folder);
   writeFile(options.output, page, Content::page);
-  printEither(options.messages, {{"playground", options.output}, {"bytes", page.size()}},
-              options.output + "\n");
+  printEither(options.messages, {{"playground", options.output}, {"bytes", page.size()}}, options.output + "\n");
   return fine;
 }
 

@@ -23,8 +23,8 @@ namespace morula::cli {
 namespace {
 
 [[noreturn]] void failAfterEnd(double time, double end) {
-  throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
-                               exactText(time), end));
+  throw UsageError(
+      fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that", exactText(time), end));
 }
 
 /// Pictures of the world while it runs, evenly from the start to the planned end.
@@ -33,8 +33,7 @@ class Times {
   Times(PictureMaker& maker, int count, double end) : maker_(maker), count_(count), end_(end) {}
   void observe(const World& world) {
     // A tolerance far below the time between two pictures: the last step may end a rounding before the end.
-    while (next_ < count_ && world.clock.time >= next_ * end_ / (count_ - 1) * (1 - 1e-9))
-      maker_.add(world), ++next_;
+    while (next_ < count_ && world.clock.time >= next_ * end_ / (count_ - 1) * (1 - 1e-9)) maker_.add(world), ++next_;
   }
 
  private:
@@ -87,9 +86,8 @@ struct Shown {
 };
 
 /// `watch` sees the world while it runs, with the planned end or --time [time].
-Shown show(
-    const std::string& file, const RenderOptions& options,
-    const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
+Shown show(const std::string& file, const RenderOptions& options,
+           const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
   const bool isTree = options.style == PictureStyle::lineage;
   // Positions are not stored: the same bits come out of running again.
   Shown shown{std::make_unique<const Scenario>(
@@ -103,8 +101,7 @@ Shown show(
   if (time && planned && *time > *planned) failAfterEnd(*time, *planned);
   World world = makeScenarioWorld(scenario, execution(options.execution));
   if (time)
-    world.model.stop.time =
-        time;  // of the world, not of the scenario: it runs as it always does, only not so far
+    world.model.stop.time = time;  // of the world, not of the scenario: it runs as it always does, only not so far
   shown.run = simulate(scenario, std::move(world),
                        {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
   const Simulation& run = *shown.run;
@@ -164,11 +161,9 @@ int render(const RenderOptions& options, const PictureWishes& wishes, Json& told
     };
   });
   if (shown.code != fine) return shown.code;
-  const std::string name = shown.scenario->scene.name,
-                    file = options.output.empty() ? name + ".png" : options.output;
+  const std::string name = shown.scenario->scene.name, file = options.output.empty() ? name + ".png" : options.output;
   std::vector<std::string> files;
-  if (options.style == PictureStyle::lineage)
-    files = drawTree(shown.run->world, *shown.scenario, options, file);
+  if (options.style == PictureStyle::lineage) files = drawTree(shown.run->world, *shown.scenario, options, file);
   else {
     if (!options.frames) maker->add(shown.run->world);
     if (const auto pattern = maker->strangeOpacity())
@@ -195,8 +190,7 @@ int act(const RenderOptions& options) {
 }  // namespace
 
 void addRender(CLI::App& app, Action& action) {
-  Verb verb(app, action, "render",
-            "Draw a scenario or a stored run, at its end or another time, still or moving");
+  Verb verb(app, action, "render", "Draw a scenario or a stored run, at its end or another time, still or moving");
   auto& options = verb.does<RenderOptions>(act);
   add(verb, options);
 }

@@ -73,10 +73,10 @@ PictureWishes wishesOf(const RenderOptions& options) {
   if (options.size) wishes.width = options.size->width, wishes.height = options.size->height;
   if (const double samples = 1.0 * wishes.width * wishes.height * wishes.samples * wishes.samples;
       options.style != PictureStyle::lineage && samples > mostSamples)
-    throw UsageError(fmt::format(
-        "--size: {}x{} pixels with --supersample {} take too much memory; width · height · samples² must "
-        "not exceed {:.0f}",
-        wishes.width, wishes.height, wishes.samples, mostSamples));
+    throw UsageError(
+        fmt::format("--size: {}x{} pixels with --supersample {} take too much memory; width · height · samples² must "
+                    "not exceed {:.0f}",
+                    wishes.width, wishes.height, wishes.samples, mostSamples));
   for (const auto& kinds : options.forces)
     for (const ForceKind kind : kinds)
       if (std::ranges::find(wishes.forces, kind) == wishes.forces.end()) wishes.forces.push_back(kind);
@@ -143,8 +143,7 @@ void add(Verb& verb, RenderOptions& options) {
   verb.excludes(
       "--style lineage",
       {"--view", "--supersample", "--colour", "--opacity", "--clip", "--labels", "--forces", "--normals",
-       "--connections", "--axes", "--scale-bar", "--transparent", "--turntable", "--frames", "--fps",
-       "--beside"},
+       "--connections", "--axes", "--scale-bar", "--transparent", "--turntable", "--frames", "--fps", "--beside"},
       "the one is a tree, the other is of cells in space (morula lineage -o has labels and colours of "
       "trees)");
   verb.takes("-o,--output", options.output, "FILE",

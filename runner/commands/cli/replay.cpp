@@ -30,8 +30,7 @@ struct Target {
 Target targetOf(const ReplayOptions& o) {
   if (o.database.empty() && fileExists(o.what)) return {o.what, o.run};
   if (o.database.empty())
-    throw UsageError("replay: there is no file '" + o.what +
-                     "'; give a database, or a run's id and --db FILE");
+    throw UsageError("replay: there is no file '" + o.what + "'; give a database, or a run's id and --db FILE");
   if (!o.run.empty()) throw UsageError("replay: '" + o.what + "' and --run: give one run");
   return {o.database, o.what};
 }
@@ -58,8 +57,7 @@ int act(const ReplayOptions& options) {
                      "' holds the run that is replayed, and would be written over; needs another file");
   auto store = Store::openForReading(target.database);
   if (!options.databaseOut.empty() && sameFile(options.databaseOut, target.database))
-    throw UsageError("--db-out: '" + options.databaseOut +
-                     "' holds the run that is replayed; give another file");
+    throw UsageError("--db-out: '" + options.databaseOut + "' holds the run that is replayed; give another file");
   store.requireIntact();
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)

@@ -39,13 +39,11 @@ int act(const ReportOptions& options) {
   question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;
   findExplorer(question);
-  const fs::path file =
-      options.output.empty() ? defaultName(question.what.front()) : fs::path(options.output);
+  const fs::path file = options.output.empty() ? defaultName(question.what.front()) : fs::path(options.output);
   const ReportAnswer answer = makeReport(question);
   if (answer.signal) return signalled + answer.signal;
   writeFile(file, answer.bytes, Content::page);
-  if (question.program.empty())
-    tell("report: without the explorer: " + question.whyNone, options.messages.quiet);
+  if (question.program.empty()) tell("report: without the explorer: " + question.whyNone, options.messages.quiet);
   for (const std::string& remark : answer.remarks) tell("report: " + remark, options.messages.quiet);
   printEither(options.messages,
               {{"report", file.string()},
@@ -69,18 +67,16 @@ void addReport(CLI::App& app, Action& action) {
              "The page, a .html; default: report.html beside the first database");
   verb.takes("--run", options.question.run, "ID",
              "Only this run of the database, of a study also 'CONDITION, seed N'; default: all");
-  verb.takes(
-      "--explore", options.question.explored, "N", natural(1, 1000),
-      "Of a study: so many runs to be chosen among in three dimensions, where they fit, from the conditions "
-      "that differ most on");
+  verb.takes("--explore", options.question.explored, "N", natural(1, 1000),
+             "Of a study: so many runs to be chosen among in three dimensions, where they fit, from the conditions "
+             "that differ most on");
   verb.showDefault("--explore", "24");
   verb.takes("--frames", options.question.frames, "N", natural(0, 10'000),
              "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
   verb.takes("--size-limit", options.limit, "SIZE", readSize,
              "Bytes of the page; frames that do not fit are left out, which the page says");
   verb.showDefault("--size-limit", "10M");
-  verb.takes("--no-bullet", options.noBullet,
-             "Bullet is not run beside ours for scenarios with check.bullet");
+  verb.takes("--no-bullet", options.noBullet, "Bullet is not run beside ours for scenarios with check.bullet");
   verb.takes("--rerun", options.question.rerun,
              "The page holds the simulator, too: whoever reads it can make its run again there");
   add(verb, options.execution);

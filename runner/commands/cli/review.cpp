@@ -45,16 +45,14 @@ std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   std::string command = programWord() + " review";
   for (const auto& file : waiting) command += ' ' + shellWord(file);
   command += std::string(options.accept ? " --accept" : " --reject") + " --why " + shellWord(options.why);
-  throw UsageError(
-      std::string(options.accept ? "--accept" : "--reject") + ": name the scenarios that are meant; " +
-      (waiting.empty() ? "no result waits for a review here"
-                       : "results of " + std::to_string(waiting.size()) + " wait here: " + command));
+  throw UsageError(std::string(options.accept ? "--accept" : "--reject") + ": name the scenarios that are meant; " +
+                   (waiting.empty() ? "no result waits for a review here"
+                                    : "results of " + std::to_string(waiting.size()) + " wait here: " + command));
 }
 
 /// The result that waits, or else that of a run made for the purpose, which then waits if it differs. Nothing
 /// if the run was interrupted.
-std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options,
-                                         int& signal) {
+std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options, int& signal) {
   if (auto pending = findPending(scenario)) return pending;
   const auto run = simulate(scenario, execution(options.execution),
                             {.quiet = options.output.quiet, .record = recordingOf(scenario, true)});
@@ -75,8 +73,7 @@ std::string describeLoosened(const Golden& golden, const std::filesystem::path& 
   if (!committed) return {};
   try {
     std::string text;
-    for (const auto& line :
-         loosenedTolerances(readGolden(*committed, "the committed " + file.string()), golden))
+    for (const auto& line : loosenedTolerances(readGolden(*committed, "the committed " + file.string()), golden))
       text += "  LOOSER  " + line + '\n';
     return text;
   } catch (const InputError&) {
@@ -103,8 +100,8 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
     json["changes"] = changes, json["loosened"] = looser;
   }
   if (code == differs)
-    for (const auto& [what, path] : {std::pair{"  waits    ", pendingFile(scenario)},
-                                     std::pair{"  picture  ", pendingPicture(scenario)}})
+    for (const auto& [what, path] :
+         {std::pair{"  waits    ", pendingFile(scenario)}, std::pair{"  picture  ", pendingPicture(scenario)}})
       if (fileExists(path)) text += what + path.string() + '\n';
   json["passed"] = code == fine;
   results.push_back(json);
@@ -113,15 +110,13 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
 }
 
 int act(const ReviewOptions& options) {
-  if (options.accept && options.by.empty())
-    throw UsageError("--accept: whose name does it carry? Give --by NAME, too");
+  if (options.accept && options.by.empty()) throw UsageError("--accept: whose name does it carry? Give --by NAME, too");
   std::vector<Scenario> scenarios;
   for (const auto& file : scenarioFiles(options))
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
   for (const auto& scenario : scenarios)
     if (options.reject && !findPending(scenario))
-      throw FileError(goldenName(scenario.file) +
-                      ": no result waits for a review, so there is none to reject");
+      throw FileError(goldenName(scenario.file) + ": no result waits for a review, so there is none to reject");
   if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
   int code = fine, signal = 0;
@@ -143,9 +138,8 @@ int act(const ReviewOptions& options) {
         acceptRun(scenario, execution(options.execution), {options.by, options.why}, options.output.quiet);
     if (accepted.signal) return signalled + accepted.signal;
     if (!options.output.json)
-      print(accepted.nondeterministic
-                ? "nothing accepted. " + explainTwice(scenario, execution(options.execution)).text
-                : accepted.text);
+      print(accepted.nondeterministic ? "nothing accepted. " + explainTwice(scenario, execution(options.execution)).text
+                                      : accepted.text);
     results.push_back({{"scenario", goldenName(scenario.file)},
                        {"accepted", accepted.done},
                        {"file", goldenFile(scenario).string()}});
@@ -159,8 +153,7 @@ int act(const ReviewOptions& options) {
 }  // namespace
 
 void addReview(CLI::App& app, Action& action) {
-  Verb verb(app, action, "review",
-            "Show what golden files would change, and accept or reject it with a reason");
+  Verb verb(app, action, "review", "Show what golden files would change, and accept or reject it with a reason");
   auto& options = verb.does<ReviewOptions>(act);
   verb.takes("scenario", options.scenarios, "FILE",
              "Scenario files; default: those whose results wait in this project, to look at");

@@ -36,9 +36,7 @@ struct Planned {
 };
 
 /// Eight digits over all values of a scenario.
-std::string digits(const Scenario& scenario) {
-  return Hasher().add(scenario.resolved).digest().text().substr(0, 8);
-}
+std::string digits(const Scenario& scenario) { return Hasher().add(scenario.resolved).digest().text().substr(0, 8); }
 
 /// Whether the last run of this name and seed in the database is of another file, which says something else; absent: there is
 /// none. Of runs that began in the same second any may be the last.
@@ -64,8 +62,7 @@ std::optional<bool> isOfOther(const std::filesystem::path& database, const Scena
 
 /// Whether the folder may hold results of another file of this name and seed. Where its pictures were drawn by a run that is
 /// stored elsewhere, only the database that is given can tell.
-bool isTaken(const std::filesystem::path& folder, const std::filesystem::path& database,
-             const Scenario& scenario) {
+bool isTaken(const std::filesystem::path& folder, const std::filesystem::path& database, const Scenario& scenario) {
   const auto inside = isOfOther(folder / "run.db", scenario), given = isOfOther(database, scenario);
   return inside.value_or(false) || given.value_or(false) ||
          (!database.empty() && !inside && !given && fileExists(folder));
@@ -109,8 +106,7 @@ std::vector<Planned> plan(const RunOptions& options) {
     const auto folder = [&](bool twin) {
       return std::filesystem::path(options.out) / folderName(run.scenario, options.scene, twin);
     };
-    const bool twin =
-        places[key(run.scenario)].size() > 1 || isTaken(folder(false), options.database, run.scenario);
+    const bool twin = places[key(run.scenario)].size() > 1 || isTaken(folder(false), options.database, run.scenario);
     run.settings.folder = folder(twin);
     if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }

@@ -29,8 +29,7 @@ void addSchema(CLI::App& app, Action& action) {
   Verb verb(app, action, "schema", "Print the JSON Schema of scenarios, for editors");
   auto& options = verb.does<SchemaOptions>(act);
   verb.takes("--markdown", options.markdown, "As tables for people instead: scenarios/PARAMETERS.md");
-  verb.takes("--measures", options.measures,
-             "What is measured instead; with --markdown: scenarios/MEASURES.md");
+  verb.takes("--measures", options.measures, "What is measured instead; with --markdown: scenarios/MEASURES.md");
   verb.takes("--study", options.study, "Of studies instead; with --markdown: scenarios/STUDIES.md");
   verb.oneOf({"--measures", "--study"});
 }

@@ -37,8 +37,7 @@ int act(const TrailOptions& options) {
     return fine;
   }
   if (options.to < options.from)
-    throw UsageError("--to " + std::to_string(options.to) + " comes before --from " +
-                     std::to_string(options.from));
+    throw UsageError("--to " + std::to_string(options.to) + " comes before --from " + std::to_string(options.from));
   print(writeHashTrace(run.hashTrace(options.from, options.to, options.every)));
   return fine;
 }

@@ -28,12 +28,10 @@ struct ValidateOptions {
 
 /// A study is right if all its conditions are.
 Json validateStudy(const std::string& file, const ValidateOptions& options, const Execution& how) {
-  if (!options.scene.empty())
-    throw UsageError("--set and --seed are for scenarios, and '" + file + "' is a study");
+  if (!options.scene.empty()) throw UsageError("--set and --seed are for scenarios, and '" + file + "' is a study");
   if (!options.sceneFile.empty())
     throw UsageError("--scene writes the scene of a scenario, and '" + file + "' is a study");
-  const Plan plan =
-      makePlan(loadStudy(file, options.input.allowOutside), {.predict = false, .execution = how});
+  const Plan plan = makePlan(loadStudy(file, options.input.allowOutside), {.predict = false, .execution = how});
   tellWarnings(plan.warnings, options.output.quiet);
   Json summary = summaryOf(plan);
   if (options.resolved && !options.output.json) print(jsonText(summary, 2) + "\n");
@@ -48,8 +46,8 @@ Json validateStudy(const std::string& file, const ValidateOptions& options, cons
 
 int act(const ValidateOptions& options) {
   if (!options.sceneFile.empty() && options.scenarios.size() != 1)
-    throw UsageError("--scene: writes the scene of one scenario, and " +
-                     std::to_string(options.scenarios.size()) + " are given");
+    throw UsageError("--scene: writes the scene of one scenario, and " + std::to_string(options.scenarios.size()) +
+                     " are given");
   const Execution how = execution(options.execution);
   int code = fine;
   Json list = Json::array();
@@ -68,8 +66,7 @@ int act(const ValidateOptions& options) {
                       {"errors", Json::array()},
                       {"warnings", scenario.warnings}});
       tellWarnings(scenario.warnings, options.output.quiet);
-      if (!options.sceneFile.empty())
-        writeFile(options.sceneFile, writeScene(scenario.scene), Content::scene);
+      if (!options.sceneFile.empty()) writeFile(options.sceneFile, writeScene(scenario.scene), Content::scene);
       if (options.resolved && options.output.json) list.back()["resolved"] = parseJson(scenario.resolved);
       else if (options.resolved) print(scenario.resolved);
       else if (!options.output.json)

@@ -4,9 +4,9 @@
 
 namespace morula::cli {
 
-AddVerb addRun, addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender,
-    addChart, addLineage, addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail,
-    addEngineWorker, addDescribe;
+AddVerb addRun, addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart,
+    addLineage, addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addEngineWorker,
+    addDescribe;
 
 /// All of them.
 AddVerb addVerbs;

@@ -25,8 +25,7 @@ OptionInfo describe(const CLI::Option& option) {
 CommandInfo describe(const CLI::App& app) {
   CommandInfo info{.name = app.get_name(), .purpose = app.get_description(), .options = {}, .commands = {}};
   for (const CLI::Option* option : app.get_options()) info.options.push_back(describe(*option));
-  for (const CLI::App* inner :
-       app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); }))
+  for (const CLI::App* inner : app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); }))
     info.commands.push_back(describe(*inner));
   return info;
 }

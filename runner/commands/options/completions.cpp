@@ -51,12 +51,10 @@ std::string escaped(const std::string& text, const std::string& characters) {
 }  // namespace
 
 std::string bashCompletion(const CommandInfo& program) {
-  std::string verbs =
-                  "    '') words=" + shellWord(listOf(program.commands)) + " options='--help --version' ;;\n",
+  std::string verbs = "    '') words=" + shellWord(listOf(program.commands)) + " options='--help --version' ;;\n",
               groups, values;
   for (const CommandInfo* group : groupsOf(program)) {
-    groups += "    " + group->name +
-              ") if [ \"$COMP_CWORD\" -gt 2 ]; then verb=\"$verb ${COMP_WORDS[2]}\"; fi ;;\n";
+    groups += "    " + group->name + ") if [ \"$COMP_CWORD\" -gt 2 ]; then verb=\"$verb ${COMP_WORDS[2]}\"; fi ;;\n";
     verbs += "    " + group->name + ") words=" + shellWord(listOf(group->commands)) + " options=--help ;;\n";
   }
   eachCommand(program, [&](const CommandInfo& command, const std::string& name) {
@@ -107,8 +105,8 @@ std::string zshCompletion(const CommandInfo& program) {
     std::string list;
     if (option.isPositional) return " " + shellWord("*" + value);
     for (const std::string& name : option.names)
-      list += " " + shellWord((option.type.ends_with("...") || option.names.back() == "--set" ? "*" : "") +
-                              name + "[" + escaped(option.help, "[]:\\") + "]" + value);
+      list += " " + shellWord((option.type.ends_with("...") || option.names.back() == "--set" ? "*" : "") + name + "[" +
+                              escaped(option.help, "[]:\\") + "]" + value);
     return list;
   };
   std::string cases, groups;
@@ -123,8 +121,7 @@ std::string zshCompletion(const CommandInfo& program) {
       continue;
     }
     cases += "    " + command.name + ") _morula_" + command.name + " ;;\n";
-    groups += "_morula_" + command.name + "() {\n  local state line\n  local -a verbs=(" +
-              described(command.commands) +
+    groups += "_morula_" + command.name + "() {\n  local state line\n  local -a verbs=(" + described(command.commands) +
               ")\n  _arguments -C '1:verb:->verb' '*::word:->rest'\n  case $state in\n    verb) _describe "
               "verb verbs ;;\n    rest) case $words[1] in\n";
     for (const CommandInfo& inner : command.commands) groups += "      " + caseOf(inner);
@@ -162,8 +159,7 @@ std::string fishCompletion(const CommandInfo& program) {
     const std::string begin = "complete -c morula -n '__morula_at " + words + "'";
     for (const OptionInfo& option : command.options) {
       if (option.isPositional) {
-        if (!option.choices.empty())
-          text += begin + " -f -a " + quotedForFish(together(option.choices, " ")) + "\n";
+        if (!option.choices.empty()) text += begin + " -f -a " + quotedForFish(together(option.choices, " ")) + "\n";
         continue;
       }
       text += begin;

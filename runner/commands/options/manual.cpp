@@ -14,10 +14,9 @@ std::string roffText(const std::string& text) {
 
 std::string optionEntry(const OptionInfo& option) {
   std::string names;
-  for (const std::string& name : option.names)
-    names += (names.empty() ? "\\fB" : ", \\fB") + roffText(name) + "\\fR";
-  std::string text = ".TP\n" + names + (option.type.empty() ? "" : " \\fI" + roffText(option.type) + "\\fR") +
-                     "\n" + roffText(option.help);
+  for (const std::string& name : option.names) names += (names.empty() ? "\\fB" : ", \\fB") + roffText(name) + "\\fR";
+  std::string text = ".TP\n" + names + (option.type.empty() ? "" : " \\fI" + roffText(option.type) + "\\fR") + "\n" +
+                     roffText(option.help);
   if (!option.shown.empty()) text += " [" + roffText(option.shown) + "]";
   return text + "\n";
 }

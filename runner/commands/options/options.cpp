@@ -20,15 +20,12 @@ void add(Verb& verb, InputOptions& options) {
 void add(Verb& verb, SceneOptions& options) {
   verb.takes("--set", options.set, "PATH=VALUE",
              "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat");
-  verb.takes("--seed", options.seed, "N", natural(0, scenario::largestNatural),
-             "Another seed than the scenario's");
+  verb.takes("--seed", options.seed, "N", natural(0, scenario::largestNatural), "Another seed than the scenario's");
 }
 
 void add(Verb& verb, ExecutionOptions& options) {
-  verb.takes("--threads", options.threads, "N", natural(1, 1024),
-             "Compute with so many threads; changes no result");
-  verb.takes("--isa", options.isa, "NAME", parseIsa,
-             "Compute with scalar, narrow, avx2 or avx512; changes no result");
+  verb.takes("--threads", options.threads, "N", natural(1, 1024), "Compute with so many threads; changes no result");
+  verb.takes("--isa", options.isa, "NAME", parseIsa, "Compute with scalar, narrow, avx2 or avx512; changes no result");
   verb.takes("--search", options.search, "NAME", parseChoice<ContactSearch>,
              "Find contacts by " + namesOf<ContactSearch>() + "; changes no result");
   addMemoryLimit(verb, options);
@@ -102,8 +99,8 @@ Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high) {
     const auto x = text.find('x');
     const auto side = [&](const std::string& word) {
       const auto number = scenario::parseNatural(word);
-      const auto allowed = "WIDTHxHEIGHT, or N for a square, from " + std::to_string(low) + " to " +
-                           std::to_string(high) + " pixels";
+      const auto allowed =
+          "WIDTHxHEIGHT, or N for a square, from " + std::to_string(low) + " to " + std::to_string(high) + " pixels";
       return static_cast<int>(checked(word, number, allowed, number.value >= low && number.value <= high));
     };
     return PictureSize{side(text.substr(0, x)), side(text.substr(x == text.npos ? 0 : x + 1))};

@@ -8,10 +8,10 @@ namespace morula::cli {
 void checkPictureName(const std::string& verb, const std::string& file, bool drawing) {
   const auto format = pictureFormat(file);
   if (format && (drawing || *format == PictureFormat::png)) return;
-  throw InputError("'" + file + "' ends in " + std::filesystem::path(file).extension().string() + ", which " +
-                   verb + " cannot write; needs a name that ends in " +
-                   (drawing ? ".png, .svg or .pdf"
-                            : ".png, or of several pictures .mp4, .webm or .gif (shapes: morula export)"));
+  throw InputError(
+      "'" + file + "' ends in " + std::filesystem::path(file).extension().string() + ", which " + verb +
+      " cannot write; needs a name that ends in " +
+      (drawing ? ".png, .svg or .pdf" : ".png, or of several pictures .mp4, .webm or .gif (shapes: morula export)"));
 }
 
 Reader<std::string> pictureName(const std::string& verb, bool drawing) {

@@ -24,8 +24,8 @@ std::string typed;
 
 std::string versionText() {
   const auto& build = buildInfo();
-  return "morula " + build.version + " (" + build.gitCommit + ", " + build.gitState + "; " + build.compiler +
-         ", " + build.target + ")";
+  return "morula " + build.version + " (" + build.gitCommit + ", " + build.gitState + "; " + build.compiler + ", " +
+         build.target + ")";
 }
 
 /// Those for people.
@@ -73,9 +73,9 @@ void checkLeftovers(const CLI::App& verb) {
   for (const auto* option : verb.get_options())
     for (const auto& name : option->get_lnames()) options.push_back("--" + name);
   const auto near = closest(word, options);
-  throw UsageError(titleOf(verb) + ": '" + word + "' is not expected; " +
-                   (near.empty() ? "morula " + titleOf(verb) + " --help lists the options"
-                                 : "did you mean " + near + "?"));
+  throw UsageError(
+      titleOf(verb) + ": '" + word + "' is not expected; " +
+      (near.empty() ? "morula " + titleOf(verb) + " --help lists the options" : "did you mean " + near + "?"));
 }
 
 /// What CLI11 says, in a sentence.
@@ -109,8 +109,7 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
   const std::string word = argc > 1 ? argv[1] : "";
   checkVerb(app, word);
   for (auto* verb : app.get_subcommands(all))
-    if (verb->get_name() == word && !verb->get_subcommands(all).empty())
-      checkVerb(*verb, argc > 2 ? argv[2] : "");
+    if (verb->get_name() == word && !verb->get_subcommands(all).empty()) checkVerb(*verb, argc > 2 ? argv[2] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -140,7 +139,7 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   setFloatingPoint();
   endOutOfMemoryWith(numerical);
   std::signal(SIGXFSZ,
-              SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
+              SIG_IGN);           // then a write beyond the limit of file sizes fails, as one to a full disk does
   std::signal(SIGCHLD, SIG_DFL);  // who started us may ignore it, and then no process could be waited for
   try {
     for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";

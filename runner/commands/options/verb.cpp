@@ -43,8 +43,7 @@ std::map<const CLI::Option*, std::vector<std::string>>& choicesOfOptions() {
   return all;
 }
 
-CLI::Option* declare(CLI::App& verb, const std::string& name, const std::string& type,
-                     const std::string& help) {
+CLI::Option* declare(CLI::App& verb, const std::string& name, const std::string& type, const std::string& help) {
   return verb.add_option(name, help)->type_name(type)->check(refuseEmpty);
 }
 
@@ -79,8 +78,8 @@ void Verb::does(Action action) {
   });
 }
 
-void Verb::add(const std::string& name, const std::string& type, const std::string& help,
-               const std::string& shown, Take take) {
+void Verb::add(const std::string& name, const std::string& type, const std::string& help, const std::string& shown,
+               Take take) {
   auto* option = declare(*verb_, name, type, help);
   if (!shown.empty()) option->default_str(shown);
   checks_->ofValues.push_back([option, take = std::move(take)] { takeAll(*option, take); });
@@ -95,13 +94,9 @@ void Verb::addList(const std::string& name, const std::string& type, const std::
 
 void Verb::require(const std::string& name) { verb_->get_option(name)->required(); }
 
-void Verb::takes(const std::string& name, bool& given, const std::string& help) {
-  verb_->add_flag(name, given, help);
-}
+void Verb::takes(const std::string& name, bool& given, const std::string& help) { verb_->add_flag(name, given, help); }
 
-void Verb::showDefault(const std::string& name, const std::string& text) {
-  verb_->get_option(name)->default_str(text);
-}
+void Verb::showDefault(const std::string& name, const std::string& text) { verb_->get_option(name)->default_str(text); }
 
 void Verb::oneOf(const std::vector<std::string>& names) {
   for (std::size_t i = 0; i + 1 < names.size(); ++i)

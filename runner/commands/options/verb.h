@@ -75,8 +75,7 @@ class Verb {
   template <class T>
   void takes(const std::string& name, std::optional<T>& value, const std::string& type,
              std::type_identity_t<Reader<T>> read, const std::string& help) {
-    add(name, type, help, value ? textOf(*value) : "",
-        [&value, read](const std::string& text) { value = read(text); });
+    add(name, type, help, value ? textOf(*value) : "", [&value, read](const std::string& text) { value = read(text); });
     setChoices(name, namesOfChoices<T>());
   }
   template <class T>
@@ -120,8 +119,8 @@ class Verb {
   }
 
   void setChoices(const std::string& name, const std::vector<std::string>& names);
-  void add(const std::string& name, const std::string& type, const std::string& help,
-           const std::string& shown, Take take);
+  void add(const std::string& name, const std::string& type, const std::string& help, const std::string& shown,
+           Take take);
   void addList(const std::string& name, const std::string& type, const std::string& help, Take take);
   void require(const std::string& name);
 

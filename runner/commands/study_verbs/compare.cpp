@@ -39,10 +39,9 @@ struct CompareCommand {
 /// Two pictures that should look the same. Nothing of a study is asked for.
 int actOnPictures(const CompareCommand& command) {
   const CompareOptions& options = command.options;
-  if (command.csv || command.tidy || !command.organisms.empty() || !command.intoGolden.empty() ||
-      !options.by.empty() || !options.measures.empty() || !options.margins.empty() || options.within)
-    throw UsageError(
-        "of two pictures compare takes -o, --json and --quiet alone; the other options are for a study");
+  if (command.csv || command.tidy || !command.organisms.empty() || !command.intoGolden.empty() || !options.by.empty() ||
+      !options.measures.empty() || !options.margins.empty() || options.within)
+    throw UsageError("of two pictures compare takes -o, --json and --quiet alone; the other options are for a study");
   const ComparedPictures compared = comparePictures(command.what[0], command.what[1]);
   const PictureDifference& d = compared.difference;
   if (!command.picture.empty()) writePicture(drawCompared(compared), command.picture);
@@ -66,11 +65,9 @@ int actOnPictures(const CompareCommand& command) {
 int act(const CompareCommand& command) {
   if (command.what.size() == 2) return actOnPictures(command);
   if (command.what.size() > 2)
-    throw UsageError("compare takes one study or two pictures, not " + std::to_string(command.what.size()) +
-                     " files");
+    throw UsageError("compare takes one study or two pictures, not " + std::to_string(command.what.size()) + " files");
   if (contentOfFile(command.what[0]) == Content::picture)
-    throw UsageError("compare: '" + command.what[0] +
-                     "' is a picture; give a second one that it is compared with");
+    throw UsageError("compare: '" + command.what[0] + "' is a picture; give a second one that it is compared with");
   const auto rises = [](const auto& list) {
     return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
   };
@@ -88,8 +85,7 @@ int act(const CompareCommand& command) {
     return fine;
   }
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
-  if (const std::string why = whyTooMany(comparison.results, moments);
-      !why.empty() && !command.organisms.empty())
+  if (const std::string why = whyTooMany(comparison.results, moments); !why.empty() && !command.organisms.empty())
     throw UsageError("--pictures: " + why);
   if (!command.intoGolden.empty()) writeIntoGolden(comparison, file, command.intoGolden);
   std::vector<std::string> pictures;
@@ -134,9 +130,8 @@ std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
 
 /// To the program or to `study`: the same verb.
 void addCompare(CLI::App& above, Action& action) {
-  Verb verb(
-      above, action, "compare",
-      "Hold the conditions of a study against each other: what differs, and how surely; or two pictures");
+  Verb verb(above, action, "compare",
+            "Hold the conditions of a study against each other: what differs, and how surely; or two pictures");
   auto& command = verb.does<CompareCommand>(act);
   verb.needs("what", command.what, "FILE",
              "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG "
@@ -156,15 +151,13 @@ void addCompare(CLI::App& above, Action& action) {
   verb.takes("--pictures", command.organisms, "FILE", pictureName("compare", false),
              "Also draw the organisms, a row a condition and a column a moment, of one seed, by running them "
              "again; --moments 1 takes the pictures that the study keeps: a .png; of several pages numbered");
-  verb.takes(
-      "--colour", command.moments.colouring, "WHAT", parseColouring,
-      "Of these cells, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
-      "default: substance");
+  verb.takes("--colour", command.moments.colouring, "WHAT", parseColouring,
+             "Of these cells, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
+             "default: substance");
   verb.takes("--moments", command.moments.count, "N", natural(1, mostGridColumns),
              "So many moments, evenly from the start to the end; 1: the end of each; default: 5");
   verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "These times");
-  verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),
-             "When first so many cells live");
+  verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000), "When first so many cells live");
   verb.oneOf({"--moments", "--at-times", "--at-cells"});
   verb.onlyWith({"--moments", "--at-times", "--at-cells", "--colour"}, {"--pictures"});
   verb.takes("--tidy", command.tidy, "ROWS", parseChoice<TidyRows>,

@@ -29,9 +29,9 @@ struct CheckCommand {
 CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings) {
   CheckReport report{study.name, {}};
   for (const ClaimFinding& f : findings)
-    report.results.push_back(
-        judged({.check = f.claim, .kind = "claim", .expected = f.claim, .actual = f.found}, f.holds,
-               study.file + ':' + std::to_string(f.place.line) + ": " + f.found, "CLAIM"));
+    report.results.push_back(judged({.check = f.claim, .kind = "claim", .expected = f.claim, .actual = f.found},
+                                    f.holds, study.file + ':' + std::to_string(f.place.line) + ": " + f.found,
+                                    "CLAIM"));
   return report;
 }
 
@@ -58,8 +58,7 @@ int act(const CheckCommand& command) {
                      (hold == 1 ? " holds\n" : " hold\n");
   for (const ClaimFinding& f : findings)
     text += (f.holds ? "  ok    " : "  FAIL  ") + f.claim + "\n        " + f.found + '\n';
-  if (missing)
-    text += "  " + counted(missing, "run") + " of " + std::to_string(results.tasks.size()) + " missing\n";
+  if (missing) text += "  " + counted(missing, "run") + " of " + std::to_string(results.tasks.size()) + " missing\n";
   printEither(command.output, toJson(study, findings, missing), text);
   const std::vector<CheckReport> reports{reportOf(study, findings)};
   if (const std::filesystem::path folder = command.reports; !folder.empty()) {
@@ -74,10 +73,9 @@ int act(const CheckCommand& command) {
 }  // namespace
 
 void addStudyCheck(CLI::App& study, Action& action) {
-  Verb verb(
-      study, action, "check",
-      "Hold the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
-      "5: runs are missing");
+  Verb verb(study, action, "check",
+            "Hold the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
+            "5: runs are missing");
   auto& command = verb.does<CheckCommand>(act);
   verb.needs("study", command.study, "FILE",
              "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, "

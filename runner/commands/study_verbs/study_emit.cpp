@@ -48,8 +48,7 @@ int act(const EmitCommand& command) {
 }  // namespace
 
 void addStudyEmit(CLI::App& study, Action& action) {
-  Verb verb(study, action, "emit",
-            "Write what Slurm, Snakemake or GNU parallel runs the study with; prints its path");
+  Verb verb(study, action, "emit", "Write what Slurm, Snakemake or GNU parallel runs the study with; prints its path");
   auto& command = verb.does<EmitCommand>(act);
   verb.needs("site", command.emit.site, "SITE", parseChoice<Site>, namesOf<Site>());
   add(verb, command.of);
@@ -60,8 +59,7 @@ void addStudyEmit(CLI::App& study, Action& action) {
   verb.takes("--jobs", command.emit.shares, "N", natural(1, 1'000'000),
              "Into how many jobs the runs are packed; default: of about ten minutes each");
   verb.showDefault("--jobs", "");
-  verb.takes("--resume", command.resume,
-             "Take the plan in the folder, also if the study file has changed since");
+  verb.takes("--resume", command.resume, "Take the plan in the folder, also if the study file has changed since");
 }
 
 }  // namespace morula::cli

@@ -24,8 +24,8 @@ int act(const MergeCommand& command) {
                                         .resume = true,
                                         .mustBeThere = true},
                                        {});
-  const MergeReport report = mergeStudy(
-      study, {command.shards, command.output.empty() ? study.folder.merged().string() : command.output});
+  const MergeReport report =
+      mergeStudy(study, {command.shards, command.output.empty() ? study.folder.merged().string() : command.output});
   printEither(command.of.output, toJson(report, study), describe(report, study));
   if (!report.differing.empty()) return differs;
   if (!report.damaged.empty()) return file;
@@ -40,8 +40,7 @@ void addStudyMerge(CLI::App& study, Action& action) {
             "has two results");
   auto& command = verb.does<MergeCommand>(act);
   add(verb, command.of);
-  verb.takes("shards", command.shards, "SHARD",
-             "Folders of the same study on other machines, or files of tasks");
+  verb.takes("shards", command.shards, "SHARD", "Folders of the same study on other machines, or files of tasks");
   verb.takes("-o,--output", command.output, "FILE", "The database; default: study.db in the study's folder");
 }
 

@@ -22,8 +22,7 @@ struct PlanCommand {
 int act(const PlanCommand& command) {
   const Study study = loadStudy(command.study, command.input.allowOutside);
   const Plan plan = makePlan(study, {.predict = !command.noPredict});
-  const std::filesystem::path folder =
-      command.out.empty() ? studyFolder(study) : std::filesystem::path(command.out);
+  const std::filesystem::path folder = command.out.empty() ? studyFolder(study) : std::filesystem::path(command.out);
   tellWarnings(plan.warnings, command.output.quiet);
   const bool isNew = !command.dryRun && keepPlan(plan, folder);
   const std::string file = planFile(folder).string();

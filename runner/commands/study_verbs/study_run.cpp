@@ -33,9 +33,9 @@ std::size_t taskNamed(const Plan& plan, const std::string& id) {
     ids.push_back(plan.tasks[i].id);
   }
   const auto near = closest(id, ids);
-  throw UsageError("--task: '" + id + "' is no task of this plan" +
-                   (near.empty() ? "; morula study status --json lists those without a result"
-                                 : "; did you mean " + near + "?"));
+  throw UsageError(
+      "--task: '" + id + "' is no task of this plan" +
+      (near.empty() ? "; morula study status --json lists those without a result" : "; did you mean " + near + "?"));
 }
 
 std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan) {

@@ -23,8 +23,6 @@ void addStudyFolder(Verb& verb, std::string& out);
 
 /// Of a database, the folder of a study, or a study file.
 std::filesystem::path databaseOf(const std::string& named, bool allowOutside = false);
-inline bool isStudyFile(const std::string& named) {
-  return named.ends_with(".yaml") || named.ends_with(".yml");
-}
+inline bool isStudyFile(const std::string& named) { return named.ends_with(".yaml") || named.ends_with(".yml"); }
 
 }  // namespace morula::cli

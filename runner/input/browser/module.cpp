@@ -76,8 +76,7 @@ Json flat(const std::vector<Face>& faces) {
 Json shellOf(const Scene& scene) {
   if (!scene.mechanics || !scene.mechanics->physics.shell) return {};
   const auto& shell = *scene.mechanics->physics.shell;
-  if (shell.mesh)
-    return {{"vertices", flat(shell.mesh->mesh.vertices)}, {"faces", flat(shell.mesh->mesh.faces)}};
+  if (shell.mesh) return {{"vertices", flat(shell.mesh->mesh.vertices)}, {"faces", flat(shell.mesh->mesh.faces)}};
   return {{"axes", {shell.semiAxes[0], shell.semiAxes[1], shell.semiAxes[2]}}};
 }
 
@@ -162,9 +161,8 @@ MORULA_EXPORT(facesOf) int facesOf(std::size_t cell) {
 /// Says the names of the measures in snapshots, and the units in which people see the scenario's.
 MORULA_EXPORT(measureNames) int measureNames() {
   return outcomeOf([] {
-    Json names{{"cell", Json::array()},
-               {"world", Json::array()},
-               {"units", shownUnits(scenario ? scenario->units : Units{})}};
+    Json names{
+        {"cell", Json::array()}, {"world", Json::array()}, {"units", shownUnits(scenario ? scenario->units : Units{})}};
     for (const CellMeasure& m : sampledMeasures<CellContext>()) names["cell"].push_back(m.name);
     for (const WorldMeasure& m : sampledMeasures<Observation>()) names["world"].push_back(m.name);
     said = jsonText(names);

@@ -27,10 +27,10 @@ void checkGenes(const Scenario& scenario, std::vector<Incompatibility>& found) {
 /// Bullet takes its time step as a float.
 void checkTimeStep(const PhysicsParameters& physics, std::vector<Incompatibility>& found) {
   if (!physics.timeStep || static_cast<float>(*physics.timeStep) == *physics.timeStep) return;
-  found.push_back({false,
-                   "physics.time_step " + exactText(*physics.timeStep) +
-                       " is no single-precision number, as Bullet needs it",
-                   "use auto, or a power of two as " + exactText(powerOfTwoBelow(*physics.timeStep))});
+  found.push_back(
+      {false,
+       "physics.time_step " + exactText(*physics.timeStep) + " is no single-precision number, as Bullet needs it",
+       "use auto, or a power of two as " + exactText(powerOfTwoBelow(*physics.timeStep))});
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   std::vector<Incompatibility> found;
   checkGenes(scenario, found);
   if (!kindOf(mechanics.physics.cell.model).hasMembrane)
-    found.push_back({true, "Bullet's cells are membranes around contents",
-                     "use physics.cell.model: shell, or remove this"});
+    found.push_back(
+        {true, "Bullet's cells are membranes around contents", "use physics.cell.model: shell, or remove this"});
   if (baseline == Baseline::b3 && mechanics.physics.membrane.springs != Springs::equal)
     found.push_back({false, "b3's springs are all as stiff", "set physics.membrane.springs to equal, or use b1"});
   if (mechanics.connections)
@@ -50,12 +50,11 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
     found.push_back({true, "Bullet has no Coulomb friction between soft bodies",
                      "set physics.contact.friction to 0, or remove this"});
   if (mechanics.contact && mechanics.contact->adhesion)
-    found.push_back({true, "Bullet's soft bodies do not stick to each other",
-                     "remove physics.contact.adhesion, or this"});
+    found.push_back(
+        {true, "Bullet's soft bodies do not stick to each other", "remove physics.contact.adhesion, or this"});
   if (mechanics.physics.motility)
     found.push_back({true, "Bullet's cells do not crawl", "remove physics.motility, or this"});
-  if (!plannedEnd(scenario.scene))
-    found.push_back({false, "the run's end is not known beforehand", "give stop.time"});
+  if (!plannedEnd(scenario.scene)) found.push_back({false, "the run's end is not known beforehand", "give stop.time"});
   if (!scenario.check.fails.empty())
     found.push_back({false, "a run that must stop has no end to compare", "remove check.fails, or this"});
   if (mechanics.physics.precision == Precision::binary32)
@@ -66,8 +65,7 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   if (baseline == Baseline::b3 && mechanics.physics.shell)
     found.push_back({false, "b3 does not compute a shell", "use b1, or remove physics.shell"});
   if (mechanics.physics.shell && mechanics.physics.shell->mesh)
-    found.push_back(
-        {false, "Bullet is not given a shell that is a mesh", "use an ellipsoid, or remove this"});
+    found.push_back({false, "Bullet is not given a shell that is a mesh", "use an ellipsoid, or remove this"});
   return found;
 }
 

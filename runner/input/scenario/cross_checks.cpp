@@ -53,15 +53,12 @@ namespace {
 void checkSubstances(const Dna& dna, Reading& reading) {
   if (dna.substances.empty()) return;  // it could not be read, which has been said
   for (const auto& use : reading.substances) {
-    const auto isMeant = [&](const std::string& s) {
-      return use.isPattern ? fits(use.name, s) : s == use.name;
-    };
+    const auto isMeant = [&](const std::string& s) { return use.isPattern ? fits(use.name, s) : s == use.name; };
     if (std::ranges::any_of(dna.substances, isMeant)) continue;
     if (use.isPattern) {
-      reading.problems.add(
-          use.place, use.path,
-          "no substance of the DNA begins with '" + use.name.substr(0, use.name.size() - 1) + "'",
-          "needs a name, or its beginning and '*'");
+      reading.problems.add(use.place, use.path,
+                           "no substance of the DNA begins with '" + use.name.substr(0, use.name.size() - 1) + "'",
+                           "needs a name, or its beginning and '*'");
       continue;
     }
     const auto near = closest(use.name, dna.substances);
@@ -92,16 +89,13 @@ void checkMeshShell(const Scenario& scenario, Reading& reading, const Node& root
     const double most = *scenario.shellFill * share * share * share;
     return reading.problems.add(
         placeOf(root, "physics.shell.fill"), "physics.shell.fill",
-        exactText(*scenario.shellFill) +
-            " is more than a round egg can fill of this mesh without standing out of it",
+        exactText(*scenario.shellFill) + " is more than a round egg can fill of this mesh without standing out of it",
         "needs at most " + numberText(std::floor(1e4 * most) / 1e4));
   }
   std::string where = "the distance of the nearest face from the origin, " + exactText(nearest) + " [length]";
-  if (reach > 1)
-    where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
+  if (reach > 1) where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
   reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
-                       exactText(physics.cell.radius) + " does not fit into the shell",
-                       "needs at most " + where);
+                       exactText(physics.cell.radius) + " does not fit into the shell", "needs at most " + where);
 }
 
 void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -111,11 +105,9 @@ void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
   const double smallest = std::min({axes[0], axes[1], axes[2]}), reach = reachOf(scenario);
   if (physics.cell.radius * reach <= smallest) return;
   std::string where = "its smallest semi-axis, " + exactText(smallest) + " [length]";
-  if (reach > 1)
-    where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
+  if (reach > 1) where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
   reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
-                       exactText(physics.cell.radius) + " does not fit into the shell",
-                       "needs at most " + where);
+                       exactText(physics.cell.radius) + " does not fit into the shell", "needs at most " + where);
 }
 
 void checkStartCells(const Scenario& scenario, Reading& reading) {
@@ -124,8 +116,8 @@ void checkStartCells(const Scenario& scenario, Reading& reading) {
   if (!mechanics.physics.shell || reading.startCells.size() != scenario.scene.cells.size()) return;
   for (std::size_t i = 0; i < scenario.scene.cells.size(); ++i)
     if (outermostSquare(scenario.scene.cells[i], mechanics.mesh, *mechanics.physics.shell) > 1 + rounding)
-      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "]",
-                           "stands out of the shell", "move it inward, or make it or its stretch smaller");
+      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "]", "stands out of the shell",
+                           "move it inward, or make it or its stretch smaller");
 }
 
 /// An egg with the shell's shape is a polyhedron in it, and cannot fill as much as a smooth one.
@@ -134,14 +126,12 @@ void checkFill(const Scenario& scenario, Reading& reading, const Node& root) {
   if (!mechanics.physics.shell) return;
   double farthest = mechanics.physics.cell.radius;
   for (const Point& vertex : mechanics.mesh.vertices) farthest = std::max(farthest, norm(vertex));
-  const double reach =
-      farthest / mechanics.physics.cell.radius;  // of its vertices, over the sphere's of its volume
+  const double reach = farthest / mechanics.physics.cell.radius;  // of its vertices, over the sphere's of its volume
   const double most = 1 / (reach * reach * reach);
   if (*scenario.shellFill <= most) return;
   reading.problems.add(
       placeOf(root, "physics.shell.fill"), "physics.shell.fill",
-      exactText(*scenario.shellFill) +
-          " is more than the egg's mesh can fill without standing out of the shell",
+      exactText(*scenario.shellFill) + " is more than the egg's mesh can fill without standing out of the shell",
       "needs at most " + numberText(std::floor(1000 * most) / 1000) + ", or a finer physics.mesh");
 }
 
@@ -160,18 +150,16 @@ void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& roo
                          "the egg's mesh is already the coarsest", "needs icosphere 3 or 4, or remove this");
 }
 
-void checkIntegrator(const PhysicsParameters& physics, bool hasPairContact, Reading& reading,
-                     const Node& root) {
+void checkIntegrator(const PhysicsParameters& physics, bool hasPairContact, Reading& reading, const Node& root) {
   const bool xpbd = physics.integrator == Integrator::xpbd;
   if (!xpbd && physics.substeps.value_or(1) > 1)
     reading.problems.add(placeOf(root, "physics.substeps"), "physics.substeps",
                          "is for physics.integrator xpbd: others evaluate forces once per time step",
                          "remove this, or give integrator: xpbd");
   if (xpbd && !physics.timeStep && !hasPairContact)
-    reading.problems.add(
-        placeOf(root, "physics.time_step"), "physics.time_step",
-        "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
-        "needs a number > 0 [time]");
+    reading.problems.add(placeOf(root, "physics.time_step"), "physics.time_step",
+                         "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
+                         "needs a number > 0 [time]");
 }
 
 /// What a body is not made of has no parameters.
@@ -208,14 +196,13 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
   };
   if (m.physics.coarsen) refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
   if (m.contact && m.contact->law == ContactLaw::thesis)
-    refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not",
-           "needs pair");
+    refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not", "needs pair");
   if (m.contact && m.contact->radius != ContactParameters{}.radius)
     refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
   for (std::size_t i = 0; i < scenario.scene.cells.size() && i < reading.startCells.size(); ++i)
     if (const Vector& s = scenario.scene.cells[i].stretch; s.x != 1 || s.y != 1 || s.z != 1)
-      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "].stretch",
-                           "a sphere stays round", "remove this, or use scale");
+      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "].stretch", "a sphere stays round",
+                           "remove this, or use scale");
 }
 
 /// What a seed may change only of bodies.
@@ -252,8 +239,7 @@ void checkReason(const CheckParameters& check, Reading& reading, const Node& roo
                          "say why beside it: because: \"what the scene is about\"");
   if (check.sane && !check.because.empty())
     reading.problems.add(placeOf(root, "check.because"), "check.because",
-                         "gives a reason for sane: false, and sane is true",
-                         "remove it, or write sane: false");
+                         "gives a reason for sane: false, and sane is true", "remove it, or write sane: false");
 }
 
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -286,8 +272,8 @@ void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root)
   }
   const RecordParameters& record = scenario.record;
   const auto isDuration = [](const std::string& name) { return name.starts_with("contact_duration"); };
-  if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes &&
-      record.atCells.empty() && scenario.scene.cells.empty())
+  if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes && record.atCells.empty() &&
+      scenario.scene.cells.empty())
     reading.problems.add(placeOf(root, "record.measures"), "record.measures",
                          "contact_duration would always be 0: between the egg and the end there is no sample",
                          "needs record.every or record.at-cells");
@@ -322,8 +308,8 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
     checkModel(scenario, reading, root);
-    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law != ContactLaw::thesis,
-                    reading, root);
+    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law != ContactLaw::thesis, reading,
+                    root);
     checkSettling(scenario, reading, root);
     checkSpheres(scenario, reading, root);
     checkDivision(scenario, reading, root);
@@ -340,14 +326,14 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
   checkInterval("record.meshes", scenario.record.meshes, 1e6, "samples of surfaces", scenario, reading, root);
   if (scenario.record.meshes && !scenario.scene.mechanics)
-    reading.problems.add(placeOf(root, "record.meshes"), "record.meshes",
-                         "cells without bodies have no surfaces", "add a physics block or remove this");
+    reading.problems.add(placeOf(root, "record.meshes"), "record.meshes", "cells without bodies have no surfaces",
+                         "add a physics block or remove this");
   if (scenario.record.pictures && !scenario.scene.mechanics)
-    reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
-                         "cells without bodies cannot be drawn", "add a physics block or remove this");
+    reading.problems.add(placeOf(root, "record.pictures"), "record.pictures", "cells without bodies cannot be drawn",
+                         "add a physics block or remove this");
   if (const CheckParameters& c = scenario.check;
-      !scenario.scene.mechanics && (c.volume || c.extent || c.energy || c.momentum || c.endVolume ||
-                                    c.endRoundness || c.endOverlap || c.bullet || !c.sane))
+      !scenario.scene.mechanics && (c.volume || c.extent || c.energy || c.momentum || c.endVolume || c.endRoundness ||
+                                    c.endOverlap || c.bullet || !c.sane))
     reading.problems.add(placeOf(root, "check"), "check", "cells without bodies have nothing to measure",
                          "add a physics block, or check only fails");
 }

@@ -25,8 +25,8 @@ std::string oneLine(const Json& value) {
   if (!value.is_string()) return jsonText(value);
   const std::string& text = value.get_ref<const std::string&>();
   const auto plain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
-           c == '_' || c == '.';
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' || c == '_' ||
+           c == '.';
   };
   const bool isWord = !text.empty() && std::all_of(text.begin(), text.end(), plain);
   return isWord ? text : jsonText(value, -1, JsonCharacters::ascii);

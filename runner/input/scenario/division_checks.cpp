@@ -26,12 +26,10 @@ class DivisionCheck {
 
   void check() {
     const bool divides = canHold(substance::divide);
-    if (divides && areSpheres_)
-      checkPlane(division_.otherwise, placeOf(root_, "division.plane"), "division.plane");
+    if (divides && areSpheres_) checkPlane(division_.otherwise, placeOf(root_, "division.plane"), "division.plane");
     checkShare({}, placeOf(root_, "variation.share"), "variation.share");
     if (!divides) refuseUnused();
-    if (reading_.rules.size() != division_.rules.size())
-      return;  // some could not be read, which has been said
+    if (reading_.rules.size() != division_.rules.size()) return;  // some could not be read, which has been said
     for (std::size_t i = 0; i < division_.rules.size(); ++i) {
       const DivisionRule& rule = division_.rules[i];
       const Place place = reading_.rules[i];
@@ -56,8 +54,8 @@ class DivisionCheck {
     const double share = given.value_or(0.5), most = largestDeviate * scene_.variation.share;
     if (!(most > 0) || (share - most >= leastShare && share + most <= largestShare)) return;
     reading_.problems.add(place, path,
-                          exactText(share) + " ± 3 times variation.share leaves " + exactText(leastShare) +
-                              " to " + exactText(largestShare) + ", which a cut can give",
+                          exactText(share) + " ± 3 times variation.share leaves " + exactText(leastShare) + " to " +
+                              exactText(largestShare) + ", which a cut can give",
                           "needs a share nearer to 0.5, or a smaller variation.share");
   }
 
@@ -93,8 +91,7 @@ class DivisionCheck {
     for (const std::string& pattern : rule.of) {
       const auto isMeant = [&](const std::string& s) { return fits(pattern, s); };
       if (std::ranges::none_of(scene_.dna.substances, isMeant)) return;  // unknown, which has been said
-      if (std::ranges::any_of(scene_.dna.substances,
-                              [&](const std::string& s) { return isMeant(s) && canHold(s); }))
+      if (std::ranges::any_of(scene_.dna.substances, [&](const std::string& s) { return isMeant(s) && canHold(s); }))
         continue;
       reading_.problems.add(place, path, "no cell that divides holds '" + pattern + "': " + whyNever(pattern),
                             "needs a substance that cells hold when they divide");

@@ -29,8 +29,8 @@ void guarded(Problems& problems, const Place& place, Read read) {
 
 /// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come to
 /// stand in messages and in the database, so a stranger's scenario must not reach files of others.
-const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name,
-                               const Place& place, const Places& places, Problems& problems) {
+const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name, const Place& place,
+                               const Places& places, Problems& problems) {
   for (const auto& stored : places.stored)
     if (stored.role == role) return &scenario.files.emplace_back(stored);
   const auto path = role == "dna"         ? "dna.file"
@@ -74,8 +74,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
           "remove this";
   for (const auto& name : {substance::connect, substance::release})
     if (!mechanics->connections)
-      around.inert[name] =
-          "nothing connects without connections; add 'connections: {make: by-gene}', or remove this";
+      around.inert[name] = "nothing connects without connections; add 'connections: {make: by-gene}', or remove this";
     else if (mechanics->connections->make == MakeConnections::atDivision)
       around.inert[name] = "connections.make is at-division; set it to by-gene or both, or remove this";
   return around;
@@ -143,8 +142,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
     fitShell(scenario);
   }
   if (const auto& names = reading.namesFile)
-    if (const auto* file =
-            readNamedFile(scenario, "names", names->first, names->second, places, reading.problems))
+    if (const auto* file = readNamedFile(scenario, "names", names->first, names->second, places, reading.problems))
       readCellNames(file->content, file->path, names->second, scenario, reading);
   const NamedFile* reference = nullptr;
   if (reading.reference && reading.reference->file) {

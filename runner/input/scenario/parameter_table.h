@@ -21,9 +21,9 @@ struct Section {
   bool required = false;
   Members members = Members::any;
   Decides decides = Decides::results;
-  std::string needs{};                    // the path of a section without which this one makes no sense
-  bool later = false;                     // as of a parameter: with nothing in it no part of the meaning
-  std::function<void(Scenario&)> make{};  // called when the section is given
+  std::string needs{};                            // the path of a section without which this one makes no sense
+  bool later = false;                             // as of a parameter: with nothing in it no part of the meaning
+  std::function<void(Scenario&)> make{};          // called when the section is given
   std::function<bool(const Scenario&)> exists{};  // absent: always
   // Of a section whose keys are the user's own, such as substances: all of them, as one map.
   std::optional<Parameter> entries{};

@@ -15,9 +15,9 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   const std::string name = kind.name;
   const bool turns = kind.takes == Takes::polarity && !choice.substance.empty();
   if ((kind.needsContact || turns) && !m.contact)
-    refuse(name + (turns ? " turns to contacts" : " goes by contacts") +
-               ", and without physics.contact cells have none",
-           "add 'contact: {}' to physics, or choose another plane");
+    refuse(
+        name + (turns ? " turns to contacts" : " goes by contacts") + ", and without physics.contact cells have none",
+        "add 'contact: {}' to physics, or choose another plane");
   if (kind.needsConnections && !m.connections)
     refuse(name + " goes by connections, and without a section connections cells have none",
            "add 'connections: {}', or choose another plane");
@@ -40,10 +40,8 @@ bool hasNoDrag(const MechanicsScene& m, const Node& root) {
 
 void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsScene& m, const Node& root,
                     const Refuse& refuse) {
-  if (chirality.angle == 0 && !mayBeNone)
-    return refuse("an angle of 0 turns nothing", "remove it, or give an angle");
-  if (!kindOf(m.physics.cell.model).hasMesh)
-    refuse("a sphere looks the same when it has turned", "remove this");
+  if (chirality.angle == 0 && !mayBeNone) return refuse("an angle of 0 turns nothing", "remove it, or give an angle");
+  if (!kindOf(m.physics.cell.model).hasMesh) refuse("a sphere looks the same when it has turned", "remove this");
   if (hasNoDrag(m, root))
     refuse("the medium turns daughters by its drag, and physics.drag is 0", "needs physics.drag > 0");
 }

@@ -63,16 +63,14 @@ class TableReader {
       const auto* member = node.find(parameter->key());
       if (!member && parameter->required) missing(node, parameter->path, "needs " + parameter->allowed);
       if (!member) continue;
-      if (parameter->needs.empty() || node.find(parameter->needs))
-        parameter->read(scenario_, member->value, reading_);
+      if (parameter->needs.empty() || node.find(parameter->needs)) parameter->read(scenario_, member->value, reading_);
       else
         reading_.problems.add(member->place, parameter->path, "makes no sense without " + parameter->needs,
                               "give both, or remove this");
     }
     for (const auto* child : parameterTable().sectionsOf(section.path)) {
       const auto* member = node.find(child->key());
-      if (!member && child->required)
-        missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
+      if (!member && child->required) missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
       if (!member) continue;
       if (!child->needs.empty() && !given_(child->needs))
         reading_.problems.add(member->place, child->path, "makes no sense without " + child->needs,
@@ -118,8 +116,8 @@ class TableReader {
               join(alternatives));
     if (good.size() > 1) std::erase_if(good, [&](const Member* m) { return joins(section.path, m->key); });
     if (section.members == Section::Members::exactlyOne && good.size() > 1)
-      reading_.problems.add(good[1]->place, inside(section.path, good[1]->key),
-                            "stands beside " + good[0]->key, "give one of " + join(alternatives, " or "));
+      reading_.problems.add(good[1]->place, inside(section.path, good[1]->key), "stands beside " + good[0]->key,
+                            "give one of " + join(alternatives, " or "));
   }
 
   Scenario& scenario_;

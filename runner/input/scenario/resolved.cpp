@@ -5,9 +5,7 @@ namespace morula::scenario {
 
 namespace {
 
-bool exists(const Section& section, const Scenario& scenario) {
-  return !section.exists || section.exists(scenario);
-}
+bool exists(const Section& section, const Scenario& scenario) { return !section.exists || section.exists(scenario); }
 
 Json resolveSection(const Section& section, const Scenario& scenario) {
   if (section.entries) return section.entries->write(scenario);

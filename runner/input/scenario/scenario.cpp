@@ -15,11 +15,9 @@ void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems
     const Place place{1, 1, change.place};
     for (const auto& other : overrides)
       if (&other < &change && other.path == change.path)
-        problems.add(place, change.path, "given twice",
-                     "keep one of '" + other.value + "' and '" + change.value + "'");
+        problems.add(place, change.path, "given twice", "keep one of '" + other.value + "' and '" + change.value + "'");
     const auto& table = parameterTable();
-    if (change.removes &&
-        (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
+    if (change.removes && (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
       continue;
     assign(root, change.path, readYamlValue(change.value, change.place, problems));
   }
@@ -36,17 +34,14 @@ void notePlaces(const Node& node, const std::string& path, Scenario& scenario) {
 Override parseOverride(const std::string& text) {
   const auto equals = text.find('=');
   const auto path = text.substr(0, equals);
-  if (equals == text.npos || path.empty() || path.front() == '.' || path.back() == '.' ||
-      path.find("..") != path.npos)
-    throw InputError("--set " + text +
-                     ": is not an assignment; needs path=value, as physics.time_step=0.001");
+  if (equals == text.npos || path.empty() || path.front() == '.' || path.back() == '.' || path.find("..") != path.npos)
+    throw InputError("--set " + text + ": is not an assignment; needs path=value, as physics.time_step=0.001");
   const auto value = text.substr(equals + 1);
   return {path, value, "--set " + path, value == "null" || value == "~"};
 }
 
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
-                      const std::vector<Override>& overrides, const std::vector<NamedFile>& files,
-                      bool allowOutside) {
+                      const std::vector<Override>& overrides, const std::vector<NamedFile>& files, bool allowOutside) {
   Scenario result;
   result.file = name;
   result.bytes = bytes;
@@ -93,13 +88,11 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides,
-                      bool allowOutside) {
+Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides, bool allowOutside) {
   return readScenario(readFile(file), file.string(), folderOf(file), overrides, {}, allowOutside);
 }
 
-const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario,
-                                                               const std::string& substance) {
+const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario, const std::string& substance) {
   if (const auto exact = scenario.colours.find(substance); exact != scenario.colours.end()) return &*exact;
   const std::pair<const std::string, std::string>* found = nullptr;
   for (const auto& entry : scenario.colours) {

@@ -49,8 +49,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
 
 /// The entry of the scenario's `colours` that a substance goes by: its own, or else the longest fitting
 /// pattern; null if there is none.
-const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario,
-                                                               const std::string& substance);
+const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario, const std::string& substance);
 /// Its colour.
 std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance);
 

@@ -10,8 +10,7 @@ namespace scenario {
 namespace {
 
 std::string description(const Parameter& p) {
-  return p.meaning + (p.unit.empty() ? "" : " [" + p.unit + "]") +
-         (p.absent.empty() ? "" : "; absent: " + p.absent);
+  return p.meaning + (p.unit.empty() ? "" : " [" + p.unit + "]") + (p.absent.empty() ? "" : "; absent: " + p.absent);
 }
 
 Json parameterSchema(const Parameter& p, const Scenario& defaults) {
@@ -23,9 +22,8 @@ Json parameterSchema(const Parameter& p, const Scenario& defaults) {
 
 Json sectionSchema(const Section& section, const Scenario& defaults) {
   const auto& table = parameterTable();
-  Json schema{
-      {"type", "object"},
-      {"description", section.meaning + (section.absent.empty() ? "" : "; absent: " + section.absent)}};
+  Json schema{{"type", "object"},
+              {"description", section.meaning + (section.absent.empty() ? "" : "; absent: " + section.absent)}};
   if (section.entries) {
     schema.update(section.entries->schema);
     return schema;

@@ -32,10 +32,7 @@ std::vector<Section> sections() {
   return {
       {.path = "", .meaning = "A scenario: an organism, how it grows, and how it is shown"},
       {.path = "cycle", .meaning = "The pace of biology"},
-      {.path = "stop",
-       .meaning = "The run ends at the first of these limits",
-       .required = true,
-       .members = atLeastOne},
+      {.path = "stop", .meaning = "The run ends at the first of these limits", .required = true, .members = atLeastOne},
       {.path = "physics",
        .meaning = "The mechanics of cells. Units are the scene's own: a length, a mass, a time",
        .absent = "lineage only: cells have no bodies",
@@ -71,9 +68,8 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.scene.mechanics->physics.shell.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.shell.has_value(); }},
       {.path = "physics.motility",
-       .meaning =
-           "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
-           "needs physics.drag",
+       .meaning = "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
+                  "needs physics.drag",
        .absent = "cells do not move on their own",
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
@@ -93,13 +89,11 @@ std::vector<Section> sections() {
        .make = makeMechanics,
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
       {.path = "division.chirality",
-       .meaning =
-           "Both daughters turn about the division axis, against each other and with the medium around them; "
-           "needs physics.drag",
+       .meaning = "Both daughters turn about the division axis, against each other and with the medium around them; "
+                  "needs physics.drag",
        .absent = "daughters do not turn",
        .make = [](Scenario& s) { s.scene.mechanics->division.chirality.emplace(); },
-       .exists =
-           [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->division.chirality; }},
+       .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->division.chirality; }},
       {.path = "connections",
        .meaning = "Cells that hold on to one another [Nilsson 2008, §4.4.3]",
        .absent = "no cell holds another",
@@ -117,28 +111,24 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.scene.mechanics->connections->spring.emplace(); },
        .exists =
            [](const Scenario& s) {
-             return s.scene.mechanics && s.scene.mechanics->connections &&
-                    s.scene.mechanics->connections->spring;
+             return s.scene.mechanics && s.scene.mechanics->connections && s.scene.mechanics->connections->spring;
            }},
       {.path = "variation",
-       .meaning =
-           "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
-           "cell's path, so that it is the same whatever else the scene does",
+       .meaning = "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
+                  "cell's path, so that it is the same whatever else the scene does",
        .absent = "no two runs differ by it",
        .members = atLeastOne,
        .later = true,
        .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
-       .meaning =
-           "What cells perceive. The keys are substances: at a cell's cycle the simulator inserts one if its "
-           "condition holds, as it inserts A and B, and takes it away if not",
+       .meaning = "What cells perceive. The keys are substances: at a cell's cycle the simulator inserts one if its "
+                  "condition holds, as it inserts A and B, and takes it away if not",
        .entries = senses(),
        .details = sensesAsMarkdown()},
       {.path = "record", .meaning = "What is written down while the scene runs"},
       {.path = "names",
-       .meaning =
-           "What people call the cells, in tables, pictures and messages: a cell goes by the name that "
-           "is given for its path, or else by her mother's with a daughter's ending",
+       .meaning = "What people call the cells, in tables, pictures and messages: a cell goes by the name that "
+                  "is given for its path, or else by her mother's with a daughter's ending",
        .absent = "cells go by their paths",
        .members = atLeastOne,
        .decides = Decides::presentation,
@@ -163,12 +153,11 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.check.reference.emplace(); },
        .exists = [](const Scenario& s) { return s.check.reference.has_value(); }},
       {.path = "check.bullet",
-       .meaning =
-           "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
-           "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
-           "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
-           "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and "
-           "aspect 0.02",
+       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
+                  "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
+                  "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
+                  "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and "
+                  "aspect 0.02",
        .absent = "not held against Bullet",
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.bullet.emplace(); },

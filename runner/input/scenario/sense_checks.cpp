@@ -15,8 +15,7 @@ namespace {
 bool isRead(const Dna& dna, const std::string& name) {
   const auto id = findSubstance(dna, name);
   return id && std::ranges::any_of(dna.genes, [&](const Gene& gene) {
-           return std::ranges::binary_search(gene.inputs, *id) ||
-                  std::ranges::binary_search(gene.repressors, *id);
+           return std::ranges::binary_search(gene.inputs, *id) || std::ranges::binary_search(gene.repressors, *id);
          });
 }
 
@@ -41,12 +40,10 @@ Lack findLack(SenseNeeds needs, const Scene& scene) {
       if (!m.physics.shell) return {"there is no shell to touch", "add a physics.shell" + remove};
       [[fallthrough]];
     case SenseNeeds::mesh:
-      if (!model.hasMesh)
-        return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
+      if (!model.hasMesh) return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
       break;
     case SenseNeeds::contact:
-      if (!m.contact)
-        return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
+      if (!m.contact) return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
       break;
     case SenseNeeds::connections:
       if (!m.connections) return {"nothing connects without connections", "add 'connections: {}'" + remove};
@@ -84,8 +81,7 @@ void checkSenses(const Scenario& scenario, Reading& reading, const Node& root) {
   }
   for (const SubstanceUse& use : reading.substances)
     if (use.path.starts_with("cells") &&
-        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) !=
-            scenario.scene.senses.end())
+        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) != scenario.scene.senses.end())
       reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
                            "remove it, or take another name");
 }
@@ -105,8 +101,7 @@ std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root
     warnings.push_back(placeText(scenario.file, placeOf(root, "division.size")) + ": division.size: " + text);
   };
   double largest = scenario.scene.cells.empty() ? 1 : 0;
-  for (const StartCell& cell : scenario.scene.cells)
-    largest = std::max(largest, cell.scale * cell.scale * cell.scale);
+  for (const StartCell& cell : scenario.scene.cells) largest = std::max(largest, cell.scale * cell.scale * cell.scale);
   const double most = std::max(largest, scenario.scene.mechanics->physics.growth->until.value_or(INFINITY));
   if (!canHold(scenario, substance::grow))
     warn("no gene produces 'grow', so cells come to no size; write a gene such as g9(grow|a0)");

@@ -18,11 +18,8 @@ void checkSettling(const Scenario& scenario, Reading& reading, const Node& root)
     return;
   }
   const std::string other = "remove this, or give another physics.integrator, such as velocity-verlet";
-  const auto cannot = [&](const char* path, const std::string& why) {
-    refuse(path, "integrator fire " + why, other);
-  };
-  if (m.physics.timeStep)
-    cannot("physics.time_step", "has no time step: it goes from one equilibrium to the next");
+  const auto cannot = [&](const char* path, const std::string& why) { refuse(path, "integrator fire " + why, other); };
+  if (m.physics.timeStep) cannot("physics.time_step", "has no time step: it goes from one equilibrium to the next");
   if (m.physics.motility) cannot("physics.motility", "knows no time in which cells could crawl");
   if (m.division.chirality) cannot("division.chirality", "knows no time in which daughters could turn");
   for (const DivisionRule& rule : m.division.rules)

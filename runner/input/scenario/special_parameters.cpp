@@ -24,11 +24,9 @@ Parameter dna() {
       const auto* file = readOnly(node, "dna", {"file"}, allowed, reading.problems);
       if (!file) return;
       reading.dna.place = file->value.place;
-      if (file->value.kind == Node::Kind::scalar && !file->value.text.empty())
-        reading.dna.file = file->value.text;
+      if (file->value.kind == Node::Kind::scalar && !file->value.text.empty()) reading.dna.file = file->value.text;
       else if (file->value.kind != Node::Kind::broken)
-        reading.problems.add(file->value.place, "dna.file", "is " + describe(file->value),
-                             "needs a file name");
+        reading.problems.add(file->value.place, "dna.file", "is " + describe(file->value), "needs a file name");
     } else if (node.kind == Node::Kind::scalar) {
       // Folding joins lines, and a line is a gene.
       if (node.style == '>')
@@ -41,8 +39,7 @@ Parameter dna() {
   p.write = [](const Scenario& s) {
     const auto& dna = s.scene.dna;
     if (dna.substances.empty()) return Json();
-    const auto list = [&](const std::vector<SubstanceId>& ids,
-                          const std::vector<SubstanceId>& repressors = {}) {
+    const auto list = [&](const std::vector<SubstanceId>& ids, const std::vector<SubstanceId>& repressors = {}) {
       std::string text;
       for (const auto id : ids) text += (text.empty() ? "" : ", ") + dna.substances[id];
       for (const auto id : repressors) text += ", !" + dna.substances[id];
@@ -50,8 +47,7 @@ Parameter dna() {
     };
     std::string text = "START: " + list(dna.start) + "\n";
     for (const auto& gene : dna.genes)
-      text +=
-          gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs, gene.repressors) + ")\n";
+      text += gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs, gene.repressors) + ")\n";
     return Json(text);
   };
   return p;
@@ -79,12 +75,11 @@ Parameter divisionSize() {
     if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
     const Member* given = readOnly(node, path, {"sizer", "adder"}, allowed, reading.problems);
     if (!given) return;
-    const auto size = readReal(given->value, positive, path + "." + given->key, numberAllowed(positive, ""),
-                               reading.problems);
+    const auto size =
+        readReal(given->value, positive, path + "." + given->key, numberAllowed(positive, ""), reading.problems);
     const bool sizer = given->key == "sizer";
     if (size)
-      s.scene.cycle.divisionSize =
-          DivisionSize{sizer ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder, *size};
+      s.scene.cycle.divisionSize = DivisionSize{sizer ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder, *size};
   };
   p.write = [](const Scenario& s) {
     const auto& size = s.scene.cycle.divisionSize;
@@ -115,8 +110,7 @@ Parameter timeStep() {
     if (node.kind == Node::Kind::map) {
       const auto* given = readOnly(node, path, {"auto"}, allowed, reading.problems);
       if (!given) return;
-      if (const auto value =
-              readReal(given->value, share, path + ".auto", numberAllowed(share, ""), reading.problems))
+      if (const auto value = readReal(given->value, share, path + ".auto", numberAllowed(share, ""), reading.problems))
         physics.timeStep = std::nullopt, physics.autoShare = *value;
     } else if (node.kind == Node::Kind::scalar && node.text == "auto") {
       physics.timeStep = std::nullopt, physics.autoShare = 1;
@@ -148,8 +142,7 @@ Parameter shellSphere() {
 }
 
 Parameter shellEllipsoid() {
-  auto p = real("physics.shell.ellipsoid", "length", positive, "Semi-axes along x, y and z of an ellipsoid",
-                nullptr);
+  auto p = real("physics.shell.ellipsoid", "length", positive, "Semi-axes along x, y and z of an ellipsoid", nullptr);
   p.allowed = "three numbers > 0 [length], as [27, 15, 11]";
   p.absent = "see sphere";
   p.schema = {{"type", "array"}, {"items", p.schema}, {"minItems", 3}, {"maxItems", 3}};

@@ -32,8 +32,7 @@ void checkConnecting(const Scenario& scenario, Reading& reading, const Node& roo
                                     return use.path.starts_with("cells") && use.name == substance::connect;
                                   }));
   if (!wanted && !dna.substances.empty())  // empty: it could not be read, which has been said
-    reading.problems.add(place, "connections.make",
-                         "no gene produces 'connect', so genes never connect cells",
+    reading.problems.add(place, "connections.make", "no gene produces 'connect', so genes never connect cells",
                          "write a gene such as g9(connect|a0), or set this to at-division");
 }
 
@@ -49,8 +48,7 @@ void checkConnections(const Scenario& scenario, Reading& reading, const Node& ro
   const ConnectionParameters& c = *scenario.scene.mechanics->connections;
   if (c.spring && c.strength)
     reading.problems.add(placeOf(root, "connections.strength"), "connections.strength",
-                         "stands beside spring, and a connection is either",
-                         "give one of strength or spring");
+                         "stands beside spring, and a connection is either", "give one of strength or spring");
   if (c.releaseTension && !c.spring)
     reading.problems.add(placeOf(root, "connections.release-tension"), "connections.release-tension",
                          "is the tension of a spring, and here every connection pulls with one strength",
@@ -69,8 +67,8 @@ void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root)
   const auto bound = [&](double stiffness, double share, const std::string& whose, const char* what) {
     if (largest <= stiffness * share) return;
     reading.problems.add(place, path, exactText(largest) + what + exactText(stiffness),
-                         "needs at most " + numberText(stiffness * share) + ", or a " + whose +
-                             " of at least " + numberText(largest / share));
+                         "needs at most " + numberText(stiffness * share) + ", or a " + whose + " of at least " +
+                             numberText(largest / share));
   };
   const PhysicsParameters& physics = scenario.scene.mechanics->physics;
   bound(contact->stiffness, overContact, "physics.contact.stiffness",

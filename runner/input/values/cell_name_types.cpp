@@ -14,8 +14,7 @@ constexpr const char* pathAllowed = "1 to 120 letters A and B";
 Json nameSchema() { return {{"type", "string"}, {"minLength", 1}, {"maxLength", 40}}; }
 
 std::optional<CellPath> pathIn(std::string_view text) {
-  const bool good =
-      !text.empty() && text.size() <= CellPath::maxDepth && text.find_first_not_of("AB") == text.npos;
+  const bool good = !text.empty() && text.size() <= CellPath::maxDepth && text.find_first_not_of("AB") == text.npos;
   return good ? std::optional(CellPath::parse(text)) : std::nullopt;
 }
 
@@ -70,10 +69,9 @@ Parameter nameOfEgg() {
 }
 
 Parameter namesOfDaughters() {
-  auto p =
-      presented("names.daughters", "two names' endings, as [a, p], of which neither begins with the other",
-                "cells that have no name of their own have none",
-                "What a daughter A, and a daughter B, adds to her mother's name");
+  auto p = presented("names.daughters", "two names' endings, as [a, p], of which neither begins with the other",
+                     "cells that have no name of their own have none",
+                     "What a daughter A, and a daughter B, adds to her mother's name");
   p.schema = {{"type", "array"}, {"items", nameSchema()}, {"minItems", 2}, {"maxItems", 2}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     auto& problems = reading.problems;
@@ -97,9 +95,8 @@ Parameter namesOfDaughters() {
 Parameter namesOfCells() {
   auto p = presented("names.cells", "a map of paths to names, as {A: AB, B: P1}", "none",
                      "Names of cells by their paths; the egg's is names.egg");
-  p.schema = {{"type", "object"},
-              {"propertyNames", {{"pattern", "^[AB]{1,120}$"}}},
-              {"additionalProperties", nameSchema()}};
+  p.schema = {
+      {"type", "object"}, {"propertyNames", {{"pattern", "^[AB]{1,120}$"}}}, {"additionalProperties", nameSchema()}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
     for (const Member& member : node.members) {
@@ -140,19 +137,15 @@ void readCellNames(const std::string& text, const std::string& file, const Place
     ++number;
     const auto found = wordsOf(line);
     if (found.empty()) continue;
-    NameUse use{{},
-                place,
-                "names.file",
-                file + ":" + std::to_string(number) + ":" + std::to_string(line.find(found[0]) + 1)};
+    NameUse use{
+        {}, place, "names.file", file + ":" + std::to_string(number) + ":" + std::to_string(line.find(found[0]) + 1)};
     const auto path = found[0] == "egg" ? std::optional(CellPath{}) : pathIn(found[0]);
     const std::string right = "needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'";
     if (found.size() != 2)
-      complain(use, found.size() == 1 ? "has a path and no name" : "goes on behind the name", right,
-               reading.problems);
+      complain(use, found.size() == 1 ? "has a path and no name" : "goes on behind the name", right, reading.problems);
     else if (!path) complain(use, "'" + found[0] + "' is not a cell's path", right, reading.problems);
     else if (!isCellName(found[1]))
-      complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed,
-               reading.problems);
+      complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed, reading.problems);
     else use.path = *path, give(use, found[1], scenario, reading);
   }
   const bool isGood = static_cast<int>(reading.problems.size()) == before;
@@ -170,10 +163,8 @@ void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root
     for (const CellPath& other : names.find(name)) {
       const bool otherIsGiven = names.given.contains(other) && names.given.at(other) == name;
       if (other == use.path || (otherIsGiven && other < use.path)) continue;  // said once, of the first
-      complain(
-          use,
-          "'" + name + "' is also the name of " + words(other) + (otherIsGiven ? "" : ", by names.daughters"),
-          "give each cell a name of her own", reading.problems);
+      complain(use, "'" + name + "' is also the name of " + words(other) + (otherIsGiven ? "" : ", by names.daughters"),
+               "give each cell a name of her own", reading.problems);
     }
   }
 }

@@ -19,13 +19,12 @@ bool isAsciiWord(char c) {
 /// Characters that show as nothing, as a blank, or that turn what follows.
 bool isInvisible(char32_t c) {
   return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || c == 0xAD || c == 0x61C || c == 0x1680 ||
-         (c >= 0x2000 && c <= 0x200F) || (c >= 0x2028 && c <= 0x202F) || (c >= 0x205F && c <= 0x206F) ||
-         c == 0x3000 || c == 0xFEFF;
+         (c >= 0x2000 && c <= 0x200F) || (c >= 0x2028 && c <= 0x202F) || (c >= 0x205F && c <= 0x206F) || c == 0x3000 ||
+         c == 0xFEFF;
 }
 
 /// The descendants of `cell` whose names add `rest` to hers, among those without a name of their own.
-void findBelow(const CellNames& names, const CellPath& cell, std::string_view rest,
-               std::vector<CellPath>& found) {
+void findBelow(const CellNames& names, const CellPath& cell, std::string_view rest, std::vector<CellPath>& found) {
   if (rest.empty()) {
     found.push_back(cell);
     return;
@@ -90,8 +89,8 @@ CellPath cellCalled(const CellNames& names, std::string_view text, std::string_v
   const std::string near = closest(text, known);
   const std::string right =
       near.empty() ? "needs egg, or a path of the letters A and B, as AAB" : "did you mean " + near + "?";
-  throw InputError((where.empty() ? "" : std::string(where) + ": ") + "'" + std::string(text) +
-                   "' is no cell's " + (names.empty() ? "path" : "name or path") + "; " + right);
+  throw InputError((where.empty() ? "" : std::string(where) + ": ") + "'" + std::string(text) + "' is no cell's " +
+                   (names.empty() ? "path" : "name or path") + "; " + right);
 }
 
 std::string cellWords(const NameOf& nameOf, const CellPath& path) {

@@ -4,13 +4,13 @@
 namespace morula::scenario {
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field) {
-  auto p = Parameter{
-      .path = std::move(path),
-      .allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]",
-      .meaning = std::move(meaning),
-      .decides = Decides::presentation,
-      .schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}},
-      .absent = "not checked"};
+  auto p =
+      Parameter{.path = std::move(path),
+                .allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]",
+                .meaning = std::move(meaning),
+                .decides = Decides::presentation,
+                .schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}},
+                .absent = "not checked"};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto bounds = readReals(node, 2, notNegative, path, allowed, reading.problems);
     if (!bounds) return;
@@ -39,8 +39,7 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
     if (!expectEntries(node, path, allowed, reading.problems)) return;
     for (const auto& item : node.items) {
       const auto value = readText(item, path, "a text", reading.problems);
-      if (value && value->empty())
-        reading.problems.add(item.place, path, "an empty text", "it names nothing");
+      if (value && value->empty()) reading.problems.add(item.place, path, "an empty text", "it names nothing");
       else if (value) field(s).push_back(*value);
     }
   };
@@ -56,8 +55,7 @@ Parameter saneEnd() {
   p.path = "check.sane";
   p.allowed = "false, beside because; true is what holds without it";
   p.meaning = "false: this scene is about an end that is not sane, and the run passes all the same";
-  p.absent =
-      "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
+  p.absent = "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
   p.decides = Decides::presentation;
   p.schema = {{"type", "boolean"}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

@@ -22,9 +22,7 @@ std::string spell(const DivisionPlaneKind& kind) {
   return std::string("{") + kind.name + (kind.takes == Takes::substance ? ": a0}" : ": [x, y, z]}");
 }
 
-Json axisSchema() {
-  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
-}
+Json axisSchema() { return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}; }
 
 /// An axis alone, or one that turns.
 Json polaritySchema() {
@@ -38,9 +36,7 @@ Json polaritySchema() {
 }
 
 Json takenSchema(Takes takes) {
-  return takes == Takes::axis        ? axisSchema()
-         : takes == Takes::substance ? Json{{"type", "string"}}
-                                     : polaritySchema();
+  return takes == Takes::axis ? axisSchema() : takes == Takes::substance ? Json{{"type", "string"}} : polaritySchema();
 }
 
 Json planeSchema() {
@@ -76,8 +72,7 @@ void readTurning(const Node& node, const std::string& path, Reading& reading, Pl
     else if (member.key == "turns-towards" || member.key == "turns-away-from") turns = &member;
   }
   if (!start)
-    reading.problems.add(node.place, path + ".start", "is missing",
-                         "needs the egg's polarity, as start: [1, 0, 0]");
+    reading.problems.add(node.place, path + ".start", "is missing", "needs the egg's polarity, as start: [1, 0, 0]");
   else if (const auto axis = readAxis(start->value, path + ".start", reading.problems)) choice.axis = *axis;
   if (!turns)
     return reading.problems.add(node.place, path, "turns nowhere",
@@ -156,11 +151,11 @@ class RuleReader {
     readCells(rule);
     readDirection(rule);
     if (const auto* share = node_.find("share"))
-      rule.share = readReal(share->value, shareRange, path_ + ".share", numberAllowed(shareRange, ""),
-                            reading_.problems);
+      rule.share =
+          readReal(share->value, shareRange, path_ + ".share", numberAllowed(shareRange, ""), reading_.problems);
     if (const auto* tilt = node_.find("tilt"))
-      rule.tilt = readReal(tilt->value, tiltRange, path_ + ".tilt", numberAllowed(tiltRange, "degree"),
-                           reading_.problems);
+      rule.tilt =
+          readReal(tilt->value, tiltRange, path_ + ".tilt", numberAllowed(tiltRange, "degree"), reading_.problems);
     if (const auto* chirality = node_.find("chirality"))
       rule.chirality = readChirality(chirality->value, path_ + ".chirality", reading_.problems);
     const auto saysSomething = [](const Member& m) { return m.key != "of"; };
@@ -214,8 +209,7 @@ Json ruleSchema() {
   Json properties{
       {"of",
        {{"oneOf",
-         Json::array(
-             {pattern, {{"type", "array"}, {"items", pattern}, {"minItems", 1}, {"uniqueItems", true}}})}}},
+         Json::array({pattern, {{"type", "array"}, {"items", pattern}, {"minItems", 1}, {"uniqueItems", true}}})}}},
       {"axis", axisSchema()},
       {"plane", planeSchema()},
       {"share", numberSchema(shareRange)},

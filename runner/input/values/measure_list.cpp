@@ -27,8 +27,8 @@ std::string tableOf(const char* title, const char* about, const Json& rows) {
     const auto sampled = row.at("sampled").get<bool>();
     text += "| `" + row.at("name").get<std::string>() + "`" + (sampled ? "" : " (on demand)") + " | " +
             row.at("unit").get<std::string>() + " | " + row.at("needs").get<std::string>() + " | " +
-            (row.at("follows_number").get<bool>() ? "follows" : "") + " | " +
-            row.at("meaning").get<std::string>() + " |\n";
+            (row.at("follows_number").get<bool>() ? "follows" : "") + " | " + row.at("meaning").get<std::string>() +
+            " |\n";
   }
   return text + "\n";
 }
@@ -79,9 +79,8 @@ std::string measuresAsMarkdown() {
 }
 
 std::string measuresAsJson() {
-  const Json all{{"world", rowsAsJson<Observation>()},
-                 {"cell", rowsAsJson<CellContext>()},
-                 {"pair", rowsAsJson<Touch>()}};
+  const Json all{
+      {"world", rowsAsJson<Observation>()}, {"cell", rowsAsJson<CellContext>()}, {"pair", rowsAsJson<Touch>()}};
   return jsonText(all, 2) + "\n";
 }
 

@@ -47,9 +47,8 @@ struct Reading {
   std::vector<Place> startCells;  // where each of `cells` stands
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
-  std::vector<Place> rules{};  // where each of `division.rules` stands
-  std::set<std::string>
-      senses{};  // substances that `senses` names, whether or not their conditions could be read
+  std::vector<Place> rules{};      // where each of `division.rules` stands
+  std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
 };
 

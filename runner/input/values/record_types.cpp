@@ -43,9 +43,8 @@ Parameter recordAtCells() {
       "time";
   p.absent = "at no number of cells";
   p.later = true;
-  p.schema = {{"type", "array"},
-              {"items", {{"type", "integer"}, {"minimum", 1}, {"maximum", 1'000'000'000}}},
-              {"minItems", 1}};
+  p.schema = {
+      {"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}, {"maximum", 1'000'000'000}}}, {"minItems", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (!expectEntries(node, path, allowed, reading.problems)) return;
     auto& numbers = s.record.atCells;
@@ -82,8 +81,8 @@ Parameter recordMeasures() {
       try {
         const AskedMeasure m = readMeasure(*text, IfSeveral::first);
         if (!m.onDemand)
-          reading.problems.add(item.place, path,
-                               "'" + *text + "' is taken at every sample without being asked", "remove it");
+          reading.problems.add(item.place, path, "'" + *text + "' is taken at every sample without being asked",
+                               "remove it");
         else if (std::ranges::find(s.record.measures, m.name) != s.record.measures.end())
           reading.problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
         else s.record.measures.push_back(m.name);

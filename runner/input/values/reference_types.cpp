@@ -10,8 +10,7 @@ namespace morula::scenario {
 
 namespace {
 
-constexpr const char* contactsAllowed =
-    "a list of pairs of cells, by names or paths, as [[ABa, ABp], [ABa, EMS]]";
+constexpr const char* contactsAllowed = "a list of pairs of cells, by names or paths, as [[ABa, ABp], [ABa, EMS]]";
 constexpr const char* positionsAllowed = "a map of cells, by names or paths, to centres, as {ABa: [1, 0, 0]}";
 constexpr const char* lineAllowed = "needs a line 'contact CELL CELL' or 'position CELL X Y Z'";
 
@@ -26,8 +25,7 @@ class ReferenceReader {
     for (const Node& pair : node.items) {
       if (pair.kind != Node::Kind::sequence || pair.items.size() != 2) {
         if (pair.kind != Node::Kind::broken)
-          reading_.problems.add(pair.place, path, "is no pair of cells",
-                                std::string("needs ") + contactsAllowed);
+          reading_.problems.add(pair.place, path, "is no pair of cells", std::string("needs ") + contactsAllowed);
         continue;
       }
       const auto one = readText(pair.items[0], path, "a cell", reading_.problems);
@@ -41,8 +39,8 @@ class ReferenceReader {
     if (node.kind != Node::Kind::map) return refuse(node, path, positionsAllowed, reading_.problems);
     for (const Member& member : node.members) {
       if (member.key.empty()) continue;
-      const auto place = readTriple(member.value, {}, path + "." + member.key, "three numbers, as [1, 0, 0]",
-                                    reading_.problems);
+      const auto place =
+          readTriple(member.value, {}, path + "." + member.key, "three numbers, as [1, 0, 0]", reading_.problems);
       if (place) complain(member.place, path + "." + member.key, [&] { addPosition(member.key, *place); });
     }
   }
@@ -65,8 +63,7 @@ class ReferenceReader {
  private:
   void addLine(const std::vector<std::string>& words) {
     if (words[0] == "contact" && words.size() == 3) return addContact(words[1], words[2]);
-    if (words[0] != "position" || words.size() != 5)
-      throw InputError(std::string("is not understood; ") + lineAllowed);
+    if (words[0] != "position" || words.size() != 5) throw InputError(std::string("is not understood; ") + lineAllowed);
     double xyz[3];
     for (int i = 0; i < 3; ++i) {
       const std::string& word = words[2 + static_cast<std::size_t>(i)];
@@ -124,14 +121,11 @@ Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading
 }  // namespace
 
 Parameter referenceContacts() {
-  auto p = kept(
-      "check.reference.contacts", contactsAllowed,
-      "Pairs that touch, with contact_jaccard and contact_f1: all contacts that their cells have among them");
+  auto p = kept("check.reference.contacts", contactsAllowed,
+                "Pairs that touch, with contact_jaccard and contact_f1: all contacts that their cells have among them");
   const Json pair{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
   p.schema = {{"type", "array"}, {"items", pair}, {"minItems", 1}};
-  p.read = [](Scenario&, const Node& node, Reading& reading) {
-    keep(&ReferenceSource::contacts, node, reading);
-  };
+  p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::contacts, node, reading); };
   p.write = [](const Scenario& s) {
     Json list = Json::array();
     for (const auto& [a, b] : s.check.reference->contacts) list.push_back({written(a), written(b)});
@@ -143,25 +137,21 @@ Parameter referenceContacts() {
 Parameter referencePositions() {
   auto p = kept("check.reference.positions", positionsAllowed,
                 "Centres of cells in any frame, with position_rmsd and position_shape_rmsd: at least three");
-  p.schema = {{"type", "object"},
-              {"additionalProperties",
-               {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
-  p.read = [](Scenario&, const Node& node, Reading& reading) {
-    keep(&ReferenceSource::positions, node, reading);
-  };
+  p.schema = {
+      {"type", "object"},
+      {"additionalProperties", {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
+  p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::positions, node, reading); };
   p.write = [](const Scenario& s) {
     Json map = Json::object();
-    for (const auto& [path, place] : s.check.reference->positions)
-      map[written(path)] = {place.x, place.y, place.z};
+    for (const auto& [path, place] : s.check.reference->positions) map[written(path)] = {place.x, place.y, place.z};
     return map.empty() ? Json() : map;
   };
   return p;
 }
 
 Parameter referenceFile() {
-  auto p =
-      kept("check.reference.file", "a file, relative to the scenario's folder",
-           "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
+  auto p = kept("check.reference.file", "a file, relative to the scenario's folder",
+                "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     const auto file = readText(node, path, allowed, reading.problems);

@@ -39,11 +39,11 @@ struct Bounds {
 /// that fit the scene (engines/bullet_check.h).
 struct BulletCheck {
   Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
-  double margin = 0.01;  // [radii of the egg] of each surface in Bullet: what touches is two of them apart
-  std::optional<double> positions;  // [length] of the vertex farthest off
-  std::optional<double> radius;     // [1] of each cell: the mean distance of its vertices from their centre
-  std::optional<double> volume;     // [1] of each cell
-  std::optional<double> distance;   // [1] of the centres of cells that touch, less Bullet's gap
+  double margin = 0.01;              // [radii of the egg] of each surface in Bullet: what touches is two of them apart
+  std::optional<double> positions;   // [length] of the vertex farthest off
+  std::optional<double> radius;      // [1] of each cell: the mean distance of its vertices from their centre
+  std::optional<double> volume;      // [1] of each cell
+  std::optional<double> distance;    // [1] of the centres of cells that touch, less Bullet's gap
   // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
   std::optional<double> aspect;
 
@@ -63,8 +63,8 @@ struct CheckParameters {
   std::optional<double> endRoundness;  // [1] the least sphericity of a cell
   std::optional<double> endOverlap;    // [1] mean share of a cell's volume that lies in another too
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
-  bool sane = true;     // false: the scene is about an end that is not (core/simulation/sanity.h)
-  std::string because;  // why it is not; "" if it is
+  bool sane = true;                    // false: the scene is about an end that is not (core/simulation/sanity.h)
+  std::string because;                 // why it is not; "" if it is
   std::optional<BulletCheck> bullet;   // held against Bullet
   std::optional<Reference> reference;  // what some measures compare the organism with
 };

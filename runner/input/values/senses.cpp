@@ -51,8 +51,7 @@ class SenseReader {
     }
     const Member* given = readOnly(member.value, path_, namesOfKinds(), senseForm, problems());
     if (!given) return {};
-    const auto row =
-        std::ranges::find(senseKinds(), given->key, [](const SenseKindRow* r) { return r->name; });
+    const auto row = std::ranges::find(senseKinds(), given->key, [](const SenseKindRow* r) { return r->name; });
     sense_.substance = member.key;
     sense_.kind = (*row)->kind;
     path_ += "." + given->key;
@@ -92,8 +91,7 @@ class SenseReader {
       if (row.of.required || (row.takesLives && !lives)) require(node, key, right);
       return;
     }
-    if (lives)
-      problems().add(of->place, path_ + "." + key, "stands beside lives", "give " + key + " or lives");
+    if (lives) problems().add(of->place, path_ + "." + key, "stands beside lives", "give " + key + " or lives");
     if (const auto name = readPattern(of->value, path_ + "." + key, reading_)) sense_.of = *name;
   }
 
@@ -106,15 +104,13 @@ class SenseReader {
 
   void readNumber(const SenseKindRow& row, const Node& node) {
     const std::string allowed = numberAllowed(positive, row.number.unit);
-    const Member* member =
-        row.number.required ? require(node, row.number.key, allowed) : node.find(row.number.key);
+    const Member* member = row.number.required ? require(node, row.number.key, allowed) : node.find(row.number.key);
     if (!member) return;
     sense_.number = readReal(member->value, positive, path_ + "." + row.number.key, allowed, problems());
   }
 
   void readAxis(const Node& node) {
-    const auto axis =
-        readTriple(node, {}, path_ + ".axis", "three numbers, not all 0, as [1, 0, 0]", problems());
+    const auto axis = readTriple(node, {}, path_ + ".axis", "three numbers, not all 0, as [1, 0, 0]", problems());
     if (!axis) return;
     if (*axis == Vector{})
       problems().add(node.place, path_ + ".axis", "has length 0", "needs at least one number other than 0");
@@ -134,9 +130,8 @@ class SenseReader {
 
   static bool hasUnknown(const SenseKindRow& row, const Node& node) {
     const auto known = keysOf(row);
-    return std::ranges::any_of(node.members, [&](const Member& member) {
-      return std::ranges::find(known, member.key) == known.end();
-    });
+    return std::ranges::any_of(
+        node.members, [&](const Member& member) { return std::ranges::find(known, member.key) == known.end(); });
   }
 
   void checkThreshold(const SenseKindRow& row, const Node& node) {
@@ -144,8 +139,7 @@ class SenseReader {
     const auto complain = [&](const std::string& wrong, const std::string& right) {
       problems().add(node.place, path_, wrong, right);
     };
-    if (!below && !above && !atMost && !atLeast && hasUnknown(row, node))
-      return;  // which may be meant to be one
+    if (!below && !above && !atMost && !atLeast && hasUnknown(row, node)) return;  // which may be meant to be one
     if (!below && !above && !atMost && !atLeast)
       return complain("says of no number that it is noted", "needs below, above, at-most or at-least");
     if (below && atMost) return complain("has two upper bounds", "give below or at-most");
@@ -214,10 +208,8 @@ Json schemaOf(const SenseKindRow& row) {
   }
   if (!row.threshold)
     for (const Bound& bound : bounds) keys[bound.key] = {{"type", "number"}};
-  Json condition{{"type", "object"},
-                 {"description", row.meaning},
-                 {"properties", keys},
-                 {"additionalProperties", false}};
+  Json condition{
+      {"type", "object"}, {"description", row.meaning}, {"properties", keys}, {"additionalProperties", false}};
   if (!required.empty()) condition["required"] = required;
   return {{"type", "object"},
           {"properties", {{row.name, condition}}},
@@ -261,8 +253,7 @@ Parameter senses() {
       const std::string path = "senses." + member.key;
       reading.senses.insert(member.key);
       if (isTaken(member.key))
-        reading.problems.add(member.place, path,
-                             "'" + member.key + "' is a substance that the simulator knows",
+        reading.problems.add(member.place, path, "'" + member.key + "' is a substance that the simulator knows",
                              "take another name");
       if (const auto sense = SenseReader(path, reading).read(member)) s.scene.senses.push_back(*sense);
     }
@@ -293,8 +284,8 @@ std::string sensesAsMarkdown() {
     if (row->number.key) add(row->number.key, row->number.unit);
     if (row->takesAxis) add("axis");
     if (!row->threshold) keys += keys.empty() ? "bounds" : ", bounds";
-    text += "| `" + std::string(row->name) + "` | " + keys + " | " + row->unit + " | " + nameOf(row->needs) +
-            " | " + markdownCell(row->meaning) + " |\n";
+    text += "| `" + std::string(row->name) + "` | " + keys + " | " + row->unit + " | " + nameOf(row->needs) + " | " +
+            markdownCell(row->meaning) + " |\n";
   }
   return text;
 }

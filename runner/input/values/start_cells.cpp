@@ -44,8 +44,7 @@ class CellReader {
   std::optional<double> number(const char* key, const char* unit) {
     const auto* member = node_.find(key);
     if (!member) return {};
-    return readReal(member->value, anyPositive, path_ + "." + key, numberAllowed(positive, unit),
-                    reading_.problems);
+    return readReal(member->value, anyPositive, path_ + "." + key, numberAllowed(positive, unit), reading_.problems);
   }
 
   std::vector<std::string> readSubstances(const Node& list) {

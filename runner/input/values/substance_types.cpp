@@ -32,8 +32,7 @@ std::optional<std::string> readPattern(const Node& node, const std::string& path
   return name;
 }
 
-Parameter timePerSubstance(std::string path, std::string meaning,
-                           Field<std::map<std::string, double>> field) {
+Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map<std::string, double>> field) {
   Parameter p;
   p.path = std::move(path);
   p.unit = "time";
@@ -42,8 +41,7 @@ Parameter timePerSubstance(std::string path, std::string meaning,
   p.schema = {{"type", "object"}, {"additionalProperties", numberSchema(positive)}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     readPerSubstance(node, path, allowed, true, reading, [&](const Member& member, const std::string& at) {
-      const auto value =
-          readReal(member.value, positive, at, numberAllowed(positive, "time"), reading.problems);
+      const auto value = readReal(member.value, positive, at, numberAllowed(positive, "time"), reading.problems);
       if (value) field(s)[member.key] = *value;
     });
   };
@@ -51,15 +49,13 @@ Parameter timePerSubstance(std::string path, std::string meaning,
   return p;
 }
 
-Parameter colourPerSubstance(std::string path, std::string meaning,
-                             Field<std::map<std::string, std::string>> field) {
+Parameter colourPerSubstance(std::string path, std::string meaning, Field<std::map<std::string, std::string>> field) {
   Parameter p;
   p.path = std::move(path);
   p.allowed = "a map of substances, or beginnings of names and '*', to colours '#rrggbb'";
   p.meaning = std::move(meaning);
   p.decides = Decides::presentation;
-  p.schema = {{"type", "object"},
-              {"additionalProperties", {{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}}}};
+  p.schema = {{"type", "object"}, {"additionalProperties", {{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}}}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     readPerSubstance(node, path, allowed, true, reading, [&](const Member& member, const std::string& at) {
       const std::string form = "a colour '#rrggbb', in quotes because '#' begins a comment";
@@ -72,9 +68,7 @@ Parameter colourPerSubstance(std::string path, std::string meaning,
         good = good && (&c == &colour[0] || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'));
       }
       if (good) field(s)[member.key] = colour;
-      else
-        reading.problems.add(member.value.place, at, describe(member.value) + " is not a colour",
-                             "needs " + form);
+      else reading.problems.add(member.value.place, at, describe(member.value) + " is not a colour", "needs " + form);
     });
   };
   p.write = [field](const Scenario& s) { return Json(field(const_cast<Scenario&>(s))); };

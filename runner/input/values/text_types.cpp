@@ -25,11 +25,9 @@ std::optional<std::string> readText(const Node& node, const std::string& path, c
 }
 
 Parameter text(std::string path, std::string meaning, Field<std::string> field) {
-  return ofField({.path = std::move(path),
-                  .allowed = "a text",
-                  .meaning = std::move(meaning),
-                  .schema = {{"type", "string"}}},
-                 field, readText);
+  return ofField(
+      {.path = std::move(path), .allowed = "a text", .meaning = std::move(meaning), .schema = {{"type", "string"}}},
+      field, readText);
 }
 
 Parameter name(std::string path, std::string meaning, Field<std::string> field) {
@@ -63,8 +61,7 @@ Parameter oneOf(std::string path, std::vector<std::string> names, std::string me
                 std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set) {
   Parameter p;
   p.path = std::move(path);
-  for (const auto& name : names)
-    p.allowed += (p.allowed.empty() ? "" : &name == &names.back() ? " or " : ", ") + name;
+  for (const auto& name : names) p.allowed += (p.allowed.empty() ? "" : &name == &names.back() ? " or " : ", ") + name;
   p.meaning = std::move(meaning);
   p.schema = {{"enum", names}};
   p.read = [set, names, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

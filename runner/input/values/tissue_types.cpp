@@ -19,10 +19,9 @@ std::optional<Pair> readPair(const Node& node, const std::string& path, Reading&
     return {};
   }
   if (node.items.size() != 2) {
-    reading.problems.add(
-        node.place, path,
-        "has " + std::to_string(node.items.size()) + (node.items.size() == 1 ? " entry" : " entries"),
-        std::string("needs ") + pairForm);
+    reading.problems.add(node.place, path,
+                         "has " + std::to_string(node.items.size()) + (node.items.size() == 1 ? " entry" : " entries"),
+                         std::string("needs ") + pairForm);
     return {};
   }
   const auto a = readPattern(node.items[0], path, reading), b = readPattern(node.items[1], path, reading);
@@ -37,25 +36,23 @@ bool covers(const Pair& wide, const Pair& narrow) {
 }
 
 /// True, with a problem, if one of the pairs before takes all that this one would.
-bool refuseCovered(const Pair& pair, const std::vector<Pair>& before, const Place& place,
-                   const std::string& path, Problems& problems) {
+bool refuseCovered(const Pair& pair, const std::vector<Pair>& before, const Place& place, const std::string& path,
+                   Problems& problems) {
   const auto at = std::ranges::find_if(before, [&](const Pair& wide) { return covers(wide, pair); });
   if (at == before.end()) return false;
-  problems.add(place, path,
-               "never counts: [" + (*at)[0] + ", " + (*at)[1] + "] before it takes all of its cells",
+  problems.add(place, path, "never counts: [" + (*at)[0] + ", " + (*at)[1] + "] before it takes all of its cells",
                "put it first, or remove one");
   return true;
 }
 
 Json pairSchema() {
-  return {
-      {"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 2}, {"maxItems", 2}};
+  return {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 2}, {"maxItems", 2}};
 }
 
 const std::string strengthAllowed = numberAllowed(notNegative, "force/length");
 
-std::optional<AdhesionPair> readAdhesionPair(const Node& node, const std::string& path,
-                                             std::vector<Pair>& before, Reading& reading) {
+std::optional<AdhesionPair> readAdhesionPair(const Node& node, const std::string& path, std::vector<Pair>& before,
+                                             Reading& reading) {
   const std::string form = "a map, as {of: [red, red], strength: 2}";
   if (node.kind != Node::Kind::map) {
     refuse(node, path, form, reading.problems);
@@ -66,11 +63,9 @@ std::optional<AdhesionPair> readAdhesionPair(const Node& node, const std::string
     if (!node.find(key)) reading.problems.add(node.place, path + "." + key, "is missing", "needs " + form);
   const Member *of = node.find("of"), *given = node.find("strength");
   const auto strength =
-      given ? readReal(given->value, notNegative, path + ".strength", strengthAllowed, reading.problems)
-            : std::nullopt;
+      given ? readReal(given->value, notNegative, path + ".strength", strengthAllowed, reading.problems) : std::nullopt;
   const auto pair = of ? readPair(of->value, path + ".of", reading) : std::nullopt;
-  if (!pair || refuseCovered(*pair, before, of->value.place, path + ".of", reading.problems) || !strength)
-    return {};
+  if (!pair || refuseCovered(*pair, before, of->value.place, path + ".of", reading.problems) || !strength) return {};
   before.push_back(*pair);
   return AdhesionPair{(*pair)[0], (*pair)[1], *strength};
 }
@@ -80,17 +75,16 @@ void readAdhesionMap(const Node& node, const std::string& path, const std::strin
   refuseUnknown(node, path, {"default", "pairs"}, reading.problems);
   if (node.members.empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
   if (const Member* member = node.find("default"))
-    if (const auto value =
-            readReal(member->value, notNegative, path + ".default", strengthAllowed, reading.problems))
+    if (const auto value = readReal(member->value, notNegative, path + ".default", strengthAllowed, reading.problems))
       adhesion.strength = *value;
   const Member* pairs = node.find("pairs");
-  if (!pairs || !expectEntries(pairs->value, path + ".pairs",
-                               "a list of maps, as [{of: [red, red], strength: 2}]", reading.problems))
+  if (!pairs || !expectEntries(pairs->value, path + ".pairs", "a list of maps, as [{of: [red, red], strength: 2}]",
+                               reading.problems))
     return;
   std::vector<Pair> before;
   for (std::size_t i = 0; i < pairs->value.items.size(); ++i)
-    if (const auto pair = readAdhesionPair(pairs->value.items[i], path + ".pairs[" + std::to_string(i) + "]",
-                                           before, reading))
+    if (const auto pair =
+            readAdhesionPair(pairs->value.items[i], path + ".pairs[" + std::to_string(i) + "]", before, reading))
       adhesion.pairs.push_back(*pair);
 }
 
@@ -139,8 +133,7 @@ Parameter adhesion() {
     if (!adhesion) return Json();
     if (adhesion->pairs.empty()) return Json(adhesion->strength);
     Json pairs = Json::array();
-    for (const auto& [a, b, own] : adhesion->pairs)
-      pairs.push_back({{"of", Json::array({a, b})}, {"strength", own}});
+    for (const auto& [a, b, own] : adhesion->pairs) pairs.push_back({{"of", Json::array({a, b})}, {"strength", own}});
     return Json{{"default", adhesion->strength}, {"pairs", pairs}};
   };
   return p;
@@ -164,8 +157,7 @@ Parameter makeConnections() {
                                       {"properties", {{"pairs", list}}},
                                       {"required", {"pairs"}},
                                       {"additionalProperties", false}}})}};
-  p.read = [readWord = p.read, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                                   Reading& reading) {
+  p.read = [readWord = p.read, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (node.kind != Node::Kind::map) return readWord(s, node, reading);
     const Member* only = readOnly(node, path, {"pairs"}, allowed, reading.problems);
     if (!only) return;

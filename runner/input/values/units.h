@@ -20,9 +20,7 @@ struct ShownUnit {
   std::string name;  // "µm³"; "": a pure number
 
   /// "volume [µm³]".
-  std::string after(const std::string& title) const {
-    return name.empty() ? title : title + " [" + name + "]";
-  }
+  std::string after(const std::string& title) const { return name.empty() ? title : title + " [" + name + "]"; }
 };
 
 /// Of a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other part, as

@@ -34,8 +34,7 @@ std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& r
                                          const std::string& allowed, Problems& problems) {
   if (!expectPlain(node, path, allowed, problems)) return {};
   const auto number = parseNatural(node.text);
-  if (!number.wrong.empty())
-    problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
+  if (!number.wrong.empty()) problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
   else if (number.value < range.low || number.value > range.high)
     problems.add(node.place, path, node.text + " is out of range", "needs " + allowed);
   else return number.value;
@@ -71,8 +70,7 @@ const Member* readOnly(const Node& node, const std::string& path, const std::vec
   return found;
 }
 
-bool expectEntries(const Node& node, const std::string& path, const std::string& allowed,
-                   Problems& problems) {
+bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems) {
   if (node.kind != Node::Kind::sequence) refuse(node, path, allowed, problems);
   else if (node.items.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
   return !node.items.empty();
@@ -94,8 +92,7 @@ std::optional<double> readReal(const Node& node, const Range& range, const std::
                                const std::string& allowed, Problems& problems) {
   if (!expectPlain(node, path, allowed, problems)) return {};
   const auto number = parseReal(node.text);
-  if (!number.wrong.empty())
-    problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
+  if (!number.wrong.empty()) problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
   else if (!range.holds(number.value))
     problems.add(node.place, path, node.text + " is out of range", "needs " + allowed);
   else if (range.ordinary && number.value != 0 && !ordinaryNumbers.holds(number.value))
@@ -106,12 +103,10 @@ std::optional<double> readReal(const Node& node, const Range& range, const std::
 }
 
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
-                                             const std::string& path, const std::string& allowed,
-                                             Problems& problems) {
+                                             const std::string& path, const std::string& allowed, Problems& problems) {
   if (node.kind != Node::Kind::sequence) return refuse(node, path, allowed, problems), std::nullopt;
   if (node.items.size() != count) {
-    problems.add(node.place, path, "has " + std::to_string(node.items.size()) + " entries",
-                 "needs " + allowed);
+    problems.add(node.place, path, "has " + std::to_string(node.items.size()) + " entries", "needs " + allowed);
     return {};
   }
   std::vector<double> values;
@@ -143,8 +138,7 @@ Parameter optionalReal(std::string path, std::string unit, Range range, std::str
     p.allowed += ", or " + word;
     p.schema = {{"oneOf", Json::array({p.schema, {{"const", word}}})}};
   }
-  p.read = [field, range, word, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                                    Reading& reading) {
+  p.read = [field, range, word, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (!word.empty() && node.kind == Node::Kind::scalar && node.text == word) field(s) = std::nullopt;
     else if (const auto value = readReal(node, range, path, allowed, reading.problems)) field(s) = *value;
   };
@@ -158,8 +152,7 @@ Parameter optionalReal(std::string path, std::string unit, Range range, std::str
 namespace {
 
 template <class T>
-Parameter naturalOf(std::string path, NaturalRange range, std::string absent, std::string meaning,
-                    Field<T> field) {
+Parameter naturalOf(std::string path, NaturalRange range, std::string absent, std::string meaning, Field<T> field) {
   return ofField({.path = std::move(path),
                   .allowed = naturalAllowed(range),
                   .meaning = std::move(meaning),

@@ -18,8 +18,7 @@ inline constexpr std::uint64_t largestNatural = 0x7FFFFFFFFFFFFFFF;
 /// the node and gives none.
 template <class T, class Take>
 Parameter ofField(Parameter p, Field<T> field, Take take) {
-  p.read = [field, take, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                             Reading& reading) {
+  p.read = [field, take, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (auto value = take(node, path, allowed, reading.problems)) field(s) = std::move(*value);
   };
   p.write = [field](const Scenario& s) {
@@ -47,8 +46,7 @@ Parameter text(std::string path, std::string meaning, Field<std::string> field);
 Parameter name(std::string path, std::string meaning, Field<std::string> field);
 Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field);
 Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map<std::string, double>> field);
-Parameter colourPerSubstance(std::string path, std::string meaning,
-                             Field<std::map<std::string, std::string>> field);
+Parameter colourPerSubstance(std::string path, std::string meaning, Field<std::map<std::string, std::string>> field);
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field);
 /// A list of texts; none: not given.
@@ -115,8 +113,7 @@ void refuse(const Node& node, const std::string& path, const std::string& allowe
 const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
                        const std::string& allowed, Problems& problems);
 /// Says which keys of a map are not among those that are known.
-void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys,
-                   Problems& problems);
+void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys, Problems& problems);
 /// True for a list with an entry at least; says what is wrong with anything else.
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
@@ -127,8 +124,7 @@ std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& r
                                          const std::string& allowed, Problems& problems);
 /// As many numbers as `count`.
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
-                                             const std::string& path, const std::string& allowed,
-                                             Problems& problems);
+                                             const std::string& path, const std::string& allowed, Problems& problems);
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
                                  const std::string& allowed, Problems& problems);
 

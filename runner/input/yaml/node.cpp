@@ -6,8 +6,7 @@
 namespace morula::scenario {
 
 const Member* Node::find(std::string_view key) const {
-  const auto found =
-      std::find_if(members.begin(), members.end(), [&](const Member& m) { return m.key == key; });
+  const auto found = std::find_if(members.begin(), members.end(), [&](const Member& m) { return m.key == key; });
   return found == members.end() ? nullptr : &*found;
 }
 
@@ -35,9 +34,8 @@ bool remove(Node& root, const std::string& path) {
   Node* at = &root;
   for (std::size_t begin = 0;;) {
     const auto end = std::min(path.find('.', begin), path.size());
-    const auto member =
-        std::find_if(at->members.begin(), at->members.end(),
-                     [key = path.substr(begin, end - begin)](const Member& m) { return m.key == key; });
+    const auto member = std::find_if(at->members.begin(), at->members.end(),
+                                     [key = path.substr(begin, end - begin)](const Member& m) { return m.key == key; });
     if (member == at->members.end()) return false;
     if (end == path.size()) {
       at->members.erase(member);

@@ -38,16 +38,15 @@ std::string whatIsWrong(std::string_view text) {
   const auto length = numberLength(text);
   if (length == 0) {
     auto word = text.substr(!text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0);
-    if (word == ".inf" || word == ".Inf" || word == ".INF" || word == "inf" || word == "infinity" ||
-        word == ".nan" || word == ".NaN" || word == ".NAN" || word == "nan" || word == "NaN")
+    if (word == ".inf" || word == ".Inf" || word == ".INF" || word == "inf" || word == "infinity" || word == ".nan" ||
+        word == ".NaN" || word == ".NAN" || word == "nan" || word == "NaN")
       return "is not a finite number";
     return "is not a number";
   }
   const auto digits = text.substr(isDigit(text[0]) || text[0] == '.' ? 0 : 1);
   if (digits.size() > 1 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'o' || digits[1] == 'b'))
     return "is not a decimal number";
-  if (digits.size() > 1 && digits[0] == '0' && isDigit(digits[1]))
-    return "has a leading zero, which could mean octal";
+  if (digits.size() > 1 && digits[0] == '0' && isDigit(digits[1])) return "has a leading zero, which could mean octal";
   if (length == text.size()) return "";
   auto rest = text.substr(length);
   if (rest[0] == ',') return "has a comma: decimals follow a point";
@@ -88,8 +87,7 @@ Parsed<double> parseSize(std::string_view text) {
 }
 
 std::string Range::text() const {
-  if (std::isfinite(low) && std::isfinite(high) && openLow)
-    return "> " + exactText(low) + " and ≤ " + exactText(high);
+  if (std::isfinite(low) && std::isfinite(high) && openLow) return "> " + exactText(low) + " and ≤ " + exactText(high);
   if (std::isfinite(low) && std::isfinite(high)) return "from " + exactText(low) + " to " + exactText(high);
   if (std::isfinite(low)) return (openLow ? "> " : "≥ ") + exactText(low);
   return "";

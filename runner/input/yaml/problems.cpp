@@ -72,8 +72,7 @@ void Problems::throwIfAny() const {
   std::string text;
   constexpr std::size_t most = 100;  // more are counted, not listed
   for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) text += (i ? "\n" : "") + sorted[i].text;
-  if (sorted.size() > most)
-    text += "\n" + file_ + ": and " + std::to_string(sorted.size() - most) + " more mistakes";
+  if (sorted.size() > most) text += "\n" + file_ + ": and " + std::to_string(sorted.size() - most) + " more mistakes";
   throw InputError(text);
 }
 

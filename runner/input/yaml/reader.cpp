@@ -15,8 +15,7 @@ namespace morula::scenario {
 namespace {
 
 constexpr std::size_t maxDepth = 32;
-constexpr std::size_t longestKey =
-    100;  // [byte] so that messages can show it; a substance has no more either
+constexpr std::size_t longestKey = 100;  // [byte] so that messages can show it; a substance has no more either
 
 struct TooDeep {};
 
@@ -49,16 +48,12 @@ class TreeBuilder : public YAML::EventHandler {
     if (!text.empty() && std::string_view("]},:?").find(text[0]) != text.npos)
       problems_.add(place(mark), "", "not YAML: '" + std::string(1, text[0]) + "' out of place",
                     "check the '[ ]' and '{ }'");
-    else
-      problems_.add(place(mark), "", "a second document",
-                    "one file is one scenario: remove '---' and what follows");
+    else problems_.add(place(mark), "", "a second document", "one file is one scenario: remove '---' and what follows");
     garbled = true;
   }
   void OnDocumentEnd() override {}
 
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    put(node(Node::Kind::null, mark, "", anchor));
-  }
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { put(node(Node::Kind::null, mark, "", anchor)); }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     problems_.add(place(mark), path(), "an alias", "write the value itself, without '*'");
@@ -87,8 +82,7 @@ class TreeBuilder : public YAML::EventHandler {
     put(std::move(scalar));
   }
 
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       Style) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Style) override {
     open(put(node(Node::Kind::sequence, mark, tag, anchor)));
   }
   void OnSequenceEnd() override { open_.pop_back(); }
@@ -134,18 +128,15 @@ class TreeBuilder : public YAML::EventHandler {
 
   /// The column where the lines of a block scalar begin, whose first line is `line`.
   int blockColumn(int line) const {
-    while (source_.line(line).find_first_not_of(' ') == std::string_view::npos && source_.hasLine(line))
-      ++line;
-    return static_cast<int>(std::min(source_.line(line).find_first_not_of(' '), source_.line(line).size())) +
-           1;
+    while (source_.line(line).find_first_not_of(' ') == std::string_view::npos && source_.hasLine(line)) ++line;
+    return static_cast<int>(std::min(source_.line(line).find_first_not_of(' '), source_.line(line).size())) + 1;
   }
 
   Node node(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     Node made;
     made.kind = kind;
     made.place = place(mark);
-    if (anchor != 0)
-      problems_.add(made.place, path(), "an anchor", "write values where they belong, without '&'");
+    if (anchor != 0) problems_.add(made.place, path(), "an anchor", "write values where they belong, without '&'");
     if (!tag.empty() && tag != "?" && tag != "!")
       problems_.add(made.place, path(), "a tag", "the key decides the type: write the value without '!'");
     return made;
@@ -153,8 +144,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void open(Node* node) {
     if (open_.size() == maxDepth) {
-      problems_.add(node->place, "", "maps and lists are nested more than 32 deep",
-                    "a scenario needs 4 levels");
+      problems_.add(node->place, "", "maps and lists are nested more than 32 deep", "a scenario needs 4 levels");
       throw TooDeep{};
     }
     open_.push_back({node});
@@ -162,8 +152,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   /// Puts a node where it belongs and returns it there.
   Node* put(Node node) {
-    if (open_.empty())
-      return documents_ == 1 ? &(root = std::move(node)) : &unread_.emplace_back(std::move(node));
+    if (open_.empty()) return documents_ == 1 ? &(root = std::move(node)) : &unread_.emplace_back(std::move(node));
     auto& frame = open_.back();
     if (frame.node->kind != Node::Kind::map) return &frame.node->items.emplace_back(std::move(node));
     if (!frame.hasKey) {
@@ -216,8 +205,7 @@ std::string remedy(std::string_view message) {
     return "check the indentation, or quote a text that holds ': '";
   if (message.find("end of map") != message.npos)
     return "check the indentation of this line, and the ':' after its key";
-  if (message.find("end of sequence") != message.npos)
-    return "check the indentation, and close each '[' with ']'";
+  if (message.find("end of sequence") != message.npos) return "check the indentation, and close each '[' with ']'";
   if (message.find("EOF") != message.npos) return "close the quote";
   if (message.find("flow") != message.npos) return "check the '[ ]' and '{ }'";
   return "check indentation, brackets and quotes";
@@ -256,8 +244,7 @@ Node readYamlValue(const std::string& value, const std::string& option, Problems
   const SourceText source(value, own);
   node = own.empty() ? readYaml(source, own) : node;
   if (!own.empty()) {
-    problems.add({1, 1, option}, "", "'" + value + "' is not a YAML value",
-                 "check brackets, quotes and keys");
+    problems.add({1, 1, option}, "", "'" + value + "' is not a YAML value", "check brackets, quotes and keys");
     node.kind = Node::Kind::broken;
   }
   relocate(node, option);

@@ -29,8 +29,7 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
     const int length = utf8Length(bytes);
     const char c = bytes[0];
     if (length == 0) {
-      problems.add(at, "", "byte " + hex(static_cast<unsigned char>(c)) + " is not UTF-8",
-                   "save the file as UTF-8");
+      problems.add(at, "", "byte " + hex(static_cast<unsigned char>(c)) + " is not UTF-8", "save the file as UTF-8");
       text_.clear();
       lineStarts_ = {0};
       return;
@@ -39,8 +38,7 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
     if (length == 1 && !lineEnd && c != '\t' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F))
       problems.add(at, "", "control character " + hex(static_cast<unsigned char>(c)), "remove it");
     if (indenting && c == '\t') problems.add(at, "", "a tab indents", "YAML indents with spaces only");
-    if (at.column == 1 && c == '%')
-      problems.add(at, "", "a YAML directive", "scenarios do without; remove the line");
+    if (at.column == 1 && c == '%') problems.add(at, "", "a YAML directive", "scenarios do without; remove the line");
     if (lineEnd) {
       bytes.remove_prefix(c == '\r' ? 2 : 1);
       text_ += '\n';

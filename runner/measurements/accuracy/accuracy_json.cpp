@@ -11,18 +11,16 @@ void listFields(T& s, auto&& field) {
   auto& [integrator, timeStep, precision, level, law, substeps, model, automatic, autoShare, coarsen] = s;
   field({"integrator"}, integrator);
   field({"time_step"}, timeStep);
-  field({"automatic_share"},
-        ValueOf{[&] { return s.automatic ? std::optional(s.autoShare) : std::nullopt; },
-                [&](const auto& share) {
-                  s.automatic = share.has_value();
-                  if (share) s.autoShare = *share;
-                }});
+  field({"automatic_share"}, ValueOf{[&] { return s.automatic ? std::optional(s.autoShare) : std::nullopt; },
+                                     [&](const auto& share) {
+                                       s.automatic = share.has_value();
+                                       if (share) s.autoShare = *share;
+                                     }});
   field({"icosphere"}, level);
   field({"substeps"}, ValueOf{[&] { return s.substeps.value_or(1); }, notRead});
   field({"precision"}, precision);
   field({"contact_law"}, law);
-  field({"cell_model"},
-        ValueOf{[&] { return s.model ? std::optional(s.model->model) : std::nullopt; }, notRead});
+  field({"cell_model"}, ValueOf{[&] { return s.model ? std::optional(s.model->model) : std::nullopt; }, notRead});
   field({"set"}, ValueOf{[&] { return changesFor(s); }, notRead});
 }
 
@@ -187,8 +185,8 @@ void listFields(T& s, auto&& field) {
 
 template <IsA<AccuracyReport> T>
 void listFields(T& report, auto&& field) {
-  auto& [scenario, usual, own, rival, mesh, times, end, horizon, reference, rows, orders, speeds,
-         bulletSpeeds, remarks] = report;
+  auto& [scenario, usual, own, rival, mesh, times, end, horizon, reference, rows, orders, speeds, bulletSpeeds,
+         remarks] = report;
   field({"scenario"}, scenario);
   field({"times"}, times);
   field({"end"}, end);
@@ -214,9 +212,7 @@ Json toJson(const AccuracyReport& report, const std::string& picture) {
 AccuracyReport accuracyFrom(const Json& json) {
   auto report = fromJson<AccuracyReport>(json);
   if (report.times.empty()) throw std::invalid_argument("no times");
-  const auto readSet = [](const Json& row, AccuracyRow& to) {
-    readMember(row.at("settings").at("set"), to.set);
-  };
+  const auto readSet = [](const Json& row, AccuracyRow& to) { readMember(row.at("settings").at("set"), to.set); };
   readSet(json.at("as_it_is"), report.own);
   for (std::size_t i = 0; i < report.rows.size(); ++i) readSet(json.at("rows").at(i), report.rows[i]);
   return report;
@@ -229,9 +225,7 @@ std::string accuracyCsv(const Json& rows) {
   };
   static const Members all[] = {
       {"", "", {"series", "engine"}},
-      {"settings",
-       "",
-       {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
+      {"settings", "", {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
       {"parts", "error_of_", {"time", "mesh", "precision", "model"}},
       {"errors", "error_in_", {"centroid", "volume", "surface", "birth_times"}},
       {"", "", {"error", "error_on_scenario_mesh", "resolved", "lineages_part_at", "cpu_seconds"}},
@@ -243,8 +237,7 @@ std::string accuracyCsv(const Json& rows) {
     table.rows.emplace_back();
     for (const Members& members : all) {
       const Json& of = members.of.empty() ? row : row.at(members.of);
-      for (const char* name : members.names)
-        table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
+      for (const char* name : members.names) table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
     }
   }
   return csvOf(table);

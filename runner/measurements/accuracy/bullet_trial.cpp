@@ -44,8 +44,7 @@ BulletRequest requestOf(const World& world, const BulletSetting& setting, const 
                    setting.iterations};
   request.scene.physics.integrator = Integrator::velocityVerlet;
   for (const int slot : b.slots) request.scene.cells.push_back(takeBody(b, slot));
-  for (const double time : times)
-    request.reports.push_back(static_cast<int>(std::lround(time / setting.timeStep)));
+  for (const double time : times) request.reports.push_back(static_cast<int>(std::lround(time / setting.timeStep)));
   request.steps = request.reports.back();
   return request;
 }
@@ -100,8 +99,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
     }
     seconds.push_back(std::accumulate(result.stepSeconds.begin(), result.stepSeconds.end(), 0.0));
     trial.shapes = {shapesOf(world, request.scene.cells, 0)};
-    for (std::size_t i = 0; i < times.size(); ++i)
-      trial.shapes.push_back(shapesOf(world, result.reports[i], times[i]));
+    for (std::size_t i = 0; i < times.size(); ++i) trial.shapes.push_back(shapesOf(world, result.reports[i], times[i]));
   }
   trial.born = world.lineage.entries;
   if (!seconds.empty()) trial.cpuSeconds = median(seconds);
@@ -115,8 +113,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
   return trial;
 }
 
-std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors,
-                           const std::vector<double>& seconds) {
+std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors, const std::vector<double>& seconds) {
   std::vector<bool> best;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     bool beaten = !errors[i];
@@ -135,8 +132,7 @@ std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices
                                        const std::function<std::optional<double>(const Trial&)>& errorOf) {
   std::vector<std::optional<double>> errors;
   std::vector<double> seconds;
-  for (const BulletTrial& t : trials)
-    errors.push_back(errorOf(t.trial)), seconds.push_back(t.trial.cpuSeconds);
+  for (const BulletTrial& t : trials) errors.push_back(errorOf(t.trial)), seconds.push_back(t.trial.cpuSeconds);
   const auto best = unbeaten(errors, seconds);
   std::vector<BulletSetting> list;
   for (const BulletSetting& c : choices)
@@ -165,8 +161,7 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
       const std::string series = seriesName(setting, touching);
       tell(fmt::format("{}, time step {}", series, numberText(step)));
       trials.push_back(
-          {setting, series,
-           runBulletTrial(scenario, setting, search.times, search.execution, rounds, search.program)});
+          {setting, series, runBulletTrial(scenario, setting, search.times, search.execution, rounds, search.program)});
     };
     std::vector<BulletSetting> choices = bulletChoices(baseline, touching);
     if (choices.size() > 1) {

@@ -58,7 +58,6 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
                                    const std::function<void(const std::string&)>& tell);
 
 /// Which of these runs no other beats in both; those without an error are beaten.
-std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors,
-                           const std::vector<double>& seconds);
+std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors, const std::vector<double>& seconds);
 
 }  // namespace morula

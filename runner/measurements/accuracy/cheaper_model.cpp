@@ -29,10 +29,8 @@ ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& e
   const double volume = measureVolume(egg.vertices, egg.faces);
   const double stretching = 0.4 * edges / inertia;
   const double breathing =
-      (shell.membrane.stiffness * edges + 3 * shell.pressure.constant + 6 * shell.pressure.outside * volume) /
-      inertia;
-  return {breathing, 1 - stretching * shell.membrane.stiffness / breathing,
-          stretching * shell.membrane.damping};
+      (shell.membrane.stiffness * edges + 3 * shell.pressure.constant + 6 * shell.pressure.outside * volume) / inertia;
+  return {breathing, 1 - stretching * shell.membrane.stiffness / breathing, stretching * shell.membrane.damping};
 }
 
 }  // namespace morula

@@ -11,10 +11,10 @@ namespace {
 std::vector<Cell> line(const char* what, const std::string& text) { return {what, text}; }
 
 void tellReference(const AccuracyReference& r, Table& facts) {
-  facts.rows.push_back(line(
-      "reference",
-      fmt::format("{}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}",
-                  nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order)));
+  facts.rows.push_back(
+      line("reference",
+           fmt::format("{}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}",
+                       nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order)));
   facts.rows.push_back(
       line("witness", fmt::format("{}, time step {}: {:.2g} away, its own error {:.2g}: {}",
                                   nameOf(r.witness.integrator), stepText(r.witness.timeStep), r.distance,
@@ -22,8 +22,8 @@ void tellReference(const AccuracyReference& r, Table& facts) {
 }
 
 std::string measuresText(const MeshMeasures& m) {
-  return fmt::format("position {:.2g}, volume {:.2g}, surface {:.2g}, pressure {:.2g}, contact area {:.2g}",
-                     m.centroid, m.volume, m.surface, m.pressure, m.contactArea);
+  return fmt::format("position {:.2g}, volume {:.2g}, surface {:.2g}, pressure {:.2g}, contact area {:.2g}", m.centroid,
+                     m.volume, m.surface, m.pressure, m.contactArea);
 }
 
 void tellMesh(const MeshError& mesh, Table& facts) {
@@ -34,22 +34,19 @@ void tellMesh(const MeshError& mesh, Table& facts) {
     return;
   }
   const LevelError& own = *mesh.find(mesh.own);
-  facts.rows.push_back(line("mesh", fmt::format("icosphere {}, up to {}: {}", mesh.own,
-                                                numberText(mesh.until), measuresText(own.worst))));
+  facts.rows.push_back(line(
+      "mesh", fmt::format("icosphere {}, up to {}: {}", mesh.own, numberText(mesh.until), measuresText(own.worst))));
   say(fmt::format("at time {}: {}", numberText(mesh.until), measuresText(own.atEnd)));
   std::string levels;
   for (const LevelError& level : mesh.levels)
     levels += fmt::format("{} {} ({:.2g})", levels.empty() ? "" : ",", level.level, level.worst.largest());
-  const std::string order =
-      !mesh.orderIsObserved ? fmt::format("order {:g} assumed: there are only two", mesh.order)
-      : mesh.order > 0      ? fmt::format("order observed in the edge's length {:.2g}", mesh.order)
-                            : "from mesh to mesh it hardly falls: it may be larger";
-  say(fmt::format("by icospheres{}; {}; time steps add {:.2g}; {:.1f} s of CPU time", levels, order,
-                  mesh.timeError, mesh.cpuSeconds));
-  if (mesh.atStart > 0)
-    say(fmt::format("of the surface's {:.2g} at time 0 already: faces are flat", mesh.atStart));
-  if (mesh.partedAt)
-    say(fmt::format("from {} on other cells live on another mesh", numberText(*mesh.partedAt)));
+  const std::string order = !mesh.orderIsObserved ? fmt::format("order {:g} assumed: there are only two", mesh.order)
+                            : mesh.order > 0 ? fmt::format("order observed in the edge's length {:.2g}", mesh.order)
+                                             : "from mesh to mesh it hardly falls: it may be larger";
+  say(fmt::format("by icospheres{}; {}; time steps add {:.2g}; {:.1f} s of CPU time", levels, order, mesh.timeError,
+                  mesh.cpuSeconds));
+  if (mesh.atStart > 0) say(fmt::format("of the surface's {:.2g} at time 0 already: faces are flat", mesh.atStart));
+  if (mesh.partedAt) say(fmt::format("from {} on other cells live on another mesh", numberText(*mesh.partedAt)));
   if (!mesh.limit.empty()) say("no finer one took part: " + mesh.limit);
 }
 
@@ -57,19 +54,17 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
   const AccuracyRow& own = report.own;
   const auto say = [&](const std::string& text) { facts.rows.push_back(line("", text)); };
   if (!own.failure.empty() || !own.error) {
-    facts.rows.push_back(line(
-        "as it is", !own.failure.empty() ? "failed: " + own.failure
-                                         : "other cells live from " + numberText(*own.partedAt) + " on"));
+    facts.rows.push_back(line("as it is", !own.failure.empty()
+                                              ? "failed: " + own.failure
+                                              : "other cells live from " + numberText(*own.partedAt) + " on"));
     return;
   }
   const ErrorParts& p = own.parts;
-  const auto orUnknown = [](const std::optional<double>& a) {
-    return a ? fmt::format("{:.2g}", *a) : "not known";
-  };
-  facts.rows.push_back(line(
-      "as it is",
-      fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}", p.mesh ? "" : "at least ", p.sum(),
-                  orUnknown(p.time), own.resolved ? "" : "~", orUnknown(p.mesh), p.precision.value_or(0))));
+  const auto orUnknown = [](const std::optional<double>& a) { return a ? fmt::format("{:.2g}", *a) : "not known"; };
+  facts.rows.push_back(
+      line("as it is",
+           fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}", p.mesh ? "" : "at least ", p.sum(),
+                       orUnknown(p.time), own.resolved ? "" : "~", orUnknown(p.mesh), p.precision.value_or(0))));
   say(fmt::format("in {:.4f} s, {} evaluations, time step {}{}", own.cpuSeconds, own.forceEvaluations,
                   stepText(own.setting), own.setting.automatic ? " at least" : ""));
   if (own.partedAt) say(fmt::format("up to {}: then other cells live", numberText(*own.partedAt)));
@@ -85,10 +80,8 @@ Table speedTable(const std::vector<SpeedAtError>& speeds) {
       {"error", [](const Row& s) { return number(s.error, 6); }},
       {"settings", [](const Row& s) { return s.series; }},
       {"CPU [s]", [](const Row& s) { return Cell(s.cpuSeconds, fmt::format("{:.4f}", s.cpuSeconds)); }},
-      {"evaluations",
-       [](const Row& s) { return Cell(s.forceEvaluations, fmt::format("{:.0f}", s.forceEvaluations)); }},
-      {"speed",
-       [](const Row& s) { return s.speed ? Cell(*s.speed, fmt::format("{:.2f}", *s.speed)) : exact({}); }},
+      {"evaluations", [](const Row& s) { return Cell(s.forceEvaluations, fmt::format("{:.0f}", s.forceEvaluations)); }},
+      {"speed", [](const Row& s) { return s.speed ? Cell(*s.speed, fmt::format("{:.2f}", *s.speed)) : exact({}); }},
   };
   return tableOf("Speed at equal error", fields, speeds);
 }
@@ -110,10 +103,8 @@ Document describe(const AccuracyReport& report) {
       .add(std::move(facts));
   if (report.rows.empty()) return text;
   text.heading("settings").add(settingTables(report));
-  text.heading("order, from the slope of the error on the scenario's mesh over the time step")
-      .add(orderTable(report));
-  text.heading(
-      "speed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings");
+  text.heading("order, from the slope of the error on the scenario's mesh over the time step").add(orderTable(report));
+  text.heading("speed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings");
   if (report.speeds.empty()) text.say("no error lies between two runs of a series");
   else text.add(speedTable(report.speeds));
   if (!report.bulletSpeeds.empty())

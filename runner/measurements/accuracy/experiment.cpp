@@ -67,8 +67,7 @@ class Experiment {
     options_.tell("looking for the horizon of chaos");
     Horizon h;
     try {
-      h = findHorizon(read_({"physics.precision=double"}).scene, options_.execution, options_.until,
-                      mostAmplification);
+      h = findHorizon(read_({"physics.precision=double"}).scene, options_.execution, options_.until, mostAmplification);
     } catch (const NumericalError& error) {
       throw InputError(scenario_.file + ": with its own settings it fails: " + error.what());
     }
@@ -77,9 +76,8 @@ class Experiment {
     const double end = options_.until.value_or(h.end);
     report_.times = timesUpTo(end, std::max(longest_, h.mostTimeStep), options_.samples);
     if (report_.times.empty())
-      throw InputError(
-          fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
-                      scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
+      throw InputError(fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
+                                   scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
     if (h.parted && !options_.until)
       report_.remarks.push_back(
           fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; "
@@ -96,9 +94,7 @@ class Experiment {
     report_.usual = seriesName(usual_, usual_);
   }
 
-  AccuracyRow ownRow() const {
-    return rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is");
-  }
+  AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is"); }
 
   /// As fine as rows ask for. Where the steps are still too long for integrators that only bear stable ones,
   /// finer; in brief, as fine as the scenario as it is asks for.
@@ -106,21 +102,18 @@ class Experiment {
     constexpr int most = 6;
     for (int halvings = options_.brief ? 1 : options_.halvings;; ++halvings) {
       try {
-        reference_ =
-            findTimeReference(*runs_, halvings + finer, *report_.horizon, scenario_.file, report_.reference);
+        reference_ = findTimeReference(*runs_, halvings + finer, *report_.horizon, scenario_.file, report_.reference);
       } catch (const InputError&) {
         if (halvings >= options_.halvings + most) throw;
         continue;
       }
       if (!options_.brief || halvings >= most || ownRow().resolved) return;
-      if (8 * reference_.cpuSeconds > options_.budget)
-        return;  // two integrators, three runs each, once finer
+      if (8 * reference_.cpuSeconds > options_.budget) return;  // two integrators, three runs each, once finer
     }
   }
 
   void addRows() {
-    for (const Setting& setting : settings())
-      report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
+    for (const Setting& setting : settings()) report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
     if (options_.bullet) addBullet();
   }
 
@@ -131,8 +124,7 @@ class Experiment {
     try {
       const World world = makeWorld(read_(changesFor(s)).scene, options_.execution);
       const double apart = report_.times.front();
-      const double step =
-          apart / std::max(1.0, std::ceil(apart / timeStepLimit(world)));  // any, if all are stable
+      const double step = apart / std::max(1.0, std::ceil(apart / timeStepLimit(world)));  // any, if all are stable
       for (const double time : report_.times)
         if (std::abs(time / apart - std::round(time / apart)) > 1e-9) return 0;
       return step;
@@ -339,10 +331,9 @@ void refuseWithoutError(const Scenario& scenario) {
   if (!scenario.scene.mechanics)
     throw InputError(scenario.file + ": physics: a lineage-only scene has no error; needs a physics block");
   if (kindOf(scenario.scene.mechanics->physics.integrator).settles)
-    throw InputError(
-        scenario.file +
-        ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
-        "accuracy without --target and --into-golden tells how far from rest settlings end");
+    throw InputError(scenario.file +
+                     ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
+                     "accuracy without --target and --into-golden tells how far from rest settlings end");
 }
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {

@@ -18,9 +18,8 @@ std::string whyNoError(const AccuracyReport& report) {
   if (!own.failure.empty()) return own.failure;
   if (!own.error || own.partedAt) return "its lineage is not the reference's";
   if (report.reference.left.error > *own.error)
-    return fmt::format(
-        "the reference's own is {:.2g} and the scenario's {:.2g}; compare a shorter time (--until)",
-        report.reference.left.error, *own.error);
+    return fmt::format("the reference's own is {:.2g} and the scenario's {:.2g}; compare a shorter time (--until)",
+                       report.reference.left.error, *own.error);
   return "";
 }
 

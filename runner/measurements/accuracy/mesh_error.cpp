@@ -53,9 +53,7 @@ double over(double difference, double scale) { return difference == 0 ? 0 : diff
 
 }  // namespace
 
-std::optional<double> RunDistance::error() const {
-  return until > 0 ? std::optional(worst.largest()) : std::nullopt;
-}
+std::optional<double> RunDistance::error() const { return until > 0 ? std::optional(worst.largest()) : std::nullopt; }
 
 RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius) {
   RunDistance d;
@@ -84,8 +82,7 @@ RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRa
 }
 
 const LevelError* MeshError::find(std::uint64_t level) const {
-  const auto found =
-      std::find_if(levels.begin(), levels.end(), [&](const LevelError& l) { return l.level == level; });
+  const auto found = std::find_if(levels.begin(), levels.end(), [&](const LevelError& l) { return l.level == level; });
   return found == levels.end() ? nullptr : &*found;
 }
 

@@ -77,9 +77,9 @@ class Study {
     for (int i = 0; i <= mostHalvings; ++i, timeStep /= 2) {
       const double seconds = predictSeconds(level, timeStep), rest = runs_.options.budget - spent_;
       if (!(seconds <= rest)) {
-        t.failure = fmt::format(
-            "icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)", level,
-            numberText(seconds, 2), numberText(std::max(0.0, rest), 2), numberText(runs_.options.budget, 4));
+        t.failure = fmt::format("icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)",
+                                level, numberText(seconds, 2), numberText(std::max(0.0, rest), 2),
+                                numberText(runs_.options.budget, 4));
         return t;
       }
       runs_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(timeStep)));
@@ -135,8 +135,7 @@ class Study {
     Setting s = own_.setting;
     s.level = level;
     s.coarsen = settingAt(level, s.timeStep).coarsen;
-    if (level > level_)
-      s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
+    if (level > level_) s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
     if (!(predictSeconds(level, s.timeStep) <= runs_.options.budget - spent_)) return;
     runs_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
     Trial t = runs_.trial(s, 1);

@@ -15,9 +15,7 @@ constexpr std::size_t fewBullets = 4;  // of Bullet's series; of more those that
 
 /// Of Bullet's own series another one is better in both error and cost, at each point.
 bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
-  const auto counts = [](const AccuracyRow& row) {
-    return row.engine != "morula" && row.error && row.failure.empty();
-  };
+  const auto counts = [](const AccuracyRow& row) { return row.engine != "morula" && row.error && row.failure.empty(); };
   return std::ranges::all_of(rows, [&](const AccuracyRow& row) {
     return row.series != series || !counts(row) || std::ranges::any_of(rows, [&](const AccuracyRow& other) {
              return counts(other) && other.series != series && *other.error <= *row.error &&
@@ -40,8 +38,7 @@ void thinLabels(Chart& chart) {
 std::vector<std::string> beatenBullets(const AccuracyReport& report) {
   std::vector<std::string> bullets;
   for (const AccuracyRow& row : report.rows)
-    if (row.engine != "morula" && (bullets.empty() || bullets.back() != row.series))
-      bullets.push_back(row.series);
+    if (row.engine != "morula" && (bullets.empty() || bullets.back() != row.series)) bullets.push_back(row.series);
   if (bullets.size() <= fewBullets) return {};
   std::erase_if(bullets, [&](const std::string& series) { return !isBeaten(series, report.rows); });
   return bullets;
@@ -50,8 +47,8 @@ std::vector<std::string> beatenBullets(const AccuracyReport& report) {
 Drawing drawAccuracy(const AccuracyReport& report) {
   Chart chart;
   chart.title = "Error against cost: " + report.scenario;
-  chart.caption = "up to time " + numberText(report.times.back(), 6) +
-                  "; points: time steps, hollow: up to where other cells live";
+  chart.caption =
+      "up to time " + numberText(report.times.back(), 6) + "; points: time steps, hollow: up to where other cells live";
   if (std::isfinite(report.reference.left.error))
     chart.caption += "; reference good to " + numberText(report.reference.left.error, 1);
   chart.xLabel = "CPU time [s]", chart.yLabel = "error on the scenario's mesh [egg radii, relative volume]";
@@ -68,8 +65,7 @@ Drawing drawAccuracy(const AccuracyReport& report) {
     const Spot point{row.cpuSeconds, *row.error};
     if (row.partedAt) {
       chart.marks.push_back(
-          {point, colour,
-           row.series + ", " + stepText(row.setting.timeStep) + " until " + numberText(*row.partedAt)});
+          {point, colour, row.series + ", " + stepText(row.setting.timeStep) + " until " + numberText(*row.partedAt)});
       continue;
     }
     cost.see(row.cpuSeconds);

@@ -22,8 +22,8 @@ struct AccuracyRuns {
 
 /// The scene on its own mesh, `halvings` of the usual time step down, by the better of two integrators; the
 /// other one confirms it (AccuracyReference::witness). `about` is filled. Throws InputError if neither runs to the end.
-Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon,
-                        const std::string& file, AccuracyReference& about);
+Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon, const std::string& file,
+                        AccuracyReference& about);
 
 /// The scene on other meshes than its own, each solved with time steps that add little to the mesh's error.
 struct MeshStudy {

@@ -46,8 +46,7 @@ void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
     give("linear", other.matched.linear);
     give("damping", other.matched.damping);
   } else {
-    for (const char* path : {"physics.shape-matching", "physics.mesh.coarsen", "physics.contact.radius"})
-      take(path);
+    for (const char* path : {"physics.shape-matching", "physics.mesh.coarsen", "physics.contact.radius"}) take(path);
   }
 }
 
@@ -59,8 +58,7 @@ std::string timeStepChange(const Setting& s) {
 }
 
 std::vector<std::string> changesFor(const Setting& s) {
-  std::vector<std::string> changes{fmt::format("physics.integrator={}", nameOf(s.integrator)),
-                                   timeStepChange(s),
+  std::vector<std::string> changes{fmt::format("physics.integrator={}", nameOf(s.integrator)), timeStepChange(s),
                                    fmt::format("physics.precision={}", nameOf(s.precision))};
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));

@@ -14,11 +14,9 @@ Table measureSettlings(Scenario scenario, const Execution& how) {
       {{"step", "step", "step"}, [](const SettlingRecord& s) { return Cell(s.step); }},
       {{"time", "time", "time"}, [](const SettlingRecord& s) { return number(s.time); }},
       {{"cells", "cells", "cells"}, [](const SettlingRecord& s) { return Cell(s.cells); }},
-      {{"evaluations", "evaluations", "evaluations"},
-       [](const SettlingRecord& s) { return Cell(s.evaluations); }},
+      {{"evaluations", "evaluations", "evaluations"}, [](const SettlingRecord& s) { return Cell(s.evaluations); }},
       {{"residual", "residual", "residual"}, [](const SettlingRecord& s) { return number(s.residual, 2); }},
-      {{"energy_left", "energy_left", "energy left"},
-       [](const SettlingRecord& s) { return number(s.energyLeft, 2); }},
+      {{"energy_left", "energy_left", "energy left"}, [](const SettlingRecord& s) { return number(s.energyLeft, 2); }},
       {{"displacement_left", "displacement_left", "farthest vertex' way left"},
        [](const SettlingRecord& s) { return number(s.displacementLeft, 2); }}};
   return tableOf("How far from rest settlings end", fields, *run.world.settlings);

@@ -15,8 +15,8 @@ bool counts(const AccuracyRow& row) { return row.error && row.resolved && !row.p
 std::vector<std::vector<const AccuracyRow*>> bySeries(const std::vector<AccuracyRow>& rows) {
   std::vector<std::vector<const AccuracyRow*>> groups;
   for (const AccuracyRow& row : rows) {
-    const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& g) { return g.front()->series == row.series; });
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front()->series == row.series; });
     if (group == groups.end()) groups.push_back({&row});
     else group->push_back(&row);
   }
@@ -27,8 +27,7 @@ std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool 
   std::vector<WorkPoint> points;
   // A row that does not count breaks the line: nothing is interpolated across it.
   for (const AccuracyRow* row : series)
-    points.push_back(
-        {seconds ? row->cpuSeconds : double(row->forceEvaluations), counts(*row) ? *row->error : 0});
+    points.push_back({seconds ? row->cpuSeconds : double(row->forceEvaluations), counts(*row) ? *row->error : 0});
   return points;
 }
 
@@ -102,8 +101,8 @@ std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows) {
     std::vector<XY> points;
     for (const AccuracyRow* row : series)
       if (counts(*row)) points.push_back({row->setting.timeStep, *row->error});
-    orders.push_back({series.front()->series, double(kindOf(series.front()->setting.integrator).order),
-                      fitPowerLaw(points)});
+    orders.push_back(
+        {series.front()->series, double(kindOf(series.front()->setting.integrator).order), fitPowerLaw(points)});
   }
   return orders;
 }

@@ -22,8 +22,7 @@ Point volumeCentroid(const Mesh& mesh) {
   Vector moment;
   double sixfold = 0;
   for (const Face& f : mesh.faces) {
-    const Vector a = mesh.vertices[f[0]] - origin, b = mesh.vertices[f[1]] - origin,
-                 c = mesh.vertices[f[2]] - origin;
+    const Vector a = mesh.vertices[f[0]] - origin, b = mesh.vertices[f[1]] - origin, c = mesh.vertices[f[2]] - origin;
     const double part = dot(a, cross(b, c));  // six volumes of a tetrahedron
     sixfold += part;
     moment += part / 4 * (a + b + c);
@@ -75,11 +74,10 @@ StateError compareShapes(const Shapes& shapes, const Shapes& reference, double e
 }
 
 std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
-                                                     std::span<const DivisionRecord> reference,
-                                                     double least) {
+                                                     std::span<const DivisionRecord> reference, double least) {
   for (const DivisionRecord& there : reference) {  // by time
-    const auto here = std::find_if(divisions.begin(), divisions.end(),
-                                   [&](const DivisionRecord& d) { return d.path == there.path; });
+    const auto here =
+        std::find_if(divisions.begin(), divisions.end(), [&](const DivisionRecord& d) { return d.path == there.path; });
     if (here == divisions.end()) continue;
     // To daughter A: the same plane with the daughters on the other sides is as far as can be.
     const double cosine = std::clamp(dot(here->axis, there.axis), -1.0, 1.0);

@@ -62,8 +62,7 @@ struct DividedElsewhere {
 
 /// The first division whose axes are more than `least` degrees apart.
 std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
-                                                     std::span<const DivisionRecord> reference,
-                                                     double least = 1);
+                                                     std::span<const DivisionRecord> reference, double least = 1);
 
 /// Largest difference of the times at which cells of both lineages were born. [time]
 double compareBirths(std::span<const LineageEntry> a, std::span<const LineageEntry> b);

@@ -44,15 +44,13 @@ std::string stepText(double timeStep) {
 std::string stepText(const Setting& setting) {
   if (!setting.automatic || setting.autoShare == 1) return stepText(setting.timeStep);
   const double parts = 1 / setting.autoShare;
-  return parts == std::floor(parts) ? fmt::format("auto/{:g}", parts)
-                                    : "auto*" + numberText(setting.autoShare);
+  return parts == std::floor(parts) ? fmt::format("auto/{:g}", parts) : "auto*" + numberText(setting.autoShare);
 }
 
 Document settingTables(const AccuracyReport& report) {
   using Row = AccuracyRow;
   std::vector<Row> rows;
-  std::ranges::copy_if(report.rows, std::back_inserter(rows),
-                       [](const Row& row) { return row.failure.empty(); });
+  std::ranges::copy_if(report.rows, std::back_inserter(rows), [](const Row& row) { return row.failure.empty(); });
   const auto whole = [](const Row& row) { return row.error ? std::optional(row.parts.sum()) : std::nullopt; };
   const auto ifKnown = [](const Row& row, double value) {
     return number(row.error ? std::optional(value) : std::nullopt, 3);
@@ -60,19 +58,14 @@ Document settingTables(const AccuracyReport& report) {
   const auto note = [&](const Row& row) { return noteOf(row, report.reference.left.error); };
   std::vector<FieldOf<Row>> fields{
       {"Settings",
-       [&](const Row& row) {
-         return row.series + (row.series == report.usual ? " (the scenario's own)" : "");
-       }},
+       [&](const Row& row) { return row.series + (row.series == report.usual ? " (the scenario's own)" : ""); }},
       {"Time step", [](const Row& row) { return stepText(row.setting); }},
       {"Error",
        [=](const Row& row) {
-         return (row.error && !row.parts.mesh && !row.parts.model ? "≥\u00a0" : "") +
-                number(whole(row), 3).words;
+         return (row.error && !row.parts.mesh && !row.parts.model ? "≥\u00a0" : "") + number(whole(row), 3).words;
        }},
       {"time",
-       [](const Row& row) {
-         return (row.resolved || !row.error ? "" : "~\u00a0") + number(row.parts.time, 3).words;
-       }},
+       [](const Row& row) { return (row.resolved || !row.error ? "" : "~\u00a0") + number(row.parts.time, 3).words; }},
       {"mesh", [](const Row& row) { return number(row.parts.mesh, 3); }},
       {"precision", [](const Row& row) { return number(row.parts.precision, 3); }},
       {"model", [](const Row& row) { return number(row.parts.model, 3); }},
@@ -84,8 +77,7 @@ Document settingTables(const AccuracyReport& report) {
       {"CPU time [s]", [](const Row& row) { return number(row.cpuSeconds, 3); }},
       {"Forces", [](const Row& row) { return row.forceEvaluations; }},
   };
-  if (std::ranges::any_of(rows, [&](const Row& row) { return !note(row).empty(); }))
-    fields.push_back({"", note});
+  if (std::ranges::any_of(rows, [&](const Row& row) { return !note(row).empty(); })) fields.push_back({"", note});
   Document body;
   body.say(
           "An error is at most the sum of its parts: of the time step, the mesh, the precision and the "
@@ -129,8 +121,7 @@ Table bulletTable(const AccuracyReport& report) {
       {"Bullet at its best", [](const Row& s) { return s.bullets; }},
       {"CPU time [s]", [](const Row& s) { return number(s.bulletSeconds, 3); }},
       {"times as long", [](const Row& s) { return number(s.bulletSeconds / s.ourSeconds, 3); }},
-      {"with its slowest setting",
-       [](const Row& s) { return number(s.bulletMostSeconds / s.ourSeconds, 3); }},
+      {"with its slowest setting", [](const Row& s) { return number(s.bulletMostSeconds / s.ourSeconds, 3); }},
   };
   return tableOf("At equal error, beside Bullet", fields, report.bulletSpeeds);
 }

@@ -44,8 +44,7 @@ std::string lastLine(const std::string& text) {
   const auto end = text.find_last_not_of('\n');
   if (end == std::string::npos) return "";
   const auto begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1,
-                     end - (begin == std::string::npos ? -1 : begin));
+  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? -1 : begin));
 }
 
 /// Runs commands to their ends, within one budget for all.
@@ -66,8 +65,8 @@ class Runner {
     auto words = command;
     words.insert(words.begin(), question_.program);
     words.insert(words.end(), {"--no-check", "--no-pictures", "--quiet", "--out", folder.path().string()});
-    const ChildEnd end = runChild(
-        words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
+    const ChildEnd end =
+        runChild(words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
     spent_ += end.cpuSeconds;
     if (end.well()) return EndedRun{command, setting, error, end.cpuSeconds};
     if (end.outOfTime()) answer_.outOfTime = true;
@@ -117,23 +116,20 @@ TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& ques
     if (answer.best) break;
   }
   const auto mesh = report.mesh.error();
-  if (!answer.best || !mesh || report.mesh.none || *mesh + answer.best->error <= question.error)
-    return answer;
+  if (!answer.best || !mesh || report.mesh.none || *mesh + answer.best->error <= question.error) return answer;
   answer.levelThatHolds = levelThatHolds(report.mesh, question.error - answer.best->error);
   const Setting& best = answer.best->setting;
   if (!answer.levelThatHolds || best.level != report.mesh.own || best.model) return answer;
   Setting finer = best;
   finer.level = answer.levelThatHolds;
   if (!finer.automatic)
-    finer.timeStep =
-        std::ldexp(finer.timeStep, static_cast<int>(*best.level) - static_cast<int>(*finer.level));
+    finer.timeStep = std::ldexp(finer.timeStep, static_cast<int>(*best.level) - static_cast<int>(*finer.level));
   answer.finer = runner.run(finer, fmt::format("icosphere {}", *finer.level),
                             answer.best->error + *report.mesh.errorOf(*finer.level));
   return answer;
 }
 
-std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
-                     const AccuracyReport& report) {
+std::string describe(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report) {
   const std::string target = numberText(question.error);
   std::string text;
   for (const std::string& failure : answer.failures)
@@ -156,16 +152,15 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   if (report.mesh.none) return text;
   if (!mesh) return text + "  what the mesh adds is not known: " + report.mesh.unknown + "\n";
   if (*mesh + best.error <= question.error)
-    return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh,
-                              *mesh + best.error);
-  text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own,
-                      *mesh, target);
+    return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh, *mesh + best.error);
+  text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own, *mesh,
+                      target);
   if (!answer.levelThatHolds) return text + "no icosphere up to 4 would hold it\n";
   text += fmt::format("icosphere {} would hold it\n", *answer.levelThatHolds);
   if (answer.finer)
-    text += fmt::format(
-        "  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
-        commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
+    text +=
+        fmt::format("  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
+                    commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
   else text += "  which has not been run to its end\n";
   return text;
 }

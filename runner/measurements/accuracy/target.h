@@ -28,8 +28,8 @@ struct EndedRun {
 };
 
 struct TargetAnswer {
-  std::optional<EndedRun> best;   // on the scenario's mesh, or a coarser one that still holds the error
-  std::optional<EndedRun> finer;  // where the scenario's mesh alone exceeds the error
+  std::optional<EndedRun> best;                 // on the scenario's mesh, or a coarser one that still holds the error
+  std::optional<EndedRun> finer;                // where the scenario's mesh alone exceeds the error
   std::optional<std::uint64_t> levelThatHolds;  // the coarsest icosphere whose own error leaves room
   std::vector<std::string> failures;            // of cheaper ones, one line each
   bool outOfTime = false;                       // the budget was used up before one had come to its end
@@ -38,8 +38,7 @@ struct TargetAnswer {
 TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question);
 
 /// For people.
-std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
-                     const AccuracyReport& report);
+std::string describe(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
 Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
 
 }  // namespace morula

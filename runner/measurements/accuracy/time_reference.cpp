@@ -35,8 +35,7 @@ Converged converge(const AccuracyRuns& runs, Integrator integrator, int halvings
   if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
   const Trial m = runs.trial(middle, 1);
   const double fine = distance(m, c.trial, runs.eggRadius);
-  c.left = estimateByRichardson(distance(runs.trial(coarse, 1), m, runs.eggRadius), fine,
-                                kindOf(integrator).order);
+  c.left = estimateByRichardson(distance(runs.trial(coarse, 1), m, runs.eggRadius), fine, kindOf(integrator).order);
   return c;
 }
 
@@ -53,8 +52,8 @@ Trial AccuracyRuns::trial(const Setting& setting, int rounds, double mostSeconds
   return runTrial(read, setting, times, options.execution, rounds, mostSeconds);
 }
 
-Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon,
-                        const std::string& file, AccuracyReference& r) {
+Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon, const std::string& file,
+                        AccuracyReference& r) {
   Converged a = converge(runs, Integrator::rungeKutta4, halvings),
             b = converge(runs, Integrator::velocityVerlet, halvings);
   if (b.left.error < a.left.error) std::swap(a, b);

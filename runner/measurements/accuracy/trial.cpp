@@ -27,16 +27,15 @@ void goTo(World& world, double time, double mostSeconds, Trial& trial, double& s
     const std::uint64_t most = stepsUntil(world.clock, time * (1 - slack));
     seconds += timeOf(ClockKind::process, [&] { takeSteps(world, most); });
     const std::uint64_t steps = world.clock.step - before;
-    if (seconds > mostSeconds)
-      throw TooLong{"it takes more than " + numberText(mostSeconds, 3) + " s of CPU time"};
+    if (seconds > mostSeconds) throw TooLong{"it takes more than " + numberText(mostSeconds, 3) + " s of CPU time"};
     trial.steps += steps;
     trial.forceEvaluations += steps * perStep;
     trial.vertexSteps += steps * vertices;
   }
 }
 
-void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution,
-             double mostSeconds, Trial& trial, double& seconds) {
+void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution, double mostSeconds,
+             Trial& trial, double& seconds) {
   World world = makeWorld(scene, execution);
   trial.shapes.push_back(takeShapes(world));
   for (const double time : times) {

@@ -39,7 +39,6 @@ struct Horizon {
 
 /// Runs the scene together with a twin with x of one vertex moved by one unit in the last place, until that has
 /// grown by `amplification`, as errors of the time steps would too, or until `latest`. Throws NumericalError.
-Horizon findHorizon(const Scene& scene, const Execution& execution, std::optional<double> latest,
-                    double amplification);
+Horizon findHorizon(const Scene& scene, const Execution& execution, std::optional<double> latest, double amplification);
 
 }  // namespace morula

@@ -13,8 +13,7 @@ std::vector<PlannedScene> plan(const BenchOptions& options) {
     for (const int level : options.levels) {
       scenes.push_back({{.cells = cells, .level = level}, "packed", true});
       scenes.push_back({{.cells = cells, .level = level, .friction = 0.3}, "packed-friction", false});
-      scenes.push_back(
-          {{.cells = cells, .level = level, .precision = Precision::binary32}, "packed-single", false});
+      scenes.push_back({{.cells = cells, .level = level, .precision = Precision::binary32}, "packed-single", false});
       scenes.push_back({{.cells = cells, .level = level, .contact = false}, "free", false});
     }
   for (const int level : options.extraLevels)
@@ -51,8 +50,7 @@ BenchReport runBench(const BenchOptions& asked) {
 }
 
 const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
-                     Stage stage, int cells, int vertices, const std::string& isa, int threads,
-                     bool wallClock) {
+                     Stage stage, int cells, int vertices, const std::string& isa, int threads, bool wallClock) {
   for (const BenchRow& row : rows)
     if (row.scene == scene && row.engine == engine && row.stage == stage && row.cells == cells &&
         row.vertices == vertices && row.isa == isa && row.threads == threads && row.wallClock == wallClock)

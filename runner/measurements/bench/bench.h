@@ -82,8 +82,7 @@ struct ThesisRow {
   int cells;
   double msPerCell;
 };
-inline constexpr ThesisRow thesisTable[] = {{8, 1.75},  {16, 1.88},  {32, 1.94},
-                                            {64, 1.81}, {128, 1.88}, {256, 23.68}};
+inline constexpr ThesisRow thesisTable[] = {{8, 1.75}, {16, 1.88}, {32, 1.94}, {64, 1.81}, {128, 1.88}, {256, 23.68}};
 
 struct BenchReport {
   std::vector<BenchRow> rows;

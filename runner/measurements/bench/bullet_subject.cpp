@@ -34,12 +34,9 @@ BulletSubject::BulletSubject(const BulletScene& scene, double shareRadius, Run r
   scene_.physics.integrator = Integrator::velocityVerlet;
 }
 
-double BulletSubject::vertices() const {
-  return double(scene_.cells.size()) * double(scene_.mesh.vertices.size());
-}
+double BulletSubject::vertices() const { return double(scene_.cells.size()) * double(scene_.mesh.vertices.size()); }
 
-BulletResult BulletSubject::ask(double margin, int iterations, const std::vector<Body>& start,
-                                int steps) const {
+BulletResult BulletSubject::ask(double margin, int iterations, const std::vector<Body>& start, int steps) const {
   BulletRequest request{scene_, steps};
   request.scene.cells = start;
   request.scene.margin = margin * shareRadius_;
@@ -50,15 +47,14 @@ BulletResult BulletSubject::ask(double margin, int iterations, const std::vector
 void BulletSubject::settle() {
   for (const double margin : margins) {
     settled_.push_back(ask(margin, 1, scene_.cells, settlingSteps).cells);
-    for (int iterations = 1; iterations <= mostIterations; ++iterations)
-      timings_.push_back({margin, iterations});
+    for (int iterations = 1; iterations <= mostIterations; ++iterations) timings_.push_back({margin, iterations});
   }
 }
 
 void BulletSubject::time(BulletSettingRow& timing) {
   const auto which = std::find(std::begin(margins), std::end(margins), timing.margin) - std::begin(margins);
-  const BulletResult result = ask(timing.margin, timing.iterations, settled_[static_cast<std::size_t>(which)],
-                                  warmUpSteps + timedSteps);
+  const BulletResult result =
+      ask(timing.margin, timing.iterations, settled_[static_cast<std::size_t>(which)], warmUpSteps + timedSteps);
   if (!areWhole(scene_, result.cells)) return;
   for (int i = warmUpSteps; i < warmUpSteps + timedSteps; ++i)
     timing.samples.push_back(result.stepSeconds[static_cast<std::size_t>(i)] / vertices());
@@ -69,8 +65,7 @@ void BulletSubject::round() {
   const bool first = settled_.empty();
   if (first) settle();
   std::ranges::stable_sort(timings_, {}, &BulletSettingRow::nsPerVertexStep);
-  for (std::size_t i = 0; i < (first ? timings_.size() : std::min(fastest, timings_.size())); ++i)
-    time(timings_[i]);
+  for (std::size_t i = 0; i < (first ? timings_.size() : std::min(fastest, timings_.size())); ++i) time(timings_[i]);
 }
 
 std::vector<BulletSettingRow> BulletSubject::timings() const {

@@ -16,8 +16,7 @@ const PeakKernels& peakKernels(Isa isa) { return tables[isa]; }
 namespace {
 
 // From well within a first level cache to beyond the last. [byte]
-constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20,
-                                 12u << 20, 24u << 20,  96u << 20};
+constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20, 12u << 20, 24u << 20, 96u << 20};
 constexpr std::size_t largest = sizes[std::size(sizes) - 1];
 constexpr double sampleSeconds = 1e-3;  // [s] of one sample, against the clock's own cost
 

@@ -24,8 +24,7 @@ void findForces(OrdinaryCell& cell, const PhysicsParameters& p) {
     const double length = norm(d);
     const Vector direction = d / length;
     const double opening = dot(b.velocity - a.velocity, direction);
-    const double tension =
-        p.membrane.stiffness * (length - spring.restLength) + p.membrane.damping * opening;
+    const double tension = p.membrane.stiffness * (length - spring.restLength) + p.membrane.damping * opening;
     const Vector force = (spring.weight * tension) * direction;
     a.force += force;
     b.force -= force;

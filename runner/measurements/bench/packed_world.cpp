@@ -71,8 +71,7 @@ std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell
     if (i % 32 == 0 && i >= leastSteps && moveInEdges(world) < slow) break;
   }
   const double fill = measureWorld(world)["shell_fill"].value_or(0);
-  if (fill < wantedFill)
-    throw BugError(fmt::format("{} cells fill only {:.3f} of their shell", packed.cells, fill));
+  if (fill < wantedFill) throw BugError(fmt::format("{} cells fill only {:.3f} of their shell", packed.cells, fill));
   return allBodies(world);
 }
 
@@ -128,11 +127,10 @@ std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem
   return bodies;
 }
 
-World makePackedWorld(const PackedScene& packed, const Execution& execution,
-                      const std::filesystem::path& folder,
+World makePackedWorld(const PackedScene& packed, const Execution& execution, const std::filesystem::path& folder,
                       const std::function<void(const std::string&)>& tell) {
-  World world = makeWorldOf(describe(packed), paths(packBall(packed.cells)),
-                            settledBodies(packed, folder, tell), execution);
+  World world =
+      makeWorldOf(describe(packed), paths(packBall(packed.cells)), settledBodies(packed, folder, tell), execution);
   beginWithBodies(world);
   return world;
 }

@@ -31,8 +31,7 @@ std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem
                                 const std::function<void(const std::string&)>& tell);
 
 /// Both together: the scene's world with its settled cells.
-World makePackedWorld(const PackedScene& packed, const Execution& execution,
-                      const std::filesystem::path& folder,
+World makePackedWorld(const PackedScene& packed, const Execution& execution, const std::filesystem::path& folder,
                       const std::function<void(const std::string&)>& tell);
 
 }  // namespace morula

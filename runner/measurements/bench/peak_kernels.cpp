@@ -43,8 +43,8 @@ constexpr int chains = 12;
 
 double multiplyAdd(long turns) {
   const Register factor = fill(0.999999), term = fill(1e-6);
-  Register a = fill(1.0), b = fill(1.1), c = fill(1.2), d = fill(1.3), e = fill(1.4), f = fill(1.5),
-           g = fill(1.6), h = fill(1.7), i = fill(1.8), j = fill(1.9), k = fill(2.0), l = fill(2.1);
+  Register a = fill(1.0), b = fill(1.1), c = fill(1.2), d = fill(1.3), e = fill(1.4), f = fill(1.5), g = fill(1.6),
+           h = fill(1.7), i = fill(1.8), j = fill(1.9), k = fill(2.0), l = fill(2.1);
   const auto turn = [&](Register & r) __attribute__((always_inline)) {
     r = r * factor + term;
     touch(r);

@@ -18,8 +18,7 @@ class BenchTable {
       cells_.insert(row.cells);
     }
   }
-  const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1,
-                         bool wall = false) const {
+  const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1, bool wall = false) const {
     return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
   }
   const BenchRow* free(Stage stage, int cells, const std::string& isa) const {

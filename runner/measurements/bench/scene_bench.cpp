@@ -16,9 +16,7 @@ namespace {
 
 constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
 
-void append(std::vector<double>& to, const std::vector<double>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
+void append(std::vector<double>& to, const std::vector<double>& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 class SceneBench {
  public:
@@ -32,8 +30,7 @@ class SceneBench {
         subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                  options.tell) {
     // By the size alone, so that what is counted on the way is the same everywhere.
-    const double wanted =
-        options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
+    const double wanted = options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
     steps_ = std::max(4, static_cast<int>(wanted));
   }
 
@@ -82,8 +79,8 @@ class SceneBench {
     return row;
   }
 
-  Series& series(const std::string& engine, Stage stage, const std::string& isa, int threads = 1,
-                 bool wall = false, const std::string& search = "") {
+  Series& series(const std::string& engine, Stage stage, const std::string& isa, int threads = 1, bool wall = false,
+                 const std::string& search = "") {
     for (Series& s : all_)
       if (s.row.engine == engine && s.row.stage == stage && s.row.isa == isa && s.row.threads == threads &&
           s.row.wallClock == wall && s.row.search == search)
@@ -109,8 +106,7 @@ class SceneBench {
       const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
       series("morula", Stage::step, name(isa)).searches.push_back(grid);
       if (wants(Stage::rebuild) && whole_)
-        series("morula", Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid))
-            .samples.push_back(grid);
+        series("morula", Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid)).samples.push_back(grid);
     }
     if (!wants(Stage::rebuild) || !whole_) return;
     for (const ContactSearch method : valuesOf<ContactSearch>()) {
@@ -126,8 +122,7 @@ class SceneBench {
     const int few = std::max(4, steps_ / 4);
     for (const Isa isa : isas_)
       if (isa != isas_.back())
-        append(series("morula", Stage::step, name(isa)).samples,
-               subject_.trySteps(isa, 1, ClockKind::cpu, few));
+        append(series("morula", Stage::step, name(isa)).samples, subject_.trySteps(isa, 1, ClockKind::cpu, few));
     const Isa widest = isas_.back();
     append(series("morula", Stage::step, name(widest)).samples, subject_.goOn(widest, steps_));
   }
@@ -153,9 +148,8 @@ class SceneBench {
     // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every
     // step.
     scene.cells = settledBodies(packed_, options_.folder, options_.tell);
-    return {scene, shareRadius(packed_.cells), [program = options_.program](const BulletRequest& request) {
-              return runInBullet(request, program);
-            }};
+    return {scene, shareRadius(packed_.cells),
+            [program = options_.program](const BulletRequest& request) { return runInBullet(request, program); }};
   }
 
   void finish(const BulletSubject& subject, Baseline baseline, std::vector<BenchRow>& rows) const {
@@ -174,8 +168,7 @@ class SceneBench {
 
   double pairsPerVertex() const {
     const StepCounters& c = subject_.counters();
-    if (c.steps == 0)
-      return subject_.touching() ? subject_.world().contacts->list.pairs / subject_.vertices() : 0;
+    if (c.steps == 0) return subject_.touching() ? subject_.world().contacts->list.pairs / subject_.vertices() : 0;
     return static_cast<double>(c.pairs) / static_cast<double>(c.steps) / subject_.vertices();
   }
 
@@ -237,8 +230,7 @@ class SceneBench {
 
 }  // namespace
 
-std::vector<BenchRow> measureScene(const PlannedScene& scene, const BenchOptions& options,
-                                   LimitMeter& meter) {
+std::vector<BenchRow> measureScene(const PlannedScene& scene, const BenchOptions& options, LimitMeter& meter) {
   SceneBench bench(options, scene.packed, scene.name, scene.whole);
   for (int i = 0; i < options.rounds; ++i) {
     options.tell(fmt::format("{} scene, {} cells, level {}: round {} of {}", scene.name, scene.packed.cells,

@@ -37,9 +37,8 @@ void stir(World& world) {
   const double wanted = stirredMove * edge / world.clock.timeStep;
   double squares = 0;
   for (int slot = 0; slot < b.count; ++slot) {
-    const Vector push =
-        wanted * randomDirection({0, world.cells.path[slot], static_cast<std::uint32_t>(world.clock.step),
-                                  Purpose::perturbation});
+    const Vector push = wanted * randomDirection({0, world.cells.path[slot],
+                                                  static_cast<std::uint32_t>(world.clock.step), Purpose::perturbation});
     for (int v = 0; v < b.vertexCount(); ++v) {
       const Vector now = b.read(b.velocity, slot, v) + push;
       b.write(b.velocity, slot, v, now);
@@ -173,10 +172,8 @@ StepTimes Subject::timeSteps(ClockKind clock, int count, const Each& each, const
     const int steps = std::min({size, count - done, stirEvery - done % stirEvery});
     const double time = timeOf(clock,
                                [&] {
-                                 const std::uint64_t end =
-                                     world_.clock.step + static_cast<std::uint64_t>(steps);
-                                 while (world_.clock.step < end)
-                                   takeSteps(world_, end - world_.clock.step), each();
+                                 const std::uint64_t end = world_.clock.step + static_cast<std::uint64_t>(steps);
+                                 while (world_.clock.step < end) takeSteps(world_, end - world_.clock.step), each();
                                }) /
                         steps;
     done += steps;

@@ -38,8 +38,7 @@ using Rows = std::vector<const BenchRow*>;
 std::vector<std::string> isasOf(const std::vector<BenchRow>& rows) {
   std::vector<std::string> isas;
   for (const BenchRow& row : rows)
-    if (!row.isa.empty() && std::find(isas.begin(), isas.end(), row.isa) == isas.end())
-      isas.push_back(row.isa);
+    if (!row.isa.empty() && std::find(isas.begin(), isas.end(), row.isa) == isas.end()) isas.push_back(row.isa);
   return isas;
 }
 
@@ -56,14 +55,13 @@ std::string noteOf(const BenchRow& row) {
   if (row.bulletSettings.empty()) return "";
   const BulletSettingRow &best = row.bulletSettings.front(), &worst = row.bulletSettings.back();
   return fmt::format("margin {:g}, {}; {:.0f} to {:.0f} over {} settings", best.margin,
-                     counted(std::uint64_t(best.iterations), "iteration"), best.nsPerVertexStep,
-                     worst.nsPerVertexStep, row.bulletSettings.size());
+                     counted(std::uint64_t(best.iterations), "iteration"), best.nsPerVertexStep, worst.nsPerVertexStep,
+                     row.bulletSettings.size());
 }
 
 std::string heading(const Rows& rows) {
   const BenchRow& row = *rows.front();
-  const std::string text =
-      fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
+  const std::string text = fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
   for (const BenchRow* r : rows)
     if (r->pairsPerVertexStep)
       return text + fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep) +
@@ -79,8 +77,7 @@ Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
   table.columns.push_back("");
   for (const BenchRow* row : rows) {
     const std::string label = labelOf(*row);
-    auto known =
-        std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
+    auto known = std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
     if (known == table.rows.end()) {
       known = table.rows.emplace(known, table.columns.size(), Cell({}, " "));
       (*known)[0] = label;
@@ -89,8 +86,7 @@ Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
     const auto isa = static_cast<std::size_t>(std::ranges::find(isas, row->isa) - isas.begin());
     const std::size_t place = isa < isas.size() ? 1 + 2 * isa : 1;
     cells[place] = fixed(row->nsPerVertexStep, 2);
-    if (row->shareOfLimit)
-      cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
+    if (row->shareOfLimit) cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
     cells.back() = noteOf(*row);
   }
   return table;
@@ -110,21 +106,16 @@ void addScenes(const std::vector<BenchRow>& rows, Document& text) {
 void addThesis(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
   if (isas.empty()) return;
-  const auto ours = [&](int cells) {
-    return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back());
-  };
+  const auto ours = [&](int cells) { return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back()); };
   const BenchRow* eight = ours(8);
-  Table table{"Cost of a cell and step",
-              {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
+  Table table{"Cost of a cell and step", {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
   for (const ThesisRow& row : thesisTable) {
     const BenchRow* own = ours(row.cells);
-    table.rows.push_back(
-        {row.cells, fixed(row.msPerCell, 2), fixed(row.msPerCell / thesisTable[0].msPerCell, 2),
-         own ? fixed(1e-3 * own->nsPerVertexStep * own->vertices, 2) : Cell({}, " "),
-         own && eight ? fixed(own->nsPerVertexStep / eight->nsPerVertexStep, 2) : Cell({}, " ")});
+    table.rows.push_back({row.cells, fixed(row.msPerCell, 2), fixed(row.msPerCell / thesisTable[0].msPerCell, 2),
+                          own ? fixed(1e-3 * own->nsPerVertexStep * own->vertices, 2) : Cell({}, " "),
+                          own && eight ? fixed(own->nsPerVertexStep / eight->nsPerVertexStep, 2) : Cell({}, " ")});
   }
-  text.heading(fmt::format("cost of a cell and step: thesis, table 5.1 (2008); morula {}, one thread",
-                           isas.back()))
+  text.heading(fmt::format("cost of a cell and step: thesis, table 5.1 (2008); morula {}, one thread", isas.back()))
       .add(std::move(table));
 }
 

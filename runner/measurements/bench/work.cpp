@@ -57,8 +57,7 @@ Work contactWork(double pairs, bool friction) {
   // friction h² 5, slip 6, its square 5, force 4 + 3.
   const double perPair = 50 + (friction ? 23 : 0);
   // x and the list's x in, a row out; a row and a list in, the force in and out.
-  return {16 + perPair * pairs, 1 + (friction ? 1.5 * pairs : 0),
-          4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
+  return {16 + perPair * pairs, 1 + (friction ? 1.5 * pairs : 0), 4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
           3 * vectorBytes + rowBytes + indexBytes * pairs};
 }
 

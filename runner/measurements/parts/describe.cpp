@@ -37,9 +37,7 @@ Table costTable(const Prediction& f) {
   const auto fixed = [](int digits, double scale, const char* unit) {
     return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
   };
-  const auto ofBodies = [&](const char* title) {
-    return f.vertices ? title : "";
-  };  // only they have vertices
+  const auto ofBodies = [&](const char* title) { return f.vertices ? title : ""; };  // only they have vertices
   const std::vector<FieldOf<Row>> fields{
       {{"part", "", "part"}, [](const Row& c) { return c.part.name; }},
       {{"engaged", "", ""}, [](const Row&) { return exact(true); }},
@@ -68,16 +66,15 @@ Table absentTable(const Prediction& f) {
 }
 
 Document describe(const Prediction& f, const std::string& title) {
-  std::string size = title + (f.life.whole ? ": up to " : ": at least ") +
-                     counted(static_cast<std::uint64_t>(f.cells), "cell");
+  std::string size =
+      title + (f.life.whole ? ": up to " : ": at least ") + counted(static_cast<std::uint64_t>(f.cells), "cell");
   std::string cost =
       fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
   if (f.vertices) {
     size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
                         counted(static_cast<std::uint64_t>(f.steps), "step"));
-    cost += f.triedWhole
-                ? "; the whole run was rehearsed"
-                : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
+    cost += f.triedWhole ? "; the whole run was rehearsed"
+                         : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   }
   Document text;
   text.say(size).add(PlainList{{cost}}).heading("what each part costs").add(costTable(f));

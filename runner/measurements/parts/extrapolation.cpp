@@ -31,8 +31,7 @@ ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
     const double cells = double(life.eras[i].cells);
     const bool over = i + 1 < trial.eras.size() || trial.whole;
     if (era.pairs == 0 || cells < 2 || (!over && found)) continue;
-    const double pairs =
-        era.pairs / (era.steps * cells * verticesPerCell(*trial.world.bodies)) / touchingShare(cells);
+    const double pairs = era.pairs / (era.steps * cells * verticesPerCell(*trial.world.bodies)) / touchingShare(cells);
     // Freshly cut faces are crowded; the least crowded era is what others come to.
     trend = {found ? std::min(trend.pairs, pairs) : pairs, era.searches, cells};
     found = true;
@@ -87,8 +86,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     if (i >= trial.eras.size()) {
       from = era.from;
       if (era.generation != generation && !world.settlings)
-        timeStep =
-            fixed ? *fixed : automaticTimeStep(world.model, predictTimeStepLimit(trial, era.generation));
+        timeStep = fixed ? *fixed : automaticTimeStep(world.model, predictTimeStepLimit(trial, era.generation));
       generation = era.generation;
     }
     const double cells = double(era.cells);

@@ -65,8 +65,7 @@ Sums addUp(const Life& life, const std::vector<EraCounts>& eras, const Scenario&
 double recordBytes(const Sums& sums, const World& world) {
   double perCell = double(sizeof(CellMeasures) + CellMeasures::bytes());
   if (world.contacts)
-    perCell +=
-        6 * double(sizeof(ContactMeasures) + ContactMeasures::bytes());  // a dozen neighbours, shared by two
+    perCell += 6 * double(sizeof(ContactMeasures) + ContactMeasures::bytes());  // a dozen neighbours, shared by two
   if (!world.bodies) return sums.samples * sizeof(Sample);
   const Bodies& b = *world.bodies;
   const double vertices = double(b.areSpheres() ? b.surface.vertices.size() : b.mesh.mesh.vertices.size());
@@ -79,8 +78,7 @@ void predictLineage(Costs& costs, Prediction& f, const Scenario& scenario, const
   const World world = makeWorld(scenario.scene, options.execution);
   const Sums sums = addUp(f.life, {}, scenario, options.execution.isa);
   f.steps = double(f.life.moments);
-  costs["biology"].bytes =
-      double(sizeof(LineageEntry)) * double(2 * f.life.divisions + 1) + 36.0 * double(f.cells);
+  costs["biology"].bytes = double(sizeof(LineageEntry)) * double(2 * f.life.divisions + 1) + 36.0 * double(f.cells);
   costs["samples"].bytes = recordBytes(sums, world);
   // A hash at every moment, over living cells and the mothers of as many.
   costs["hashes"].seconds = measureObservation(world).hash * 2 * double(f.life.cellsAsked);
@@ -97,11 +95,10 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
     const double limit = predictTimeStepLimit(trial, era.generation);
     if (fixed && *fixed > limit)
       f.remarks.push_back(fmt::format(
-          "physics.time_step will be too long from {} cells on: cells get lighter with each division",
-          era.cells));
+          "physics.time_step will be too long from {} cells on: cells get lighter with each division", era.cells));
     else if (!fixed && limit < near * powerOfTwoBelow(limit))
-      f.remarks.push_back(fmt::format(
-          "from {} cells on the time step may be half as long, and steps twice as many", era.cells));
+      f.remarks.push_back(
+          fmt::format("from {} cells on the time step may be half as long, and steps twice as many", era.cells));
     else continue;
     return;
   }
@@ -127,13 +124,12 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
 
 /// How much longer the trial run took than its rates explain: calls and checks take more, and rates that are measured one by one
 /// find less of the world in the cache.
-double slowness(const Prediction& f, const TrialRun& trial, const StepRates& rates, const Scenario& scenario,
-                Isa isa) {
+double slowness(const Prediction& f, const TrialRun& trial, const StepRates& rates, const Scenario& scenario, Isa isa) {
   const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(trial.eras.size())}};
   double pairs = 0, explained = 0;
   for (const EraCounts& era : trial.eras) pairs += era.pairs;
-  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, trial.eras, scenario, isa), pairs,
-                                               verticesPerCell(*trial.world.bodies)))
+  for (const auto& [name, cost] :
+       costsOfSteps(rates, addUp(past, trial.eras, scenario, isa), pairs, verticesPerCell(*trial.world.bodies)))
     explained += *cost.seconds;
   return explained > 0 ? std::clamp((trial.seconds - trial.changeSeconds) / explained, 0.2, 3.0) : 1;
 }
@@ -177,18 +173,15 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
   if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
-    f.remarks.push_back(
-        "what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
+    f.remarks.push_back("what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
 }
 
-void addPictures(Costs& costs, const Prediction& f, const Scenario& scenario,
-                 const PredictionOptions& options) {
+void addPictures(Costs& costs, const Prediction& f, const Scenario& scenario, const PredictionOptions& options) {
   if (!options.secondsPerPicture || !f.vertices) return;
   double pictures = 2;
-  if (scenario.record.pictures)
-    pictures += std::floor(f.life.eras.back().to / *scenario.record.pictures + 1e-9) + 1;
+  if (scenario.record.pictures) pictures += std::floor(f.life.eras.back().to / *scenario.record.pictures + 1e-9) + 1;
   costs["pictures"].seconds = pictures * *options.secondsPerPicture;
 }
 

@@ -17,8 +17,8 @@ namespace morula {
 namespace {
 
 constexpr double timingSeconds = 1e-3;  // [s] of one timing
-constexpr int timings = 7;           // the quickest counts: others were disturbed
-constexpr int mostTurns = 64;        // [calls] of one timing
+constexpr int timings = 7;              // the quickest counts: others were disturbed
+constexpr int mostTurns = 64;           // [calls] of one timing
 
 /// [s] of one call; `prepare` goes before each timing and does not count.
 template <class Prepare, class Call>
@@ -109,8 +109,7 @@ void measureOwnStep(World& world, StepRates& rates) {
   rates.damping = costOf(shells && p.membrane.damping > 0, [](World& w) {
     w.bodies->parameters.membrane.damping = w.bodies->kernelParameters.damping = 0;
   });
-  rates.drag =
-      costOf(p.drag > 0, [](World& w) { w.bodies->parameters.drag = w.bodies->kernelParameters.drag = 0; });
+  rates.drag = costOf(p.drag > 0, [](World& w) { w.bodies->parameters.drag = w.bodies->kernelParameters.drag = 0; });
   rates.shell = costOf(p.shell.has_value(), [](World& w) { w.bodies->parameters.shell.reset(); });
   rates.integration = timing.of(
       [](World& w) {
@@ -127,8 +126,8 @@ void measureOwnStep(World& world, StepRates& rates) {
   else if (!shells) rates.shapeMatching = rest;
   else rates.springs = share * rest, rates.pressure = (1 - share) * rest;
   if (world.connections)
-    rates.connections = timing.of(
-        [](World&) {}, [](World& w) { addConnectionForces(*w.connections, w.cells.path, *w.bodies); });
+    rates.connections =
+        timing.of([](World&) {}, [](World& w) { addConnectionForces(*w.connections, w.cells.path, *w.bodies); });
 }
 
 /// What touching cells do to each other. Snapshots and pairs are told apart by counting.

@@ -46,8 +46,7 @@ Life predictLife(const Scene& scene, std::uint64_t most) {
   // With bodies a run goes on between the cell cycles, unless it has stopped for another reason.
   Era& last = life.eras.back();
   last.to = world.clock.time;
-  const bool stopped =
-      !life.whole || last.cells == 0 || (scene.stop.cells && last.cells >= *scene.stop.cells);
+  const bool stopped = !life.whole || last.cells == 0 || (scene.stop.cells && last.cells >= *scene.stop.cells);
   if (const auto end = plannedEnd(scene); end && !stopped) last.to = std::max(last.to, *end);
   return life;
 }
@@ -64,8 +63,7 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
     run.seconds += seconds;
     if (w.settlings && !w.settlings->empty()) evaluations = double(w.settlings->back().evaluations);
     // A settling comes after its events, of which it may have several.
-    while (w.settlings && run.eras.size() < life.eras.size() &&
-           life.eras[run.eras.size()].from <= w.clock.time)
+    while (w.settlings && run.eras.size() < life.eras.size() && life.eras[run.eras.size()].from <= w.clock.time)
       run.eras.emplace_back();
     EraCounts& era = run.eras.back();
     era.steps += evaluations;

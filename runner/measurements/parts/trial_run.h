@@ -33,7 +33,7 @@ Life predictLife(const Scene& scene, std::uint64_t most = 1'000'000);
 /// What an era of bodies needs.
 struct EraCounts {
   double steps = 0, searches = 0;  // of a quasi-static scene: evaluations of the forces
-  double pairs = 0;  // evaluations of a vertex and a neighbour
+  double pairs = 0;                // evaluations of a vertex and a neighbour
 };
 
 struct TrialRun {

@@ -21,14 +21,10 @@ std::string inBytes(std::size_t bytes) {
 }
 
 Document verdict(Words sentence, std::vector<Finding> findings) {
-  return Document()
-      .add(Sentence{std::move(sentence), Sentence::Kind::first})
-      .add(FindingList{std::move(findings)});
+  return Document().add(Sentence{std::move(sentence), Sentence::Kind::first}).add(FindingList{std::move(findings)});
 }
 
-Group folded(std::string title, Document body) {
-  return {Group::Kind::folded, std::move(title), std::move(body)};
-}
+Group folded(std::string title, Document body) { return {Group::Kind::folded, std::move(title), std::move(body)}; }
 
 namespace {
 

@@ -61,13 +61,9 @@ struct Verbatim {
 
 /// A picture or a chart.
 struct Picture {
-  enum class Size {
-    usual,
-    wide,
-    large
-  };                        // wide: two columns; large: with many words, is not shrunk but scrolled
-  std::string type, bytes;  // "image/png", "image/svg+xml"
-  std::string what;         // for people who cannot see it
+  enum class Size { usual, wide, large };  // wide: two columns; large: with many words, is not shrunk but scrolled
+  std::string type, bytes;                 // "image/png", "image/svg+xml"
+  std::string what;                        // for people who cannot see it
   std::string caption;
   Size size = Size::usual;
   std::string name = {};  // by which Swipe knows it in its section
@@ -114,8 +110,8 @@ struct Group {
   Document body;
 };
 
-struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey,
-                            Downloads, ExplorerPlace, ProgramPlace, Group> {
+struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
+                            ExplorerPlace, ProgramPlace, Group> {
   using variant::variant;
 };
 

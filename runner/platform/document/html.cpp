@@ -96,8 +96,8 @@ struct AsHtml {
         std::string why;
         for (const std::string& clause : finding.why) why += element("li", "", safe(clause));
         html += element("li", ofClass(as.name),
-                        element("span", ofClass(std::string("mark ") + as.name), as.mark) +
-                            htmlOf(finding.words) + (why.empty() ? "" : element("ul", ofClass("why"), why))) +
+                        element("span", ofClass(std::string("mark ") + as.name), as.mark) + htmlOf(finding.words) +
+                            (why.empty() ? "" : element("ul", ofClass("why"), why))) +
                 "\n";
       }
     return element("ul", ofClass("findings"), "\n" + html) + "\n";
@@ -131,10 +131,9 @@ struct AsHtml {
       body += element("tr", "", cells) + "\n";
     }
     const std::string caption = safe(table.caption);
-    return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption +
-           "\"><table>\n<caption>" + caption + "</caption>\n" +
-           (head.empty() ? "" : "<thead><tr>" + head + "</tr></thead>\n") + "<tbody>\n" + body +
-           "</tbody></table></div>\n";
+    return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption + "\"><table>\n<caption>" +
+           caption + "</caption>\n" + (head.empty() ? "" : "<thead><tr>" + head + "</tr></thead>\n") + "<tbody>\n" +
+           body + "</tbody></table></div>\n";
   }
 
   std::string operator()(const Picture& p) const {
@@ -148,8 +147,8 @@ struct AsHtml {
   }
 
   std::string operator()(const Swipe& s) const {
-    return "<div class=\"compare\" data-first=\"" + s.first + "\" data-second=\"" + s.second +
-           "\" data-names=\"" + safe(s.titles) + "\"></div>\n";
+    return "<div class=\"compare\" data-first=\"" + s.first + "\" data-second=\"" + s.second + "\" data-names=\"" +
+           safe(s.titles) + "\"></div>\n";
   }
 
   std::string operator()(const LineKey& key) const {
@@ -183,8 +182,7 @@ struct AsHtml {
     const std::string body = htmlOf(group.body);
     if (group.kind == Group::Kind::folded)
       return element("details", "", element("summary", "", safe(group.title)) + "\n" + body) + "\n";
-    return element("div", ofClass(group.kind == Group::Kind::charts ? "charts" : "pictures"), "\n" + body) +
-           "\n";
+    return element("div", ofClass(group.kind == Group::Kind::charts ? "charts" : "pictures"), "\n" + body) + "\n";
   }
 };
 

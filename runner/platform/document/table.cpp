@@ -21,8 +21,7 @@ std::vector<std::string> seen(const Table& table, const std::vector<Cell>& row) 
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < row.size(); ++i)
     if (i >= table.columns.size() || table.columns[i].isShown)
-      texts.push_back(row[i].value.is_null() && row[i].words.empty() ? "-"
-                                                                     : printableLine(row[i].words.text()));
+      texts.push_back(row[i].value.is_null() && row[i].words.empty() ? "-" : printableLine(row[i].words.text()));
   return texts;
 }
 
@@ -46,8 +45,7 @@ Cell number(const std::optional<double>& value, int digits) {
   return value ? Cell(*value, numberText(*value, digits)) : exact({});
 }
 
-Table stacked(const std::vector<std::pair<std::string, Table>>& tables,
-              const std::vector<std::string>& first) {
+Table stacked(const std::vector<std::pair<std::string, Table>>& tables, const std::vector<std::string>& first) {
   Table all{"", {}};
   const auto placeOf = [&](const std::string& name) {
     const auto at = std::ranges::find(all.columns, name, &Column::csv);

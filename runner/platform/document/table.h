@@ -37,10 +37,7 @@ struct Column {
   Column(std::string heading) : title(std::move(heading)) {}
   Column(const char* heading) : title(heading) {}
   Column(std::string jsonName, std::string csvName, Words heading)
-      : title(std::move(heading)),
-        json(std::move(jsonName)),
-        csv(std::move(csvName)),
-        isShown(!title.empty()) {}
+      : title(std::move(heading)), json(std::move(jsonName)), csv(std::move(csvName)), isShown(!title.empty()) {}
 };
 
 struct Table {
@@ -57,8 +54,7 @@ struct FieldOf {
 };
 
 template <class Row>
-Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& fields,
-              const std::vector<Row>& rows) {
+Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& fields, const std::vector<Row>& rows) {
   Table table{caption, {}};
   for (const FieldOf<Row>& field : fields) table.columns.push_back(field.column);
   for (const Row& row : rows) {
@@ -69,8 +65,7 @@ Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& field
 }
 
 /// Tables one below the other: the first column says which, the others are joined by their CSV names, the named ones first.
-Table stacked(const std::vector<std::pair<std::string, Table>>& tables,
-              const std::vector<std::string>& first);
+Table stacked(const std::vector<std::pair<std::string, Table>>& tables, const std::vector<std::string>& first);
 
 /// Columns two blanks apart and in from the left, numbers at the right; what is not there is "-".
 std::string textOf(const Table& table);

@@ -19,7 +19,7 @@ std::string Words::text() const {
   for (const Piece& piece : pieces_)
     text += piece.emphasis == Emphasis::lineBreak   ? "\n"
             : piece.emphasis == Emphasis::subscript ? "_" + piece.text
-                                            : piece.text;
+                                                    : piece.text;
   return text;
 }
 

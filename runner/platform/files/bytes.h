@@ -14,18 +14,12 @@ void putNumber(std::string& bytes, Unsigned value) {
 inline void put8(std::string& bytes, std::uint8_t value) { bytes += static_cast<char>(value); }
 inline void put16(std::string& bytes, std::uint16_t value) { putNumber(bytes, value); }
 inline void put32(std::string& bytes, std::uint32_t value) { putNumber(bytes, value); }
-inline void put32(std::string& bytes, std::int32_t value) {
-  putNumber(bytes, static_cast<std::uint32_t>(value));
-}
+inline void put32(std::string& bytes, std::int32_t value) { putNumber(bytes, static_cast<std::uint32_t>(value)); }
 inline void put64(std::string& bytes, std::uint64_t value) { putNumber(bytes, value); }
-inline void putFloat(std::string& bytes, float value) {
-  putNumber(bytes, std::bit_cast<std::uint32_t>(value));
-}
+inline void putFloat(std::string& bytes, float value) { putNumber(bytes, std::bit_cast<std::uint32_t>(value)); }
 /// The nearest float.
 inline void putFloat(std::string& bytes, double value) { putFloat(bytes, static_cast<float>(value)); }
-inline void putDouble(std::string& bytes, double value) {
-  putNumber(bytes, std::bit_cast<std::uint64_t>(value));
-}
+inline void putDouble(std::string& bytes, double value) { putNumber(bytes, std::bit_cast<std::uint64_t>(value)); }
 
 /// Zeros until the length is a multiple of 4.
 inline void fillBytes(std::string& bytes) {

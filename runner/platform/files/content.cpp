@@ -36,9 +36,8 @@ Content contentOf(std::string_view head) {
 Content contentOfFile(const std::filesystem::path& file) { return contentOf(readHead(file, 4096)); }
 
 const char* name(Content content) {
-  constexpr const char* names[] = {
-      "empty", "a picture", "a database", "a golden file", "a scenario",
-      "DNA",   "a report",  "a page",     "a scene",       "a file of another kind"};
+  constexpr const char* names[] = {"empty", "a picture", "a database", "a golden file", "a scenario",
+                                   "DNA",   "a report",  "a page",     "a scene",       "a file of another kind"};
   return names[static_cast<int>(content)];
 }
 

@@ -17,8 +17,7 @@ const char* name(Content content);
 /// How pictures begin: any PNG, but only an SVG that says it is Morula's, and a PDF made by cairo, as ours
 /// are. Drawings and documents of others are files of another kind.
 inline constexpr std::string_view pngBeginning = "\x89PNG\r\n\x1a\n";
-inline constexpr std::string_view svgBeginning =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Morula -->\n<svg";
+inline constexpr std::string_view svgBeginning = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Morula -->\n<svg";
 inline constexpr std::string_view pdfBeginning = "%PDF-1.5\n%\xb5\xed\xae\xfb\n";
 
 /// How films begin, from the byte at which each beginning stands: any MP4, WebM and GIF.

@@ -49,8 +49,7 @@ Draft::Draft(fs::path file) : file_(std::move(file)), descriptor_(-1) {
     removeAbandonedDrafts(folder);
   do {
     draft_ = draftIn(file_.parent_path());
-    descriptor_ =
-        Descriptor(::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+    descriptor_ = Descriptor(::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
     if (!descriptor_.isOpen() && errno == EEXIST) continue;  // of a process of this number on another machine
     if (!descriptor_.isOpen()) refuse(file_);
     ::flock(descriptor_.number(), LOCK_EX);
@@ -77,8 +76,8 @@ fs::path draftIn(const fs::path& folder) {
   ::gethostname(host, sizeof host - 1);
   for (char& c : host)
     if (c == '/') c = '_';
-  return folder / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" +
-                   std::to_string(++number) + std::string(ending));
+  return folder / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" + std::to_string(++number) +
+                   std::string(ending));
 }
 
 std::size_t removeAbandonedDrafts(const fs::path& folder) {

@@ -80,10 +80,8 @@ std::vector<fs::path> namesIn(const fs::path& folder) {
 std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
   std::error_code error, ignored;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (entry->path().extension() == extension && entry->is_regular_file(ignored))
-      files.push_back(entry->path());
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == extension && entry->is_regular_file(ignored)) files.push_back(entry->path());
   if (error) refuse(folder, "cannot be listed", error);
   std::sort(files.begin(), files.end());
   return files;

@@ -27,8 +27,7 @@ bool removeFile(const std::filesystem::path& file);
 /// The names of the folder's files and folders, sorted.
 std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder);
 /// All files below the folder with this extension, as `folder`/…, sorted. Links to folders are not followed.
-std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder,
-                                              const std::string& extension);
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder, const std::string& extension);
 
 std::filesystem::path currentFolder();
 /// From the root, without "." and "..", links as they are.

@@ -15,8 +15,7 @@ std::string doubled(std::string_view text) {
 
 bool isMadeOf(std::string_view text, std::string_view others) {
   for (const char c : text)
-    if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9') &&
-        others.find(c) == others.npos)
+    if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9') && others.find(c) == others.npos)
       return false;
   return !text.empty();
 }
@@ -24,8 +23,8 @@ bool isMadeOf(std::string_view text, std::string_view others) {
 }  // namespace
 
 std::string csvField(std::string_view text) {
-  const bool isPlain = !text.empty() && text.find_first_of("\",\r\n") == text.npos && text.front() != ' ' &&
-                       text.back() != ' ';
+  const bool isPlain =
+      !text.empty() && text.find_first_of("\",\r\n") == text.npos && text.front() != ' ' && text.back() != ' ';
   return isPlain ? std::string(text) : doubled(text);
 }
 
@@ -41,8 +40,7 @@ std::string shellWord(std::string_view text) {
 std::string yamlText(std::string_view text) {
   const bool beginsAsWord = isMadeOf(text.substr(0, 1), "") && text[0] >= 'A';
   // With one of these marks it is none of YAML's words for true, false and null.
-  if (beginsAsWord && isMadeOf(text, "-_./") && text.find_first_of("-_./") != text.npos)
-    return std::string(text);
+  if (beginsAsWord && isMadeOf(text, "-_./") && text.find_first_of("-_./") != text.npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text)
     if (c == '"' || c == '\\') quoted += '\\', quoted += c;

@@ -61,8 +61,7 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes) 
   // Not by its announced size: files of /proc announce 0, and others may grow meanwhile.
   std::string bytes = readUpTo(opened, maxBytes + 1, file);
   if (bytes.size() > maxBytes)
-    refuse(file, "holds more than " + std::to_string(maxBytes >> 20) +
-                     " MiB, the most that is read of such a file");
+    refuse(file, "holds more than " + std::to_string(maxBytes >> 20) + " MiB, the most that is read of such a file");
   return bytes;
 }
 

@@ -30,11 +30,9 @@ std::string safeName(std::string_view text, std::string_view fallback) {
   }
   if (name.size() > maxBytes) {
     const auto dot = name.rfind('.');
-    const std::string extension =
-        dot != name.npos && name.size() - dot <= maxExtension ? name.substr(dot) : "";
+    const std::string extension = dot != name.npos && name.size() - dot <= maxExtension ? name.substr(dot) : "";
     std::size_t end = maxBytes - extension.size();
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80)
-      --end;  // not within a character
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // not within a character
     name = name.substr(0, end) + extension;
   }
   return name.empty() ? std::string(fallback) : name;

@@ -62,8 +62,7 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);  // links in it are removed, not followed
 }
 
-DraftFolder::DraftFolder(const fs::path& folder)
-    : folder_(withoutSlash(folder)), scratch_(parentFor(folder_)) {}
+DraftFolder::DraftFolder(const fs::path& folder) : folder_(withoutSlash(folder)), scratch_(parentFor(folder_)) {}
 
 void DraftFolder::takePlace() {
   const bool isThere = fileExists(folder_);

@@ -32,8 +32,7 @@ std::optional<mode_t> typeOf(const fs::path& file) {
 
 /// Throws unless what stands there is a regular file that may be written.
 void requireWritable(const fs::path& file, mode_t mode) {
-  if (!S_ISREG(mode))
-    refuseToWrite(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
+  if (!S_ISREG(mode)) refuseToWrite(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
   if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, std::strerror(errno));
 }
 
@@ -58,8 +57,7 @@ void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
 }
 
 void requireNewFile(const fs::path& file) {
-  if (typeOf(file))
-    refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  if (typeOf(file)) refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
   if (file.has_parent_path() && !isFolder(file.parent_path())) refuseToWrite(file, std::strerror(ENOENT));
 }
 
@@ -75,10 +73,8 @@ void overwriteFile(const fs::path& file, std::string_view bytes) {
 
 void appendToFile(const fs::path& file, std::string_view bytes) {
   if (const auto mode = typeOf(file)) requireWritable(file, *mode);
-  Descriptor out(
-      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
-  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close())
-    refuseToWrite(file, std::strerror(errno));
+  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close()) refuseToWrite(file, std::strerror(errno));
 }
 
 }  // namespace morula

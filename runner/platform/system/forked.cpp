@@ -95,8 +95,7 @@ class SignalsWait {
 
 Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what) {
 #if !defined(__SANITIZE_THREAD__)  // which has a thread of its own
-  MORULA_CHECK(threadsNow() == 1,
-               "others would be missing in the new process, with whatever they hold locked");
+  MORULA_CHECK(threadsNow() == 1, "others would be missing in the new process, with whatever they hold locked");
 #endif
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");

@@ -86,8 +86,7 @@ void readMember(const Json& json, Member&& to) {
       readMember(json, value);
       to.read(value);
     }
-  }
-  else if constexpr (HasChoices<T>) {
+  } else if constexpr (HasChoices<T>) {
     const auto name = json.get<std::string>();
     for (const auto& row : choices<T>)
       if (row.name == name) return void(to = row.value);

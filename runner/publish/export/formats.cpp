@@ -85,12 +85,11 @@ const Format formats[] = {
      [](const ExportedRun& run, const fs::path& path) {
        return Files{{path, newickTree(run)}};
      }},
-    {"vtk", "surfaces over time with fields (.vtp and .pvd, for ParaView), a folder", "", Wanted::surfaces,
-     false, vtkFiles},
+    {"vtk", "surfaces over time with fields (.vtp and .pvd, for ParaView), a folder", "", Wanted::surfaces, false,
+     vtkFiles},
     {"ply", "surfaces of one time (FILE.ply), or a folder with a file a time", ".ply", Wanted::surfaces, true,
      [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".ply", plyFile); }},
-    {"gltf", "surfaces of one time (FILE.glb), or a folder with a file a time", ".glb", Wanted::surfaces,
-     true,
+    {"gltf", "surfaces of one time (FILE.glb), or a folder with a file a time", ".glb", Wanted::surfaces, true,
      [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".glb", glbFile); }},
     {"npz", "cells, samples, contacts and surfaces as arrays for NumPy", ".npz", Wanted::samples, false,
      [](const ExportedRun& run, const fs::path& path) {
@@ -107,9 +106,7 @@ std::vector<std::string> formatNames() {
 /// Where files go: to a folder, which is there only when all of them are, or the one file itself.
 class Destination {
  public:
-  Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) {
-    requireAbsent(output);
-  }
+  Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) { requireAbsent(output); }
   /// The files' paths begin with `output`. Returns them.
   std::vector<fs::path> write(const Files& files) {
     if (isFolder_ && !draft_) draft_.emplace(output_);
@@ -205,8 +202,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     all.runs.push_back({run.id, to.write(format.files(exported, path))});
   }
   if (all.runs.empty())
-    throw FileError("'" + store.file().string() + "': none of its runs has what --format " + format.name +
-                    " needs");
+    throw FileError("'" + store.file().string() + "': none of its runs has what --format " + format.name + " needs");
   to.finish();
   return all;
 }

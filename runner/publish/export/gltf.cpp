@@ -39,10 +39,9 @@ class GltfWriter {
     for (const CellSurface& s : sample.surfaces) addCell(s);
     Json nodes = Json::array();
     for (std::size_t i = 0; i < sample.surfaces.size(); ++i) nodes.push_back(i);
-    document_["scenes"].push_back(
-        {{"name", run.run.record.scenario + ", time " + exactText(sample.world.time)},
-         {"nodes", nodes},
-         {"extras", {{"run_id", run.run.id}, {"time", sample.world.time}}}});
+    document_["scenes"].push_back({{"name", run.run.record.scenario + ", time " + exactText(sample.world.time)},
+                                   {"nodes", nodes},
+                                   {"extras", {{"run_id", run.run.id}, {"time", sample.world.time}}}});
     document_["buffers"].push_back({{"byteLength", bytes_.size()}});
   }
 
@@ -70,8 +69,7 @@ class GltfWriter {
     bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
     // Lengths are 32 bits; what goes before the bytes is far below the rest.
     if (bytes_.size() > 4'000'000'000)
-      throw FileError(
-          "glTF: more than 4 GB of surfaces, which one .glb cannot hold; use --format vtk or ply");
+      throw FileError("glTF: more than 4 GB of surfaces, which one .glb cannot hold; use --format vtk or ply");
     accessor["bufferView"] = document_["bufferViews"].size() - 1;
     document_["accessors"].push_back(std::move(accessor));
     return document_["accessors"].size() - 1;
@@ -113,12 +111,11 @@ class GltfWriter {
     const std::string& text = run_.results.stateTexts.at(state);
     if (const auto found = materials_.find(text); found != materials_.end()) return found->second;
     const Colour c = run_.colours.at(state);  // glTF's factors are linear light
-    document_["materials"].push_back(
-        {{"name", text},
-         {"pbrMetallicRoughness",
-          {{"baseColorFactor", {linearLight(c.r), linearLight(c.g), linearLight(c.b), 1}},
-           {"metallicFactor", 0},
-           {"roughnessFactor", 0.6}}}});
+    document_["materials"].push_back({{"name", text},
+                                      {"pbrMetallicRoughness",
+                                       {{"baseColorFactor", {linearLight(c.r), linearLight(c.g), linearLight(c.b), 1}},
+                                        {"metallicFactor", 0},
+                                        {"roughnessFactor", 0.6}}}});
     return materials_[text] = document_["materials"].size() - 1;
   }
 

@@ -55,8 +55,8 @@ bool begins(const std::string& identifier, const std::string& word) {
 }
 
 std::string probablyMeant(const std::string& word) {
-  const auto family = std::find_if(identifiers.begin(), identifiers.end(),
-                                   [&](const std::string& id) { return begins(id, word); });
+  const auto family =
+      std::find_if(identifiers.begin(), identifiers.end(), [&](const std::string& id) { return begins(id, word); });
   return family != identifiers.end() ? *family : closest(word, identifiers);
 }
 

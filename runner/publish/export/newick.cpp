@@ -40,8 +40,7 @@ class NewickWriter {
     if (cell.path.depth() < CellPath::maxDepth)
       for (const bool b : {false, true})
         if (const int daughter = run_.cellNumber(cell.path.daughter(b)); daughter >= 0)
-          text +=
-              (text.empty() ? "(" : ",") + subtree(run_.results.lineage[static_cast<std::size_t>(daughter)]);
+          text += (text.empty() ? "(" : ",") + subtree(run_.results.lineage[static_cast<std::size_t>(daughter)]);
     if (!text.empty()) text += ')';
     const double end = cell.fate == Fate::alive ? run_.run.time : cell.ended;
     return text + label(run_.nameOf(cell)) + ':' + exactText(end - cell.born) +

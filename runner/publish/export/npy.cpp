@@ -54,8 +54,7 @@ std::uint32_t crc32Of(const std::string& bytes) {
   return ~c;
 }
 
-void NpzWriter::add(const std::string& name, const std::vector<double>& values,
-                    const std::vector<std::size_t>& shape) {
+void NpzWriter::add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape) {
   MORULA_CHECK(values.size() == valuesIn(shape), name);
   std::string bytes;
   for (const double v : values) putDouble(bytes, v);
@@ -81,8 +80,7 @@ void NpzWriter::add(const std::string& name, const std::vector<std::int32_t>& va
 void NpzWriter::add(const std::string& name, const std::vector<std::string>& texts) {
   std::vector<std::vector<std::uint32_t>> all;
   std::size_t longest = 1;  // NumPy makes <U1 of empty texts, too
-  for (const std::string& text : texts)
-    longest = std::max(longest, all.emplace_back(codePoints(text)).size());
+  for (const std::string& text : texts) longest = std::max(longest, all.emplace_back(codePoints(text)).size());
   std::string bytes;
   for (auto& points : all) {
     points.resize(longest, 0);
@@ -91,11 +89,10 @@ void NpzWriter::add(const std::string& name, const std::vector<std::string>& tex
   addArray(name, "<U" + std::to_string(longest), {texts.size()}, bytes);
 }
 
-void NpzWriter::addArray(const std::string& name, const std::string& type,
-                         const std::vector<std::size_t>& shape, const std::string& bytes) {
+void NpzWriter::addArray(const std::string& name, const std::string& type, const std::vector<std::size_t>& shape,
+                         const std::string& bytes) {
   // NumPy's format, version 1.0: the values begin at a multiple of 64 bytes.
-  std::string header =
-      "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shapeText(shape) + ", }";
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shapeText(shape) + ", }";
   header.resize((10 + header.size() + 1 + 63) / 64 * 64 - 11, ' ');
   header += '\n';
   std::string file = "\x93NUMPY";
@@ -111,15 +108,13 @@ std::string NpzWriter::file() const {
     put16(out, version), put16(out, 0), put16(out, 0);  // no flags; stored as it is
     put16(out, 0), put16(out, day);
     put32(out, crc32Of(bytes));
-    put32(out, static_cast<std::uint32_t>(bytes.size())),
-        put32(out, static_cast<std::uint32_t>(bytes.size()));
+    put32(out, static_cast<std::uint32_t>(bytes.size())), put32(out, static_cast<std::uint32_t>(bytes.size()));
     put16(out, static_cast<std::uint16_t>(name.size())), put16(out, 0);
   };
   std::string out, directory;
   for (const auto& [name, bytes] : files_) {
     if (out.size() + bytes.size() > 4'000'000'000)
-      throw FileError(
-          "npz: more than 4 GB of arrays, which one file cannot hold; give --time, or use --format vtk");
+      throw FileError("npz: more than 4 GB of arrays, which one file cannot hold; give --time, or use --format vtk");
     const auto offset = static_cast<std::uint32_t>(out.size());
     put32(directory, std::uint32_t{0x02014b50});
     put16(directory, version);
@@ -131,8 +126,7 @@ std::string NpzWriter::file() const {
     common(out, name, bytes);
     out += name + bytes;
   }
-  const auto begin = static_cast<std::uint32_t>(out.size()),
-             size = static_cast<std::uint32_t>(directory.size());
+  const auto begin = static_cast<std::uint32_t>(out.size()), size = static_cast<std::uint32_t>(directory.size());
   const auto count = static_cast<std::uint16_t>(files_.size());
   out += directory;
   put32(out, std::uint32_t{0x06054b50});

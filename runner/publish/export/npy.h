@@ -11,10 +11,8 @@ class NpzWriter {
  public:
   // Arrays of these shapes; the values fill the last axis first.
   void add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape);
-  void add(const std::string& name, const std::vector<std::int64_t>& values,
-           const std::vector<std::size_t>& shape);
-  void add(const std::string& name, const std::vector<std::int32_t>& values,
-           const std::vector<std::size_t>& shape);
+  void add(const std::string& name, const std::vector<std::int64_t>& values, const std::vector<std::size_t>& shape);
+  void add(const std::string& name, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape);
   /// One axis, UTF-32 (<U…).
   void add(const std::string& name, const std::vector<std::string>& texts);
 

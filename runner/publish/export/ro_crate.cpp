@@ -60,9 +60,8 @@ void giveEachItsPath(std::vector<CrateFile>& files) {
   for (CrateFile& file : files) {
     const fs::path path = file.path;
     for (int i = 2; !taken.insert(file.path).second; ++i)
-      file.path =
-          (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
-              .generic_string();
+      file.path = (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
+                      .generic_string();
   }
 }
 
@@ -114,8 +113,7 @@ void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
 Json addConditions(Graph& graph, const StoredRun& run) {
   Json conditions = Json::array();
   eachFieldOf(run, [&](const RunField& field, const std::string& value) {
-    if (field.part == RunPart::environment)
-      conditions.push_back(graph.addValue("environment", field.label, value));
+    if (field.part == RunPart::environment) conditions.push_back(graph.addValue("environment", field.label, value));
   });
   return conditions;
 }
@@ -160,10 +158,9 @@ Json describeRoot(const CrateRun& crate, const Json& parts) {
             {"@type", "Dataset"},
             {"conformsTo", reference(profile)},
             {"name", fmt::format("{}, seed {}: a run of Morula", run.record.scenario, run.record.seed)},
-            {"description",
-             fmt::format("Run {} of the scenario {}: {}, {} cells at time {} after {} steps. State {}.",
-                         run.id, run.record.scenario, name(run.status), run.cells, run.time, run.steps,
-                         run.stateHash.empty() ? "unknown" : run.stateHash)},
+            {"description", fmt::format("Run {} of the scenario {}: {}, {} cells at time {} after {} steps. State {}.",
+                                        run.id, run.record.scenario, name(run.status), run.cells, run.time, run.steps,
+                                        run.stateHash.empty() ? "unknown" : run.stateHash)},
             {"datePublished", utcNow()},
             {"mentions", reference(action)},
             {"hasPart", parts}};
@@ -201,15 +198,12 @@ void writeCrate(CrateRun crate, const fs::path& folder) {
   run["environment"] = addConditions(graph, crate.run);
   graph.add(run);
   if (!crate.agent.empty())
-    graph.add(
-        {{"@id", isUri(crate.agent) ? crate.agent : agentName}, {"@type", "Person"}, {"name", crate.agent}});
-  if (!crate.license.empty())
-    graph.add({{"@id", crate.license}, {"@type", "CreativeWork"}, {"name", crate.license}});
+    graph.add({{"@id", isUri(crate.agent) ? crate.agent : agentName}, {"@type", "Person"}, {"name", crate.agent}});
+  if (!crate.license.empty()) graph.add({{"@id", crate.license}, {"@type", "CreativeWork"}, {"name", crate.license}});
   for (const Json& file : files.entities()) graph.add(file);
 
   const Json document{
-      {"@context",
-       {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
+      {"@context", {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
       {"@graph", graph.entities()}};
   const fs::path file = folder / "ro-crate-metadata.json";
   writeNewFile(file, printable(jsonText(document, 2)) + "\n");

@@ -22,8 +22,7 @@ CrateFile crateFile(const SourceText& d) {
             d.content,
             {}};
   if (d.role == "diff")
-    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
-            d.content,      {}};
+    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "", d.content, {}};
   if (d.role == "faces")
     return {"faces/" + safeName(d.path, "mesh") + ".bin",
             Role::about,
@@ -62,8 +61,8 @@ void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   const auto add = [&](const fs::path& picture, const std::string& description) {
     const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();
     if (isPlainFile(folder / picture) && contentOfFile(folder / picture) == Content::picture)
-      files.push_back({"pictures/" + inCrate, CrateFile::Role::result, description,
-                       (folder / picture).string(), "", folder / picture});
+      files.push_back({"pictures/" + inCrate, CrateFile::Role::result, description, (folder / picture).string(), "",
+                       folder / picture});
   };
   add("organism.png", "The organism at the end");
   add("wireframe.png", "The organism at the end, as meshes");
@@ -81,13 +80,8 @@ CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures
   addGolden(crate.files);
   if (!pictures.empty() && !isFolder(pictures)) throw FileError("'" + pictures + "': no such folder");
   store.copyRun(run.id, folder / "run.db");
-  crate.files.push_back({"run.db",
-                         CrateFile::Role::result,
-                         "All results of the run, in SQLite",
-                         store.file().string(),
-                         "",
-                         {},
-                         true});
+  crate.files.push_back(
+      {"run.db", CrateFile::Role::result, "All results of the run, in SQLite", store.file().string(), "", {}, true});
   if (!pictures.empty()) addPictures(crate.files, pictures);
   else if (store.runs().size() == 1) addPictures(crate.files, store.file().parent_path());
   return crate;

@@ -6,7 +6,6 @@ namespace morula {
 
 /// Writes run.db into the folder, which is there; the other files are named. `pictures`: the
 /// folder where the run's lie; "": beside a database of one run. Throws FileError.
-CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures,
-                 const std::filesystem::path& folder);
+CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures, const std::filesystem::path& folder);
 
 }  // namespace morula

@@ -12,8 +12,7 @@ std::string cellTable(const ExportedRun& run) {
   for (const LineageEntry& cell : run.results.lineage) {
     csv.add(number++).add(std::string_view(cell.path.text())).add(std::string_view(run.nameOf(cell)));
     csv.add(std::optional(cell.born));
-    csv.add(cell.fate == Fate::alive ? std::nullopt : std::optional(cell.ended))
-        .add(std::string_view(name(cell.fate)));
+    csv.add(cell.fate == Fate::alive ? std::nullopt : std::optional(cell.ended)).add(std::string_view(name(cell.fate)));
     csv.add(std::int64_t{run.stateNumber(cell.state)}).endRow();
   }
   return csv.text();

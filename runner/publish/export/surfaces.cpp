@@ -48,8 +48,8 @@ std::string keptTimes(const std::vector<Sample>& samples) {
 double timeWithin(double time, const StoredRun& run) {
   if (time <= run.time) return time;
   if (time <= run.time * (1 + rounding)) return run.time;
-  throw UsageError(fmt::format("--time: {} is after the end of run {}, {}; needs at most that",
-                               exactText(time), run.id, exactText(run.time)));
+  throw UsageError(fmt::format("--time: {} is after the end of run {}, {}; needs at most that", exactText(time), run.id,
+                               exactText(run.time)));
 }
 
 /// The times for which surfaces are wanted and not kept; those that are kept stay in `results`. [time]
@@ -63,8 +63,8 @@ std::vector<double> missingTimes(RunResults& results, const StoredRun& run, cons
     return times;
   }
   const double time = request.time ? timeWithin(*request.time, run) : run.time;
-  const auto found = std::ranges::find_if(
-      samples, [&](const Sample& s) { return !s.surfaces.empty() && isAt(s, time, results); });
+  const auto found =
+      std::ranges::find_if(samples, [&](const Sample& s) { return !s.surfaces.empty() && isAt(s, time, results); });
   if (found == samples.end()) return {time};
   samples = {std::move(*found)};
   return {};
@@ -74,19 +74,18 @@ std::vector<double> missingTimes(RunResults& results, const StoredRun& run, cons
 void requireSameEnd(const Store& store, const StoredRun& run, const RunEnd& end) {
   const std::string now = end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
   if (now == run.stateHash) return;
-  const std::string what =
-      fmt::format("{}: run {} ends otherwise when it is simulated again: stored {}, now {}",
-                  store.file().string(), run.id, run.stateHash, now);
+  const std::string what = fmt::format("{}: run {} ends otherwise when it is simulated again: stored {}, now {}",
+                                       store.file().string(), run.id, run.stateHash, now);
   if (buildId(run.record.build) == buildId(buildInfo()))
-    throw NondeterminismError(what + "; nothing is exported. `morula replay` says what differs", run.id,
-                              run.stateHash, now);
+    throw NondeterminismError(what + "; nothing is exported. `morula replay` says what differs", run.id, run.stateHash,
+                              now);
   throw FileError(what + "; it was made by another build (" + run.record.build.version +
                   "), with which it can be exported; `morula replay` says what differs");
 }
 
 /// Samples and surfaces at these times, rising, from running it once more.
-int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scenario,
-                  std::vector<double> times, const SurfaceRequest& request, RunResults& results) {
+int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scenario, std::vector<double> times,
+                  const SurfaceRequest& request, RunResults& results) {
   if (run.status != RunStatus::done)
     throw FileError(
         fmt::format("{}: run {} did not come to its end ({}), so surfaces that it did not keep "
@@ -98,8 +97,8 @@ int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scen
                    kept.empty() ? "no surfaces (record.meshes keeps them)" : "surfaces at " + kept + " alone",
                    exactText(run.time)),
        request.quiet);
-  auto again = simulate(scenario, request.execution,
-                        {.quiet = request.quiet, .record = {.meshesAt = std::move(times)}});
+  auto again =
+      simulate(scenario, request.execution, {.quiet = request.quiet, .record = {.meshesAt = std::move(times)}});
   if (again.signal) return again.signal;
   requireEnough(again.end);
   requireSameEnd(store, run, again.end);
@@ -144,18 +143,14 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
   const Scenario scenario = storedScenario(store.file().string(), run.id);
   const bool bodies = scenario.scene.mechanics.has_value();
   if (request.wanted == Wanted::surfaces && !bodies)
-    throw UsageError(
-        fmt::format("--format: run {} of {} has no bodies, and so no surfaces; needs csv, newick or npz",
-                    run.id, run.record.scenario));
+    throw UsageError(fmt::format("--format: run {} of {} has no bodies, and so no surfaces; needs csv, newick or npz",
+                                 run.id, run.record.scenario));
   auto times = bodies && !tree ? missingTimes(out.results, run, request) : std::vector<double>();
-  const bool canDoWithout =
-      request.wanted == Wanted::samples && !request.time && run.status != RunStatus::done;
+  const bool canDoWithout = request.wanted == Wanted::samples && !request.time && run.status != RunStatus::done;
   if (!times.empty() && canDoWithout)
-    tell(fmt::format("run {} did not come to its end ({}), so there are no surfaces of it", run.id,
-                     name(run.status)),
+    tell(fmt::format("run {} did not come to its end ({}), so there are no surfaces of it", run.id, name(run.status)),
          request.quiet);
-  else if (!times.empty())
-    out.signal = simulateAgain(store, run, scenario, std::move(times), request, out.results);
+  else if (!times.empty()) out.signal = simulateAgain(store, run, scenario, std::move(times), request, out.results);
   if (out.signal) return out;
   auto& samples = out.results.samples;
   if (!bodies && request.time) {  // of a lineage: the first moment at or after it

@@ -36,14 +36,13 @@ std::string textArray(const std::string& name, const std::vector<std::string>& t
     for (const char c : text) codes += std::to_string(static_cast<std::uint8_t>(c)) + ' ';
     codes += "0 ";
   }
-  return fmt::format(
-      "      <Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">{}</Array>\n", name,
-      texts.size(), codes);
+  return fmt::format("      <Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">{}</Array>\n",
+                     name, texts.size(), codes);
 }
 
 std::string array(const char* type, const std::string& name, int components, const std::string& place) {
-  return fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" {}/>\n", type,
-                     name, components, place);
+  return fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" {}/>\n", type, name,
+                     components, place);
 }
 
 /// A value for each triangle: that of its cell.
@@ -63,12 +62,11 @@ std::string cellData(const ExportedRun& run, const Sample& sample, Appended& dat
   };
   const auto each = [&](auto put) { return data.add(perTriangle(run, sample, put)); };
   std::string text;
-  text += array("Int32", "cell", 1, each([&](std::string& b, const CellSurface& s) {
-                  put32(b, std::int32_t{run.cellNumber(s.path)});
-                }));
-  text += array("Int32", "state", 1, each([&](std::string& b, const CellSurface& s) {
-                  put32(b, std::int32_t{run.stateNumber(stateOf(s))});
-                }));
+  text += array("Int32", "cell", 1,
+                each([&](std::string& b, const CellSurface& s) { put32(b, std::int32_t{run.cellNumber(s.path)}); }));
+  text +=
+      array("Int32", "state", 1,
+            each([&](std::string& b, const CellSurface& s) { put32(b, std::int32_t{run.stateNumber(stateOf(s))}); }));
   text += array("UInt8", "colour", 3, each([&](std::string& b, const CellSurface& s) {
                   const Colour c = run.colours.at(stateOf(s));
                   put8(b, c.r), put8(b, c.g), put8(b, c.b);
@@ -87,8 +85,7 @@ std::string vtpFile(const ExportedRun& run, const Sample& sample) {
   std::string points, corners, ends;
   std::int64_t vertices = 0, triangles = 0;
   for (const CellSurface& s : sample.surfaces) {
-    for (const Point& x : vertexPositions(s))
-      putDouble(points, x.x), putDouble(points, x.y), putDouble(points, x.z);
+    for (const Point& x : vertexPositions(s)) putDouble(points, x.x), putDouble(points, x.y), putDouble(points, x.z);
     for (const Face& face : run.meshOf(s).faces) {
       for (const std::int32_t corner : face) put64(corners, static_cast<std::uint64_t>(vertices + corner));
       put64(ends, static_cast<std::uint64_t>(3 * ++triangles));

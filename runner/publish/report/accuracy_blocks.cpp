@@ -23,10 +23,8 @@ std::string setCommand(const AccuracyRow& row, const std::string& scenario) {
 /// The whole error of a row, with a word where it is more than `error` or not known.
 Words wholeText(const AccuracyRow& row, double error) {
   const double whole = row.parts.sum();
-  if (!row.parts.mesh && !row.parts.model)
-    return "at least " + numberText(whole, 3) + ": the mesh's is not known";
-  return numberText(whole, 3) + " " +
-         (whole > error ? Words("! more", Emphasis::warning) : Words("✓", Emphasis::good));
+  if (!row.parts.mesh && !row.parts.model) return "at least " + numberText(whole, 3) + ": the mesh's is not known";
+  return numberText(whole, 3) + " " + (whole > error ? Words("! more", Emphasis::warning) : Words("✓", Emphasis::good));
 }
 
 /// "velocity-verlet, time step 1/256".
@@ -46,9 +44,8 @@ PageSection accuracyChartSection(const AccuracyReport& report) {
                  " of Bullet's that others of its own beat in error and time are in the table alone."
            : "");
   return {"accuracy", "Error against cost",
-          Document().add(svgPicture(drawAccuracy(report),
-                                    "error against CPU time, a line for each series of settings", caption,
-                                    Picture::Size::large))};
+          Document().add(svgPicture(drawAccuracy(report), "error against CPU time, a line for each series of settings",
+                                    caption, Picture::Size::large))};
 }
 
 PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
@@ -56,8 +53,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
   Table table{section.title,
               {"Error at most", "Settings of ours", "CPU time [s]", "Error on the scenario's mesh",
                "Whole error, with the mesh's"}};
-  const bool bullet =
-      std::ranges::any_of(report.rows, [](const AccuracyRow& row) { return row.engine != "morula"; });
+  const bool bullet = std::ranges::any_of(report.rows, [](const AccuracyRow& row) { return row.engine != "morula"; });
   if (bullet) table.columns.insert(table.columns.end(), {"Bullet's best", "CPU time [s]", "times as long"});
   for (int decade = 1; decade <= 12; ++decade) {
     const double error = std::pow(10.0, -decade);
@@ -67,8 +63,8 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
     if (ours.empty()) row.insert(row.end(), {"none of those tried", "", "", ""});
     else {
       const AccuracyRow& best = *ours.front();
-      row.insert(row.end(), {nameOfRow(best), number(best.cpuSeconds, 3), number(best.error, 3),
-                             wholeText(best, error)});
+      row.insert(row.end(),
+                 {nameOfRow(best), number(best.cpuSeconds, 3), number(best.error, 3), wholeText(best, error)});
       const std::string command = setCommand(best, scenario);
       if (section.commands.size() < mostCommands &&
           std::ranges::find(section.commands, command) == section.commands.end())
@@ -103,23 +99,21 @@ PageSection referenceSection(const AccuracyReport& report) {
     return nameOf(s.integrator) + (", time step " + stepText(s.timeStep));
   };
   PageSection section{"reference", "What errors are held against", {}};
-  section.body.add(Table{
-      "Reference",
-      {},
-      {{"Reference", nameOfSetting(r.setting)},
-       {"Its own error, by Richardson", orUnknown(r.left.error)},
-       {"Order observed", r.left.order > 0 ? numberText(r.left.order, 3) : "none: it does not converge"},
-       {"Witness", nameOfSetting(r.witness)},
-       {"Distance of the two", orUnknown(r.distance)},
-       {"The witness' own error", orUnknown(r.witnessLeft.error)},
-       {"They agree", mark(r.agrees, "yes", "no")}}});
+  section.body.add(
+      Table{"Reference",
+            {},
+            {{"Reference", nameOfSetting(r.setting)},
+             {"Its own error, by Richardson", orUnknown(r.left.error)},
+             {"Order observed", r.left.order > 0 ? numberText(r.left.order, 3) : "none: it does not converge"},
+             {"Witness", nameOfSetting(r.witness)},
+             {"Distance of the two", orUnknown(r.distance)},
+             {"The witness' own error", orUnknown(r.witnessLeft.error)},
+             {"They agree", mark(r.agrees, "yes", "no")}}});
   using Row = LevelError;
   const MeshError& mesh = report.mesh;
   const std::vector<FieldOf<Row>> fields{
       {"Icosphere",
-       [&](const Row& l) {
-         return std::to_string(l.level) + (l.level == mesh.own ? " (the scenario's)" : "");
-       }},
+       [&](const Row& l) { return std::to_string(l.level) + (l.level == mesh.own ? " (the scenario's)" : ""); }},
       {"Error", [](const Row& l) { return number(l.worst.largest(), 3); }},
       {"Position", [](const Row& l) { return number(l.worst.centroid, 3); }},
       {"Volume", [](const Row& l) { return number(l.worst.volume, 3); }},
@@ -130,10 +124,9 @@ PageSection referenceSection(const AccuracyReport& report) {
   if (!mesh.levels.empty())
     section.body.heading("Meshes")
         .add(tableOf("Meshes", fields, mesh.levels))
-        .note(mesh.order > 0
-                  ? "Order " + numberText(mesh.order, 3) +
-                        (mesh.orderIsObserved ? ", observed." : ", assumed: there are only two meshes.")
-                  : "Errors do not fall from mesh to mesh, so nothing is extrapolated.");
+        .note(mesh.order > 0 ? "Order " + numberText(mesh.order, 3) +
+                                   (mesh.orderIsObserved ? ", observed." : ", assumed: there are only two meshes.")
+                             : "Errors do not fall from mesh to mesh, so nothing is extrapolated.");
   if (!report.orders.empty())
     section.body.heading("Orders")
         .say("How fast errors fall with the time step: contact, shell and friction lower it.")

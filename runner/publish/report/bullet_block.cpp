@@ -94,13 +94,11 @@ std::string digits(const std::string& text) {
 }
 
 Table resultTable(const Scenario& scenario, const std::vector<CheckResult>& results) {
-  Table table{"What decides",
-              {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}};
+  Table table{"What decides", {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}};
   for (const CheckResult& r : results) {
     const bool off = r.field == "positions";
-    table.rows.push_back({quantityWords(r), digits(r.actual) + (off ? " off" : ""),
-                          off ? "" : digits(r.expected), r.tolerance,
-                          r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
+    table.rows.push_back({quantityWords(r), digits(r.actual) + (off ? " off" : ""), off ? "" : digits(r.expected),
+                          r.tolerance, r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
                           mark(r.passed, "holds", "does not hold"),
                           r.cell ? withNames(cellName(*r.cell), scenario.names.function()) : ""});
   }
@@ -108,11 +106,10 @@ Table resultTable(const Scenario& scenario, const std::vector<CheckResult>& resu
 }
 
 Document distances(std::vector<CellDistance> all, double radius) {
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.largest > b.largest; });
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest > b.largest; });
   Table table{"Distances of the surfaces",
-              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]",
-               "Our volume [length³]", "Bullet's volume [length³]"}};
+              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]", "Our volume [length³]",
+               "Bullet's volume [length³]"}};
   for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
     table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3),
                           number(std::sqrt(all[i].meanSquare) / radius, 3), number(all[i].ourVolume, 8),
@@ -125,8 +122,8 @@ Document distances(std::vector<CellDistance> all, double radius) {
 }
 
 std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
-  const auto worst = std::max_element(all.begin(), all.end(),
-                                      [](const auto& a, const auto& b) { return a.largest < b.largest; });
+  const auto worst =
+      std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest < b.largest; });
   // Rounding alone makes no place.
   const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
   if (worst->largest < roundingRadii * radius)
@@ -136,17 +133,15 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
   return "The surfaces are farthest apart at " + worst->cell + ": " + numberText(worst->largest / radius, 3) +
-         " radii of the egg, near (" + place(worst->at.x) + ", " + place(worst->at.y) + ", " +
-         place(worst->at.z) + ") [length]. The root mean square over all vertices is " +
-         numberText(std::sqrt(squares / count) / radius, 3) + " radii.";
+         " radii of the egg, near (" + place(worst->at.x) + ", " + place(worst->at.y) + ", " + place(worst->at.z) +
+         ") [length]. The root mean square over all vertices is " + numberText(std::sqrt(squares / count) / radius, 3) +
+         " radii.";
 }
 
-Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
-                  const BulletShown& where) {
+Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet, const BulletShown& where) {
   const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
   const std::string when = "at time " + numberText(ours.clock.time, 6);
-  Picture theirs =
-      pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
+  Picture theirs = pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
   theirs.id = where.picture;
   Document three, all;
   three.add(pngPicture(images.one, "our cells " + when, "ours, " + when, where.swipe ? "ours" : ""))
@@ -226,11 +221,10 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
   }
   const bool sameProgram = buildId(run.run.record.build) == buildId(buildInfo());
   if (compareWithStored(found.results, run.checks) == BulletStored::other && run.again && run.again->same)
-    findings.push_back(
-        {sameProgram ? Kind::bad : Kind::warning,
-         "Bullet, run again for this page, gives other numbers than are stored" +
-             std::string(sameProgram ? ", though by the same program"
-                                     : ", with another program; the checks are the stored ones")});
+    findings.push_back({sameProgram ? Kind::bad : Kind::warning,
+                        "Bullet, run again for this page, gives other numbers than are stored" +
+                            std::string(sameProgram ? ", though by the same program"
+                                                    : ", with another program; the checks are the stored ones")});
   if (!stored)
     for (const CheckResult& r : found.results)
       if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + r.message});

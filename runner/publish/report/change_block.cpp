@@ -17,12 +17,11 @@ void tellBesideGolden(const RunFacts& run, Document& changes) {
     return;
   }
   const auto goldens = [](const CheckResult& c) { return c.kind == "golden"; };
-  const bool within = std::any_of(run.checks.begin(), run.checks.end(), goldens) &&
-                      std::all_of(run.checks.begin(), run.checks.end(),
-                                  [&](const CheckResult& c) { return !goldens(c) || c.passed; });
-  changes.say(
-      (within ? "Nothing beyond the tolerances of the accepted result, " : "Beside the accepted result, ") +
-      code(run.golden) + ":");
+  const bool within =
+      std::any_of(run.checks.begin(), run.checks.end(), goldens) &&
+      std::all_of(run.checks.begin(), run.checks.end(), [&](const CheckResult& c) { return !goldens(c) || c.passed; });
+  changes.say((within ? "Nothing beyond the tolerances of the accepted result, " : "Beside the accepted result, ") +
+              code(run.golden) + ":");
   changes.add(changeTable(run.change, run.scenario.names));
 }
 

@@ -64,8 +64,8 @@ std::vector<Spot> measureOverTime(const RunFacts& facts, std::size_t measure) {
 }
 
 /// In units of people, of what is a number in `unit`.
-void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points,
-             const Units& units, std::string_view unit = "") {
+void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points, const Units& units,
+             std::string_view unit = "") {
   if (points.size() < 2) return;
   const double perTime = shownUnit(units, "time").factor, perUnit = shownUnit(units, unit).factor;
   for (Spot& point : points) point.x *= perTime, point.y *= perUnit;
@@ -78,8 +78,8 @@ void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Sp
 LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
   LineKey key;
   for (std::size_t i = 0; i < count; ++i)
-    key.lines.push_back({seriesColour(i), i % 2 == 1,
-                         (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
+    key.lines.push_back(
+        {seriesColour(i), i % 2 == 1, (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
   return key;
 }
 
@@ -90,8 +90,7 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
   for (const Sample& sample : run.results.samples)
     for (const TakenMeasure& taken : sample.more)
       if (known.insert(taken.name).second)
-        names.push_back(taken.scope == Scope::world ? taken.name
-                                                    : std::string(name(taken.scope)) + "." + taken.name);
+        names.push_back(taken.scope == Scope::world ? taken.name : std::string(name(taken.scope)) + "." + taken.name);
   return names;
 }
 
@@ -99,26 +98,24 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
 void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands) {
   const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
     try {
-      charts.add(svgPicture(draw(), caption, caption,
-                            what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
+      charts.add(
+          svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
       const std::string quoted = what.find(' ') == what.npos ? what : "'" + what + "'";
       commands.push_back(commandFor(run, "chart", quoted + " -o " + what + ".svg"));
     } catch (const InputError&) {  // there is nothing of this kind in the run
     }
   };
   for (const std::string& measure : moreMeasures(run))
-    add(measure,
-        titleOfMeasure(measure, run.scenario.units) + (measure.starts_with("cell.") ? ": each cell" : ""),
+    add(measure, titleOfMeasure(measure, run.scenario.units) + (measure.starts_with("cell.") ? ": each cell" : ""),
         [&] {
           Chart chart = seriesOf(run.results, readMeasure(measure, IfSeveral::first), run.scenario);
           const Units& units = run.scenario.units;
-          Chart small =
-              timeChart(titleOfMeasure(measure, units), shownUnit(units, unitOfMeasure(measure)).name, units);
+          Chart small = timeChart(titleOfMeasure(measure, units), shownUnit(units, unitOfMeasure(measure)).name, units);
           small.lines = std::move(chart.lines);
           small.legend = std::move(chart.legend);
-          const auto labelled = std::count_if(
-              small.lines.begin(), small.lines.end(),
-              [](const ChartLine& line) { return !line.label.empty() || !line.pointLabels.empty(); });
+          const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
+            return !line.label.empty() || !line.pointLabels.empty();
+          });
           for (ChartLine& line : small.lines)
             if (labelled > static_cast<long>(mostLabels)) line.label.clear(), line.pointLabels.clear();
           return drawChart(small);
@@ -151,20 +148,18 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
   Chart cells = timeChart("Living cells", "", units);
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]), units);
   if (!cells.lines.empty())
-    charts.add(svgPicture(drawChart(cells), "Living cells over time",
-                          "One more at each division, one fewer at each death"));
+    charts.add(
+        svgPicture(drawChart(cells), "Living cells over time", "One more at each division, one fewer at each death"));
   const auto measures = sampledMeasures<Observation>();
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;
     if (measure == "cells") continue;
     const std::string title = titleOfMeasure(measure, units), unit = measures[m].unit;
     Chart chart = timeChart(title, shownUnit(units, unit).name, units);
-    for (std::size_t i = 0; i < count; ++i)
-      addLine(chart, i, count, measureOverTime(runs[i], m), units, unit);
+    for (std::size_t i = 0; i < count; ++i) addLine(chart, i, count, measureOverTime(runs[i], m), units, unit);
     if (chart.lines.empty()) continue;
     charts.add(svgPicture(drawChart(chart), title + " over time", measures[m].meaning));
-    if (count == 1)
-      section.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
+    if (count == 1) section.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
   }
   if (count == 1) addOfOneRun(runs[0], charts, section.commands);
   else section.body.add(keyOf(runs, count));

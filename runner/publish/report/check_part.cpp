@@ -22,8 +22,8 @@ constexpr std::size_t mostTold = 40;   // failed scenarios with all that differs
 constexpr std::size_t mostFiles = 40;  // in the command that checks them again
 
 std::size_t failures(const CheckReport& report) {
-  return static_cast<std::size_t>(std::count_if(report.results.begin(), report.results.end(),
-                                                [](const CheckResult& r) { return !r.passed; }));
+  return static_cast<std::size_t>(
+      std::count_if(report.results.begin(), report.results.end(), [](const CheckResult& r) { return !r.passed; }));
 }
 
 /// What differs, in words, the cause before its consequences: each class once.
@@ -65,11 +65,10 @@ Document bodyOf(const CheckedScenario& c) {
   if (!c.report.change.empty()) body.add(changeTable(c.report.change, names));
   if (c.again && c.again->beside) body.add(goldenPictures(*c.again->beside, c.report.scenario));
   else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
-    body.add(Group{
-        Group::Kind::pictures, "",
-        Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
-                                  c.report.scenario + ": the organism as it is now",
-                                  "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
+    body.add(Group{Group::Kind::pictures, "",
+                   Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
+                                             c.report.scenario + ": the organism as it is now",
+                                             "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
   return body.add(checksOf(c.report.results, names));
 }
 
@@ -93,8 +92,7 @@ std::vector<CheckedScenario> readChecked(const std::string& file) {
         next.report.scenario = name;
         if (json.contains("changes") && json["changes"].contains(name))
           next.report.change = json["changes"][name].get<std::string>();
-        if (json.contains("files") && json["files"].contains(name))
-          next.file = json["files"][name].get<std::string>();
+        if (json.contains("files") && json["files"].contains(name)) next.file = json["files"][name].get<std::string>();
         checked.push_back(std::move(next));
       }
       Json whole = result;
@@ -117,8 +115,8 @@ int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
     auto run = simulate(scenario, std::move(world),
                         {.quiet = question.quiet, .watch = [&](const World& w) { taker.observe(w); }});
     if (run.signal) return run.signal;
-    c.again = std::make_unique<FailedAgain>(
-        FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
+    c.again =
+        std::make_unique<FailedAgain>(FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
   } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
   }
   return 0;
@@ -148,13 +146,13 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
     if (differ == 0) continue;
     ++failed;
     const CellNames names = c.again ? c.again->scenario.names : CellNames{};
-    findings.push_back({Finding::Kind::bad,
-                        bold(c.report.scenario) + ": " + std::to_string(differ) + " of " +
-                            counted(c.report.results.size(), "check") +
-                            (differ == 1 ? " differs: " : " differ: ") + classesOf(c.report) +
-                            (c.report.change.empty()
-                                 ? Words()
-                                 : ". " + Words(changeSentence(withNames(c.report.change, names.function())), Emphasis::italic))});
+    findings.push_back(
+        {Finding::Kind::bad,
+         bold(c.report.scenario) + ": " + std::to_string(differ) + " of " + counted(c.report.results.size(), "check") +
+             (differ == 1 ? " differs: " : " differ: ") + classesOf(c.report) +
+             (c.report.change.empty()
+                  ? Words()
+                  : ". " + Words(changeSentence(withNames(c.report.change, names.function())), Emphasis::italic))});
     if (++told > mostTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())
@@ -162,18 +160,17 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
                                        programWord() + " explain " + shellWord(c.file),
                                        programWord() + " review " + shellWord(c.file)};
   }
-  part.title = failed ? "morula check: " + std::to_string(failed) + " of " +
-                            counted(checked.size(), "scenario") + (failed == 1 ? " differs" : " differ")
-                      : "morula check: " + counted(checked.size(), "scenario") +
-                            (checked.size() == 1 ? " passes" : " pass");
+  part.title =
+      failed ? "morula check: " + std::to_string(failed) + " of " + counted(checked.size(), "scenario") +
+                   (failed == 1 ? " differs" : " differ")
+             : "morula check: " + counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass");
   if (!failed) findings.push_back({Finding::Kind::good, "Every scenario gives what is accepted"});
   if (told > mostTold)
-    findings.push_back({Finding::Kind::warning,
-                        "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
-  part.verdict =
-      verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
-                  (checked.size() == 1 ? " passes" : " pass") + ".",
-              std::move(findings));
+    findings.push_back(
+        {Finding::Kind::warning, "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
+  part.verdict = verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
+                             (checked.size() == 1 ? " passes" : " pass") + ".",
+                         std::move(findings));
   std::string files;
   for (const CheckedScenario& c : checked)
     if (!c.file.empty()) files += ' ' + shellWord(c.file);

@@ -99,8 +99,7 @@ int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
   for (RunFacts& run : runs) {
     if (taken >= room) return 0;
     if (!canRunAgain(run)) continue;
-    if (const int signal = runAgain(run, question.execution, question.frames, false, question.quiet))
-      return signal;
+    if (const int signal = runAgain(run, question.execution, question.frames, false, question.quiet)) return signal;
     explored.frames.push_back(&run.again->frames);
     explored.runs.push_back(explorerRunOf(run));
     taken += bytesOfLeast(run.again->frames);

@@ -20,8 +20,8 @@ constexpr std::size_t fewCells = 32;      // of a tree that is legible when it i
 std::string treeKey(const RunFacts& facts) {
   std::string key = numberText(facts.run.time, 17);
   for (const LineageEntry& c : facts.results.lineage)
-    key += '|' + c.path.text() + ' ' + exactText(c.born) + ' ' + exactText(c.ended) + ' ' + name(c.fate) +
-           ' ' + facts.results.stateTexts.at(c.state);
+    key += '|' + c.path.text() + ' ' + exactText(c.born) + ' ' + exactText(c.ended) + ' ' + name(c.fate) + ' ' +
+           facts.results.stateTexts.at(c.state);
   return key;
 }
 
@@ -84,18 +84,16 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const RunFacts& r = *pictured[i].run;
     const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
-    Picture picture =
-        pngPicture(drawOrganism(pictured[i].picture),
-                   before(r) + "the organism at time " + shownTime(r.scenario.units, r.run.time, 6) + ", " +
-                       counted(r.run.cells, "cell"),
-                   before(r) + "the organism " + when, std::to_string(i));
+    Picture picture = pngPicture(drawOrganism(pictured[i].picture),
+                                 before(r) + "the organism at time " + shownTime(r.scenario.units, r.run.time, 6) +
+                                     ", " + counted(r.run.cells, "cell"),
+                                 before(r) + "the organism " + when, std::to_string(i));
     picture.id = "picture-" + std::to_string(i);
     pictures.add(std::move(picture));
     if (runs.size() == 1)
-      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe),
-                              before(r) + "the same as meshes", before(r) + "the meshes"));
-    if (r.run.status == RunStatus::done)
-      section.commands.push_back(commandFor(r, "render", "-o organism.png"));
+      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe), before(r) + "the same as meshes",
+                              before(r) + "the meshes"));
+    if (r.run.status == RunStatus::done) section.commands.push_back(commandFor(r, "render", "-o organism.png"));
   }
   std::set<std::string> trees;
   std::size_t drawn = 0;
@@ -108,8 +106,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   }
   section.body.add(Group{Group::Kind::pictures, "", std::move(pictures)});
   if (runs.size() == 1 && runs[0].beside) section.body.add(goldenPictures(*runs[0].beside, titleOf(runs[0])));
-  if (runs.size() > 1 && trees.size() == 1 && drawn == 1)
-    section.body.note("The lineage is the same in all runs.");
+  if (runs.size() > 1 && trees.size() == 1 && drawn == 1) section.body.note("The lineage is the same in all runs.");
   if (section.commands.size() > 6) section.commands.resize(6);
   return section;
 }

@@ -44,9 +44,7 @@ Json scenariosBelow(const fs::path& folder) {
   return all;
 }
 
-PageBlock blockOf(const std::string& id, const std::string& title, Document body) {
-  return {id, title, htmlOf(body)};
-}
+PageBlock blockOf(const std::string& id, const std::string& title, Document body) { return {id, title, htmlOf(body)}; }
 
 }  // namespace
 
@@ -54,20 +52,18 @@ std::string playgroundPage(const fs::path& scenarios) {
   Json data{{"scenarios", scenariosBelow(scenarios)}, {"schema", parseJson(scenarioSchema())}};
   addPalette(data);
   const std::string without = "This page works in a browser whose JavaScript is switched on.";
-  Page page{
-      .title = "Morula playground",
-      .summary = "From one cell to an organism, the same bits every time: in this browser, without network",
-      .verdict =
-          htmlOf(Document().say("Write a scenario, or begin with one; its mistakes are shown as you type. "
-                                "Run it, and look at its organism while it grows. The state hash is "
-                                "the one that the program gives, bit for bit.")),
-      .blocks = {blockOf("playground", "Scenario", Document().add(ProgramPlace{"write", without})),
-                 blockOf("explorer", "Organism", Document().add(ProgramPlace{"grow", ""}))},
-      .data = jsonText(data),
-      .bytes = {{"playground-module", builtPart("wasm/playground.wasm.gz")}},
-      .command = programWord() + " playground -o playground.html",
-      .program = builtPart("explorer/playground.js"),
-      .runsAgain = true};
+  Page page{.title = "Morula playground",
+            .summary = "From one cell to an organism, the same bits every time: in this browser, without network",
+            .verdict = htmlOf(Document().say("Write a scenario, or begin with one; its mistakes are shown as you type. "
+                                             "Run it, and look at its organism while it grows. The state hash is "
+                                             "the one that the program gives, bit for bit.")),
+            .blocks = {blockOf("playground", "Scenario", Document().add(ProgramPlace{"write", without})),
+                       blockOf("explorer", "Organism", Document().add(ProgramPlace{"grow", ""}))},
+            .data = jsonText(data),
+            .bytes = {{"playground-module", builtPart("wasm/playground.wasm.gz")}},
+            .command = programWord() + " playground -o playground.html",
+            .program = builtPart("explorer/playground.js"),
+            .runsAgain = true};
   return pageFile(page);
 }
 

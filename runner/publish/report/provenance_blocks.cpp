@@ -31,12 +31,11 @@ Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
   Table table{caption, {}};
   if (runs.size() > 1) {
     table.columns.push_back("");
-    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i)
-      table.columns.push_back(titleOf(runs[i]));
+    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) table.columns.push_back(titleOf(runs[i]));
   }
   for (const auto& [label, values] : rows) {
-    const bool same = std::all_of(values.begin(), values.end(),
-                                  [&, &first = values.front()](const auto& v) { return v == first; });
+    const bool same =
+        std::all_of(values.begin(), values.end(), [&, &first = values.front()](const auto& v) { return v == first; });
     table.rows.push_back({same ? label : label + " " + Words("≠", Emphasis::warning, "differs")});
     table.rows.back().insert(table.rows.back().end(), values.begin(), values.end());
   }
@@ -82,8 +81,7 @@ PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) {
     const auto of = provenanceOf(runs[i]);
     rows.resize(of.size());
-    for (std::size_t k = 0; k < of.size(); ++k)
-      rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
+    for (std::size_t k = 0; k < of.size(); ++k) rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
   }
   std::erase_if(rows, [](const auto& row) {
     // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.
@@ -92,8 +90,7 @@ PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   PageSection section{"provenance", "Provenance", {}};
   section.body.add(sideBySide("Provenance", runs, rows));
   if (runs.size() > mostColumns)
-    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") +
-                      ".");
+    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") + ".");
   for (const RunFacts& r : runs)
     if (section.commands.size() < mostColumns && r.run.status != RunStatus::running)
       section.commands.push_back(commandFor(r, "replay"));
@@ -111,9 +108,8 @@ PageSection parameterSection(const std::vector<RunFacts>& runs) {
       const bool resolved = d.role == "resolved";
       const std::string title = resolved               ? "All parameters, defaults filled in"
                                 : d.role == "scenario" ? "The scenario as it was read"
-                                : d.role == "diff"
-                                    ? "What the program's sources had that their commit had not"
-                                    : "The file that it names as " + d.role;
+                                : d.role == "diff"     ? "What the program's sources had that their commit had not"
+                                                       : "The file that it names as " + d.role;
       section.body.add(folded(title + of + (d.path.empty() ? "" : ": " + d.path),
                               Document().add(Verbatim{resolved ? indented(d.content) : d.content})));
     }

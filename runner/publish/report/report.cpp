@@ -28,8 +28,7 @@ struct AllFacts {
 };
 
 /// The runs of the study that the page is to show, of all that it has.
-std::vector<Representative> chosenOf(const std::vector<Representative>& all, Store& store,
-                                     const std::string& wanted) {
+std::vector<Representative> chosenOf(const std::vector<Representative>& all, Store& store, const std::string& wanted) {
   if (wanted.empty()) return all;
   auto found = std::ranges::find_if(all, [&](const Representative& r) { return r.name() == wanted; });
   if (found == all.end()) found = std::ranges::find(all, store.find(wanted).id, &Representative::run);
@@ -83,8 +82,7 @@ void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std:
 PageSection explorerSection(const ReportQuestion& question, const Sources& sources, const AllFacts& facts,
                             const std::vector<ExplorerRun>& runs) {
   PageSection section{"explorer", "Explorer", {}};
-  if (question.program.empty())
-    section.body.say("This page was made without its explorer: " + question.whyNone);
+  if (question.program.empty()) section.body.say("This page was made without its explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
   sayWhichOfStudies(sources, facts, runs, section.body);
   return section;
@@ -118,21 +116,19 @@ std::string commandOf(const ReportQuestion& question) {
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
 /// Parts are told apart by their titles, unless they are of `one` source.
-void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer,
-                 Page& page) {
+void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // ids
   const auto add = [&](const PageSection& section, const std::string& part) {
     const int count = ++known[section.id];
     page.blocks.push_back({section.id + (count > 1 ? "-" + std::to_string(count) : ""),
-                           section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body),
-                           section.commands});
+                           section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body), section.commands});
   };
   const auto titleOf = [&](const PagePart& part) { return !one || part.isAside ? part.title : ""; };
   for (const PagePart& part : parts)
     if (!part.verdict.empty())
-      page.verdict += (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) +
-                      htmlOf(part.verdict);
+      page.verdict +=
+          (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) + htmlOf(part.verdict);
   for (const PagePart& part : parts)
     for (const PageSection& section : part.change) add(section, titleOf(part));
   for (const PageSection& section : explorer) add(section, "");
@@ -143,8 +139,8 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector
 /// A page holds one run that it makes again.
 void demandOneRun(const std::vector<RunFacts>& runs) {
   if (runs.size() != 1)
-    throw UsageError("report --rerun: a page makes one run again, and this one has " +
-                     std::to_string(runs.size()) + (runs.empty() ? "" : "; choose one with --run"));
+    throw UsageError("report --rerun: a page makes one run again, and this one has " + std::to_string(runs.size()) +
+                     (runs.empty() ? "" : "; choose one with --run"));
   if (const std::string why = whyNoRerun(runs[0]); !why.empty())
     throw UsageError("report --rerun: run " + runs[0].run.id + " cannot be made again in a page: " + why);
 }
@@ -155,16 +151,15 @@ void findExplorer(ReportQuestion& question) {
   const auto file = sharedFile(question.rerun ? "explorer/rerun.js" : "explorer/explorer.js");
   if (file) question.program = readFile(*file);
   else
-    question.whyNone = installation()
-                           ? "the installation does not have it"
-                           : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
+    question.whyNone = installation() ? "the installation does not have it"
+                                      : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
   if (!question.rerun) return;
   if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
   if (!module)
-    throw FileError(std::string("report --rerun: the simulator for pages is not built; ") +
-                    (installation() ? "the installation does not have it"
-                                    : "./morula wasm builds it (Debian: emscripten)"));
+    throw FileError(
+        std::string("report --rerun: the simulator for pages is not built; ") +
+        (installation() ? "the installation does not have it" : "./morula wasm builds it (Debian: emscripten)"));
   question.module = readFile(*module);
 }
 
@@ -182,22 +177,18 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     checks.push_back(readChecked(file));
     if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), mostExplored / 2, question)))
       return answer;
-    if (question.frames > 0 && question.bullet &&
-        (answer.signal = runCheckedInBullet(checks.back(), question)))
+    if (question.frames > 0 && question.bullet && (answer.signal = runCheckedInBullet(checks.back(), question)))
       return answer;
     parts.push_back(checkPart(checks.back(), file));
-    for (PageSection& section : bulletSections(checks.back()))
-      parts.back().sections.push_back(std::move(section));
+    for (PageSection& section : bulletSections(checks.back())) parts.back().sections.push_back(std::move(section));
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
   if (question.frames > 0 && (answer.signal = exploreMore(facts.more, question, explored))) return answer;
-  if (runs.size() == 1 && (answer.signal = drawBeside(runs[0], question.execution, question.quiet)))
-    return answer;
+  if (runs.size() == 1 && (answer.signal = drawBeside(runs[0], question.execution, question.quiet))) return answer;
   for (const std::string& file : sources.studies) {
     parts.push_back(studyPart(file));
-    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet)))
-      return answer;
+    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet))) return answer;
   }
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
@@ -206,8 +197,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   // The runs that stand for a study's conditions are told by the study.
   const auto own = static_cast<std::size_t>(
       std::count_if(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }));
-  const bool one =
-      sources.checks.size() + sources.studies.size() + sources.accuracies.size() + (own > 0) == 1;
+  const bool one = sources.checks.size() + sources.studies.size() + sources.accuracies.size() + (own > 0) == 1;
   Page page{.title = one ? parts.front().title : titleOfParts(sources, own),
             .summary = one ? parts.front().summary : "",
             .verdict = {},
@@ -229,8 +219,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
   const std::size_t room = question.mostBytes > without ? (question.mostBytes - without) / 4 * 3 : 0;
-  for (Frames* of : explored.frames)
-    thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
+  for (Frames* of : explored.frames) thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
   compose();
   if (!page.program.empty())
     for (PageBytes& bytes : explorerBytes(explored.runs)) page.bytes.push_back(std::move(bytes));

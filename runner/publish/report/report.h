@@ -12,10 +12,9 @@ namespace morula {
 struct ReportQuestion {
   std::vector<std::string>
       what;  // databases of runs and of merged studies, report.json of checks, output of accuracy --json, or folders of these
-  std::string
-      run;  // only the run with this id, or whose id begins so; of a study also "CONDITION, seed N"; "": all
-  std::size_t explored = 24;  // runs of studies that are shown in three dimensions, where they fit
-  std::size_t frames = 100;   // of each run that is shown in three dimensions; 0: no run is made again
+  std::string run;  // only the run with this id, or whose id begins so; of a study also "CONDITION, seed N"; "": all
+  std::size_t explored = 24;           // runs of studies that are shown in three dimensions, where they fit
+  std::size_t frames = 100;            // of each run that is shown in three dimensions; 0: no run is made again
   std::size_t mostBytes = 10'000'000;  // of the page
   std::string program;                 // the explorer's; "": without it
   std::string whyNone;                 // why there is none; plain text

@@ -32,9 +32,8 @@ PageSection rerunSection(const RunFacts& run) {
           "machine, without network, and "
           "compares the hashes of the state with those that are stored; the explorer shows the organism as "
           "it grows.")
-      .add(ProgramPlace{
-          "again",
-          "Programs of this page do not run here: JavaScript is switched off, or the file was changed."});
+      .add(ProgramPlace{"again",
+                        "Programs of this page do not run here: JavaScript is switched off, or the file was changed."});
   section.commands = {programWord() + " replay " + shellWord(run.database) + " --run " + run.run.id};
   return section;
 }

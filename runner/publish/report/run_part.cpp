@@ -21,8 +21,7 @@ bool areOfOneScenario(const std::vector<RunFacts>& runs) {
 std::string titleOfRuns(const std::vector<RunFacts>& runs, std::size_t own) {
   const std::size_t ofStudies = runs.size() - own;
   if (own == 0)
-    return (ofStudies == 1 ? "a run that stands for " : "runs that stand for ") +
-           counted(ofStudies, "condition");
+    return (ofStudies == 1 ? "a run that stands for " : "runs that stand for ") + counted(ofStudies, "condition");
   if (runs.size() == 1) return titleOf(runs[0]);
   return (areOfOneScenario(runs) ? runs[0].run.record.scenario + ", " : "") + counted(own, "run") +
          (ofStudies ? " and " + std::to_string(ofStudies) + " for conditions of studies" : "");
@@ -38,8 +37,7 @@ Document checksOfAll(const std::vector<RunFacts>& runs) {
     if (runs.size() == 1) all.add(std::move(checks));
     else if (differs) all.heading(titleOf(run)).add(std::move(checks));
     else if (runs.size() <= mostExplored)
-      all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed",
-                     std::move(checks)));
+      all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed", std::move(checks)));
   }
   return all;
 }
@@ -58,8 +56,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   if (!judged.empty()) part.verdict = verdictOf(judged);
   if (Document changes = changesOf(runs); !changes.empty())
     part.change.push_back({"change", "What changed", std::move(changes)});
-  if (PageSection bullet = bulletSection(runs); !bullet.body.empty())
-    part.sections.push_back(std::move(bullet));
+  if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
   part.sections.push_back(pictureSection(runs));
   part.sections.push_back(chartSection(runs));
   if (Document checks = checksOfAll(runs); !checks.empty()) {

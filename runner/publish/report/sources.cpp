@@ -44,14 +44,12 @@ Sources sourcesOf(const std::vector<std::string>& what) {
     }
     bool any = false;
     for (const char* ending : {".db", ".json"})
-      for (const fs::path& file : filesBelow(name, ending))
-        any = addSource(file.generic_string(), sources) || any;
+      for (const fs::path& file : filesBelow(name, ending)) any = addSource(file.generic_string(), sources) || any;
     // A merged study holds the runs of all of its tasks.
     for (const std::string& study : sources.studies)
       std::erase_if(sources.databases, [tasks = (fs::path(study).parent_path() / "tasks/").generic_string()](
                                            const std::string& file) { return file.starts_with(tasks); });
-    if (!any)
-      throw UsageError("'" + name + "': no database and no report in this folder; morula run writes one");
+    if (!any) throw UsageError("'" + name + "': no database and no report in this folder; morula run writes one");
   }
   return sources;
 }

@@ -41,8 +41,7 @@ Document stripsDocument(const StudyComparison& c) {
     key.lines.push_back({entry.colour, false, letters.at(entry.marker) + " " + entry.label});
   if (!key.lines.empty()) document.add(std::move(key));
   for (Panel& panel : all.panels) {
-    const std::string what =
-        panel.title + ": all values of each condition, with their means and 95 % intervals";
+    const std::string what = panel.title + ": all values of each condition, with their means and 95 % intervals";
     charts.add(svgPicture(drawSmallMultiples({.words = {}, .panels = {std::move(panel)}}), what, ""));
   }
   return document.add(Group{Group::Kind::charts, "", std::move(charts)});
@@ -71,8 +70,7 @@ PagePart studyPart(const std::string& database) {
                                    findingsOf(c, database))};
   const std::vector<std::string> sentences = verdictsOf(c);
   PlainList said, more;
-  for (std::size_t i = 0; i < sentences.size(); ++i)
-    (i < mostSentences ? said : more).list.push_back(sentences[i]);
+  for (std::size_t i = 0; i < sentences.size(); ++i) (i < mostSentences ? said : more).list.push_back(sentences[i]);
   Document findings;
   if (said.list.empty()) findings.say("Nothing: no measure has values.");
   else findings.add(std::move(said));
@@ -83,15 +81,12 @@ PagePart studyPart(const std::string& database) {
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "What the study finds", std::move(findings), {programWord() + " study compare " + file}});
-  part.sections.push_back({"strips",
-                           "Every value",
-                           stripsDocument(c),
-                           {programWord() + " study compare " + file + " -o strips.svg"}});
+  part.sections.push_back(
+      {"strips", "Every value", stripsDocument(c), {programWord() + " study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(c);
   Downloads downloads;
-  for (Downloads::File file :
-       {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
-        Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
+  for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
+                               Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
     if (file.bytes.size() <= 1'000'000) downloads.files.push_back(std::move(file));
   body.add(std::move(downloads));
   part.sections.push_back({"comparison",
@@ -115,10 +110,8 @@ bool hasBodies(const StudyResults& results, const std::string& database) {
 
 int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);
-  PageSection section{"organisms",
-                      "Organisms",
-                      {},
-                      {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
+  PageSection section{
+      "organisms", "Organisms", {}, {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
   if (const auto stored = storedPictures(results, database)) {
     Document pictures;
     std::vector<std::size_t> order = byDifference(compareStudy(results, {}));
@@ -127,13 +120,12 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
       pictures.add(Picture{"image/png", readFile(stored->files[k]),
                            "the organism at the end of " + results.nameOf(results.conditions[k]),
                            results.nameOf(results.conditions[k])});
-    section.body.note(
-        "At the end, with seed " + std::to_string(results.seeds[stored->seed]) +
-        ": the pictures that the study keeps in " + stored->files[0].parent_path().generic_string() +
-        (stored->files.size() > mostShown ? "; the first " + std::to_string(mostShown) + " of " +
-                                                counted(stored->files.size(), "condition")
-                                          : "") +
-        ". Each has a scale bar of its own.");
+    section.body.note("At the end, with seed " + std::to_string(results.seeds[stored->seed]) +
+                      ": the pictures that the study keeps in " + stored->files[0].parent_path().generic_string() +
+                      (stored->files.size() > mostShown ? "; the first " + std::to_string(mostShown) + " of " +
+                                                              counted(stored->files.size(), "condition")
+                                                        : "") +
+                      ". Each has a scale bar of its own.");
     section.body.add(Group{Group::Kind::charts, "", std::move(pictures)});
   } else {
     if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
@@ -144,8 +136,8 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
       try {
         for (const Drawing& page : drawOrganisms(results, database, {}, quiet))
           section.body.add(pngPicture(page.pixels(), "the organisms of all conditions at five moments",
-                                      "A row a condition, a column a moment; one seed, one camera, one scale",
-                                      "", Picture::Size::large));
+                                      "A row a condition, a column a moment; one seed, one camera, one scale", "",
+                                      Picture::Size::large));
       } catch (const Interrupted& by) {
         return by.signal;
       } catch (const UsageError&) {  // there is nothing that can be seen

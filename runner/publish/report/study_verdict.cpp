@@ -31,12 +31,10 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
     const Words which =
         bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
     if (trouble.status == "done")
-      findings.push_back(
-          {Finding::Kind::bad,
-           which + "not sane: bodies ended in a state that cannot be. The values count all the same"});
+      findings.push_back({Finding::Kind::bad,
+                          which + "not sane: bodies ended in a state that cannot be. The values count all the same"});
     else if (trouble.status == "missing")
-      findings.push_back(
-          {Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
+      findings.push_back({Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
     else {
       Finding failed = failedBecause(Finding::Kind::bad, trouble.reason.empty() ? "" : ": ", trouble.reason);
       failed.words = which + trouble.status + failed.words;
@@ -75,25 +73,23 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
   for (const ResultCondition& condition : r.conditions) {
     const std::size_t before = runs;
     for (const std::size_t t : condition.tasks) {
-      if (t == noTask || !suspects.contains(r.tasks[t].runId) || !seen.insert(r.tasks[t].runId).second)
-        continue;
+      if (t == noTask || !suspects.contains(r.tasks[t].runId) || !seen.insert(r.tasks[t].runId).second) continue;
       const StoredRun run = store.find(r.tasks[t].runId);
       const RunResults results = store.results(run.id);
       const Scenario scenario = storedScenario(database, run.id);
       runs += !ambiguousDivisions(
-                   scenario.scene, results.lineage,
-                   [&](StateId state) { return results.stateTexts.at(state); }, results.divisions)
+                   scenario.scene, results.lineage, [&](StateId state) { return results.stateTexts.at(state); },
+                   results.divisions)
                    .empty();
     }
     if (runs > before) conditions.push_back(bold(r.nameOf(condition)));
   }
   if (runs)
-    findings.push_back(
-        {Finding::Kind::warning,
-         counted(runs, "run") + (runs == 1 ? " has" : " have") + " divisions with an ambiguous axis, under " +
-             listed(conditions) +
-             ": the longest extent of a mother is hardly longer than her next one. With another mesh, "
-             "time step or precision such a cut may lie elsewhere"});
+    findings.push_back({Finding::Kind::warning,
+                        counted(runs, "run") + (runs == 1 ? " has" : " have") +
+                            " divisions with an ambiguous axis, under " + listed(conditions) +
+                            ": the longest extent of a mother is hardly longer than her next one. With another mesh, "
+                            "time step or precision such a cut may lie elsewhere"});
 }
 
 }  // namespace
@@ -104,8 +100,7 @@ std::vector<Finding> findingsOf(const StudyComparison& c, const std::string& dat
   judgeTasks(r, findings);
   judgeConditions(c, findings);
   judgeDivisions(r, database, findings);
-  if (std::all_of(r.tasks.begin(), r.tasks.end(),
-                  [](const ResultTask& t) { return t.status == "done" && t.isSane; }))
+  if (std::all_of(r.tasks.begin(), r.tasks.end(), [](const ResultTask& t) { return t.status == "done" && t.isSane; }))
     findings.push_back({Finding::Kind::good, "Every run is done, and sane"});
   return findings;
 }

@@ -39,15 +39,14 @@ void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
     findings.push_back({Kind::bad, std::to_string(failed.size()) + " of " + counted(others.size(), "check") +
                                        (failed.size() == 1 ? " differs: " : " differ: ") + namesOf(failed)});
   else if (!others.empty())
-    findings.push_back({Kind::good, others.size() == 1 ? "The check passes"
-                                                       : "All " + counted(others.size(), "check") + " pass"});
+    findings.push_back(
+        {Kind::good, others.size() == 1 ? "The check passes" : "All " + counted(others.size(), "check") + " pass"});
   else if (facts.run.status == RunStatus::done)
     findings.push_back(
         {Kind::note, "Not held against an accepted result: the database holds no such check of this run"});
   for (const CheckResult& r : insane) {
     std::string message = withNames(r.message.empty() ? r.check : r.message, facts.scenario.names.function());
-    if (const std::string known = "not sane at the end: "; message.starts_with(known))
-      message.erase(0, known.size());
+    if (const std::string known = "not sane at the end: "; message.starts_with(known)) message.erase(0, known.size());
     findings.push_back(failedBecause(Kind::bad, "Not sane: ", message));
   }
   if (insane.empty() && !sanity.empty()) {
@@ -68,9 +67,8 @@ void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
            " ambiguous axis: the mother's longest extent is hardly longer than her next one, " +
            (count == 1 ? "" : "first ") + "that of " + cell + " at time " +
            shownTime(facts.scenario.units, first.time) + ", " +
-           (*first.extentRatio - 1 < 1e-6
-                ? "longer by less than a millionth"
-                : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
+           (*first.extentRatio - 1 < 1e-6 ? "longer by less than a millionth"
+                                          : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
            ". With another mesh, time step or precision the cut may lie elsewhere"});
 }
 
@@ -85,8 +83,8 @@ void judgeAgain(const RunFacts& facts, std::vector<Finding>& findings) {
 }
 
 std::string statusText(const StoredRun& run, const Units& units) {
-  const std::string cells = counted(run.cells, "cell"), when = " at time " + shownTime(units, run.time, 6) +
-                                                               " after " + counted(run.steps, "step");
+  const std::string cells = counted(run.cells, "cell"),
+                    when = " at time " + shownTime(units, run.time, 6) + " after " + counted(run.steps, "step");
   switch (run.status) {
     case RunStatus::done:
       return "is done: " + cells + when;
@@ -101,14 +99,11 @@ std::string statusText(const StoredRun& run, const Units& units) {
 }
 
 std::string sentenceOf(const std::vector<const RunFacts*>& runs, bool bad, bool warned) {
-  const std::string ending = bad      ? ". There are faults."
-                             : warned ? ". There are warnings."
-                                      : ". Nothing is amiss.";
+  const std::string ending = bad ? ". There are faults." : warned ? ". There are warnings." : ". Nothing is amiss.";
   if (runs.size() == 1) return "The run " + statusText(runs[0]->run, runs[0]->scenario.units) + ending;
-  const auto done = std::count_if(runs.begin(), runs.end(),
-                                  [](const RunFacts* r) { return r->run.status == RunStatus::done; });
-  return std::to_string(done) + " of " + counted(runs.size(), "run") + (done == 1 ? " is" : " are") +
-         " done" + ending;
+  const auto done =
+      std::count_if(runs.begin(), runs.end(), [](const RunFacts* r) { return r->run.status == RunStatus::done; });
+  return std::to_string(done) + " of " + counted(runs.size(), "run") + (done == 1 ? " is" : " are") + " done" + ending;
 }
 
 /// Runs of one scenario that differ in their seed, and not in their end.
@@ -134,13 +129,11 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
   Table table{"Runs", {"Run", "Status", "Cells", "Time", "Checks", "End state", "Id"}};
   for (const RunFacts* run : runs) {
     const RunFacts& r = *run;
-    const auto failed =
-        std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
+    const auto failed = std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
     table.rows.push_back({titleOf(r), name(r.run.status), r.run.cells, number(r.run.time, 6),
                           r.checks.empty() ? "none"
-                          : failed
-                              ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
-                              : "all " + std::to_string(r.checks.size()) + " passed",
+                          : failed ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
+                                   : "all " + std::to_string(r.checks.size()) + " passed",
                           code(r.run.stateHash.substr(0, 12)), code(r.run.id)});
   }
   return table;
@@ -158,8 +151,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   if (run.status == RunStatus::killed)
     findings.push_back({Kind::warning, "The run was interrupted; morula run --resume goes on with it"});
   if (run.status == RunStatus::running)
-    findings.push_back(
-        {Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
+    findings.push_back({Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
   judgeChecks(facts, findings);
   judgeDivisions(facts, findings);
   if (const auto& mechanics = facts.scenario.scene.mechanics) {
@@ -185,8 +177,7 @@ void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& find
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
       if (f.kind == Kind::good || f.kind == Kind::note) continue;
-      const auto same =
-          std::find_if(found.begin(), found.end(), [&](const auto& known) { return known.first == f; });
+      const auto same = std::find_if(found.begin(), found.end(), [&](const auto& known) { return known.first == f; });
       const Words title = bold(titleOf(*run));
       if (same == found.end()) found.push_back({std::move(f), {title}});
       else same->second.push_back(title);

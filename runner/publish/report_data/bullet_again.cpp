@@ -10,8 +10,7 @@ namespace {
 
 std::size_t vertexCount(const World& world) {
   std::size_t count = 0;
-  for (const int slot : world.bodies->slots)
-    count += static_cast<std::size_t>(world.bodies->vertexCount(slot));
+  for (const int slot : world.bodies->slots) count += static_cast<std::size_t>(world.bodies->vertexCount(slot));
   return count;
 }
 
@@ -28,8 +27,7 @@ std::vector<double> evenTimes(double end, std::size_t count) {
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet) {
   const std::size_t fit = mostFrameVertices / std::max<std::size_t>(1, vertexCount(ours));
-  const auto times =
-      evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
+  const auto times = evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
   auto again = std::make_unique<BulletAgain>();
   again->found = checkAgainstBullet(scenario, ours, quiet, times);
   if (again->found.bullet) again->frames = framesOf(scenario, again->found.bullet->frames);
@@ -47,14 +45,13 @@ Frames framesOf(const Scenario& scenario, const std::vector<ExternalFrame>& fram
   return std::move(taker.frames());
 }
 
-BulletStored compareWithStored(const std::vector<CheckResult>& found,
-                               const std::vector<CheckResult>& stored) {
+BulletStored compareWithStored(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored) {
   std::vector<CheckResult> then;
   for (const CheckResult& r : stored)
     if (r.kind == "bullet" && !wasSkipped(r)) then.push_back(r);
   if (then.empty()) return BulletStored::none;
-  const bool same = std::equal(
-      found.begin(), found.end(), then.begin(), then.end(), [](const CheckResult& a, const CheckResult& b) {
+  const bool same =
+      std::equal(found.begin(), found.end(), then.begin(), then.end(), [](const CheckResult& a, const CheckResult& b) {
         return a.check == b.check && a.expected == b.expected && a.actual == b.actual && a.passed == b.passed;
       });
   return same ? BulletStored::same : BulletStored::other;

@@ -58,8 +58,7 @@ class States {
   void addTo(Json& json) const {
     json["states"] = texts_, json["colours"] = colours_;
     json["legend"] = Json::array();
-    for (const LegendEntry& e : palette_.legend())
-      json["legend"].push_back({printableLine(e.label), hex(e.colour)});
+    for (const LegendEntry& e : palette_.legend()) json["legend"].push_back({printableLine(e.label), hex(e.colour)});
   }
 
  private:
@@ -73,17 +72,15 @@ class States {
 constexpr int explorerFormat = 3;
 
 Json dataOf(const ExplorerRun& run) {
-  Json json{{"title", printableLine(run.title)},
-            {"scenario", printableLine(run.scenario->scene.name)},
-            {"end", run.end}};
+  Json json{
+      {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
   States states(run);
   Json cells = Json::array();
   for (std::size_t i = 0; i < std::min(run.lineage->size(), mostTreeCells); ++i) {
     const LineageEntry& cell = (*run.lineage)[i];
     const auto called = run.scenario->names.of(cell.path);
     cells.push_back({cell.path.text(), called ? printableLine(*called) : "", cell.born,
-                     cell.fate == Fate::alive ? run.end : cell.ended, name(cell.fate),
-                     states.number(cell.state)});
+                     cell.fate == Fate::alive ? run.end : cell.ended, name(cell.fate), states.number(cell.state)});
   }
   json["cells"] = std::move(cells);
   states.addTo(json);
@@ -94,12 +91,10 @@ Json dataOf(const ExplorerRun& run) {
   if (!run.frames) return json;
   json["measures"] = run.frames->measures;
   for (const ForceKind kind : run.frames->forces) json["forces"].push_back(nameOf(kind));
-  for (const ForceKind kind : kindsWithNetForce(run.frames->forces))
-    json["netForces"].push_back(nameOf(kind));
+  for (const ForceKind kind : kindsWithNetForce(run.frames->forces)) json["netForces"].push_back(nameOf(kind));
   for (const auto& faces : run.frames->meshes) json["meshes"].push_back(flat(faces));
   for (const Frame& f : run.frames->frames)
-    json["frames"].push_back(
-        {f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size(), f.vertexForces});
+    json["frames"].push_back({f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size(), f.vertexForces});
   return json;
 }
 

@@ -72,8 +72,7 @@ void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, s
     }
 }
 
-void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces,
-                     const std::vector<ForceKind>& kinds) {
+void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds) {
   std::string numbers;
   for (const ForcesByKind& cell : forces) {
     double most = 0;

@@ -37,7 +37,6 @@ void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, s
 /// Of each cell and each of the kinds: float32 step [force]; then, again of each, where its step is not 0, int8 x, y, z for each
 /// vertex: the force is step · number, and off by half a step at most. A step is the largest component over 127.
 /// Where forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
-void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces,
-                     const std::vector<ForceKind>& kinds);
+void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds);
 
 }  // namespace morula

@@ -59,8 +59,7 @@ std::uint32_t FrameTaker::stateNumber(StateId state) {
 
 void FrameTaker::observe(const World& world) {
   const auto due = [&](std::size_t k) {
-    return most_ < 2 || k + 1 >= most_ ? end_
-                                       : end_ * static_cast<double>(k) / static_cast<double>(most_ - 1);
+    return most_ < 2 || k + 1 >= most_ ? end_ : end_ * static_cast<double>(k) / static_cast<double>(most_ - 1);
   };
   if (!world.bodies || next_ >= most_ || world.clock.time < due(next_)) return;
   while (next_ < most_ && world.clock.time >= due(next_)) ++next_;
@@ -88,8 +87,7 @@ void FrameTaker::take(const World& world) {
     for (const auto& value : measured[i].values)
       putFloat(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
     for (const Point& p : mesh.vertices)
-      for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)})
-        put16(places, n);
+      for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)}) put16(places, n);
   }
   for (const ContactArea& contact : now.contacts()) {
     put32(frame.bytes, static_cast<std::uint32_t>(contact.a));

@@ -35,8 +35,7 @@ void compareWithGolden(RunFacts& facts) {
   try {
     const Golden golden = readGoldenFile(facts.golden);
     // The same state is no change, even where its numbers are added up in another order when they are read back.
-    if (acceptedBits(golden) != facts.run.stateHash)
-      facts.change = changeInWords(golden.data, goldenDataOf(facts));
+    if (acceptedBits(golden) != facts.run.stateHash) facts.change = changeInWords(golden.data, goldenDataOf(facts));
   } catch (const InputError& error) { facts.unusableGolden = error.what(); }
 }
 
@@ -58,8 +57,8 @@ RunFacts factsOf(Store& store, const StoredRun& run) {
                  .unusableGolden = {},
                  .again = {}};
   facts.ambiguous = ambiguousDivisions(
-      facts.scenario.scene, facts.results.lineage,
-      [&](StateId state) { return facts.results.stateTexts.at(state); }, facts.results.divisions);
+      facts.scenario.scene, facts.results.lineage, [&](StateId state) { return facts.results.stateTexts.at(state); },
+      facts.results.divisions);
   compareWithGolden(facts);
   return facts;
 }
@@ -77,9 +76,8 @@ int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool has
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   RecordOptions record;
   if (hashes) record.hashEvery = stepsPerHashOf(facts.scenario.scene);
-  auto run = simulate(
-      facts.scenario, how,
-      {.quiet = quiet, .record = record, .watch = [&](const World& world) { taker.observe(world); }});
+  auto run = simulate(facts.scenario, how,
+                      {.quiet = quiet, .record = record, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) return run.signal;
   requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done
@@ -94,8 +92,8 @@ int drawBeside(RunFacts& facts, const Execution& how, bool quiet) {
       facts.change.empty())
     return 0;
   try {
-    facts.beside = drawBesideGolden(facts.scenario, facts.again->simulation.world,
-                                    readGoldenFile(facts.golden), how, quiet);
+    facts.beside =
+        drawBesideGolden(facts.scenario, facts.again->simulation.world, readGoldenFile(facts.golden), how, quiet);
   } catch (const InputError&) { return 0; }  // the golden has been changed since it was read
   return facts.beside->signal;
 }

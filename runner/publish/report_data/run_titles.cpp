@@ -57,8 +57,8 @@ std::map<std::string, RunGroup> groupsOf(std::vector<RunFacts>& runs) {
 
 void nameRuns(std::vector<RunFacts>& runs) {
   for (RunFacts& run : runs)
-    run.title = (run.label.empty() ? run.run.record.scenario : run.label) + ", seed " +
-                std::to_string(run.run.record.seed);
+    run.title =
+        (run.label.empty() ? run.run.record.scenario : run.label) + ", seed " + std::to_string(run.run.record.seed);
   for (const auto& [title, group] : groupsOf(runs))
     if (group.size() > 1) tellApart(group, group.size() < runs.size());
   for (const auto& [title, group] : groupsOf(runs))

@@ -16,13 +16,12 @@ Finding failedBecause(Finding::Kind kind, const std::string& before, const std::
 
 const std::string& titleOf(const RunFacts& run) { return run.title; }
 
-Picture pngPicture(const Image& image, const std::string& what, const std::string& caption,
-                   const std::string& name, Picture::Size size) {
+Picture pngPicture(const Image& image, const std::string& what, const std::string& caption, const std::string& name,
+                   Picture::Size size) {
   return {"image/png", pngFile(image), what, caption, size, name};
 }
 
-Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption,
-                   Picture::Size size) {
+Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption, Picture::Size size) {
   return {"image/svg+xml", drawing.file(PictureFormat::svg), what, caption, size};
 }
 

@@ -41,8 +41,7 @@ std::string remedy(int code, int systemError, const fs::path& file) {
         return "the directory " + folder.string() + " does not exist; make it or give another file";
       if (isFolder(file)) return "it is a directory; give a file";
       if (!fileExists(file))
-        return "the file is not there and cannot be made in " + folder.string() +
-               "; is the directory writable?";
+        return "the file is not there and cannot be made in " + folder.string() + "; is the directory writable?";
       return "it cannot be opened; are the file and its directory readable and writable?";
     case SQLITE_IOERR:
       // SQLite has rolled back, so nothing that was stored is lost.
@@ -70,11 +69,9 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   // For writing, even if it is only to be read: after a crash the first to open the file must undo the unfinished
   // transaction. SQLite opens a
   // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
-  const int flags =
-      SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  const int code =
-      sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
+  const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
   if (code != SQLITE_OK) fail(code, "open the database");
   sqlite3_busy_timeout(db, static_cast<int>(patience.count()));
@@ -94,9 +91,9 @@ void Database::protect() {
 
 Database Database::inMemory(fs::path name, std::string_view bytes) {
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(
-      ":memory:", &handle,
-      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_MEMORY | SQLITE_OPEN_NOMUTEX, nullptr);
+  const int code =
+      sqlite3_open_v2(":memory:", &handle,
+                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_MEMORY | SQLITE_OPEN_NOMUTEX, nullptr);
   Database db(std::move(name), handle);
   if (code != SQLITE_OK) db.fail(code, "open the database");
   if (!bytes.empty()) {
@@ -143,8 +140,7 @@ bool Database::readOnly() const { return sqlite3_db_readonly(db_.get(), "main") 
 
 Statement::Statement(Database& db, std::string_view sql) : db_(&db) {
   sqlite3_stmt* statement = nullptr;
-  const int code =
-      sqlite3_prepare_v2(db.db_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+  const int code = sqlite3_prepare_v2(db.db_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
   statement_.reset(statement);
   if (code != SQLITE_OK) db.fail(code, "read the database");
 }
@@ -166,16 +162,14 @@ void Statement::expectParameters(int count) const {
   MORULA_CHECK(sqlite3_bind_parameter_count(statement_.get()) == count, sqlite3_sql(statement_.get()));
 }
 
-bool Statement::isNull(int column) const {
-  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
-}
+bool Statement::isNull(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
 
 void Statement::refuse(int column, const std::string& right) const {
   const char* value = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
   constexpr std::size_t most = 60;
   const std::string there = value ? printableLine(std::string_view(value).substr(0, most)) : "NULL";
-  throw StoreError(db_->file().string() + ": " + sqlite3_column_name(statement_.get(), column) + ": '" +
-                   there + "' is not what Morula writes there; " + right +
+  throw StoreError(db_->file().string() + ": " + sqlite3_column_name(statement_.get(), column) + ": '" + there +
+                   "' is not what Morula writes there; " + right +
                    ". The file is damaged or not Morula's; give another one");
 }
 
@@ -234,9 +228,7 @@ Hash Statement::hash(int column) const {
 CellPath Statement::path(int column) const {
   try {
     return CellPath::parse(line(column));
-  } catch (const InputError& error) {
-    refuse(column, std::string("needs a cell's path (") + error.what() + ")");
-  }
+  } catch (const InputError& error) { refuse(column, std::string("needs a cell's path (") + error.what() + ")"); }
 }
 
 int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
@@ -270,9 +262,7 @@ void Statement::bound(int code) const {
   if (code != SQLITE_OK) db_->fail(code, "write to the database");
 }
 void Statement::bind(int place, double value) { bound(sqlite3_bind_double(statement_.get(), place, value)); }
-void Statement::bind(int place, std::int64_t value) {
-  bound(sqlite3_bind_int64(statement_.get(), place, value));
-}
+void Statement::bind(int place, std::int64_t value) { bound(sqlite3_bind_int64(statement_.get(), place, value)); }
 void Statement::bind(int place, std::uint64_t value) { bind(place, static_cast<std::int64_t>(value)); }
 void Statement::bindNull(int place) { bound(sqlite3_bind_null(statement_.get(), place)); }
 void Statement::bind(int place, std::string_view value) {
@@ -281,8 +271,8 @@ void Statement::bind(int place, std::string_view value) {
                             copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC, SQLITE_UTF8));
 }
 void Statement::bind(int place, Blob value) {
-  bound(sqlite3_bind_blob64(statement_.get(), place, value.bytes.data() ? value.bytes.data() : "",
-                            value.bytes.size(), copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC));
+  bound(sqlite3_bind_blob64(statement_.get(), place, value.bytes.data() ? value.bytes.data() : "", value.bytes.size(),
+                            copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC));
 }
 
 Transaction::Transaction(Database& db) : db_(db) {

@@ -144,8 +144,7 @@ class Statement {
   // Each takes as many places as the value has columns.
   template <class T>
   void bindNext(int& place, const T& value) {
-    if constexpr (Record<T>)
-      listFields(value, [&](const FieldInfo&, const auto& member) { bindNext(place, member); });
+    if constexpr (Record<T>) listFields(value, [&](const FieldInfo&, const auto& member) { bindNext(place, member); });
     else if constexpr (IsMeasures<T>)
       value.each([&](const auto& measure, std::size_t i) {
         const std::optional<double>& v = value.of.values[i];

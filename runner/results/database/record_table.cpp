@@ -46,8 +46,7 @@ std::vector<SqlColumn> contextColumns(const TableInfo& info) {
                                     {.name = "task_id"}};
   std::vector<SqlColumn> columns;
   for (const std::string& name : words(info.context)) {
-    const auto* field =
-        std::find_if(std::begin(known), std::end(known), [&](auto& f) { return f.name == name; });
+    const auto* field = std::find_if(std::begin(known), std::end(known), [&](auto& f) { return f.name == name; });
     MORULA_CHECK(field != std::end(known), name);
     const bool isText = name.ends_with("_id");
     columns.push_back(columnFor(*field, isText ? "TEXT" : name == "time" ? "REAL" : "INTEGER", false));
@@ -84,12 +83,12 @@ std::string SqlTable::select(Database& db, const std::string& where, const std::
   const std::set<std::string> known(there.begin(), there.end());
   std::string names, conditions = where;
   for (const SqlColumn& c : own)
-    names += (names.empty() ? "" : ", ") +
-             std::string(c.isMeasure && !known.contains(c.name) ? "NULL AS " : "") + sqlName(c.name);
+    names += (names.empty() ? "" : ", ") + std::string(c.isMeasure && !known.contains(c.name) ? "NULL AS " : "") +
+             sqlName(c.name);
   for (const std::string& key : words(info.context))
     if (key != "number") conditions += (conditions.empty() ? "" : " AND ") + key + " = ?";
-  return "SELECT " + names + " FROM " + sqlName(info.name) +
-         (conditions.empty() ? "" : " WHERE " + conditions) + " ORDER BY " +
+  return "SELECT " + names + " FROM " + sqlName(info.name) + (conditions.empty() ? "" : " WHERE " + conditions) +
+         " ORDER BY " +
          (!order.empty() ? order
           : *info.order  ? info.order
                          : info.key);

@@ -27,10 +27,9 @@ inline bool isResult(TablePart part) {
 struct TableInfo {
   const char* name;
   TablePart part;
-  const char* context =
-      "";                  // columns before the row's own, whose values a statement is given: "run_id number"
-  const char* key = "";    // "run_id, number"
-  const char* order = "";  // in which rows are read; "": by the key
+  const char* context = "";    // columns before the row's own, whose values a statement is given: "run_id number"
+  const char* key = "";        // "run_id, number"
+  const char* order = "";      // in which rows are read; "": by the key
   bool hasRowNumbers = false;  // where rows are long: in tables without them SQLite fits few to a page
   const char* csv = "";        // what exports call it: the name of its file; "": not exported as it stands
   const char* why = "";        // who reads it, and when it is stored

@@ -14,8 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isOneLine(const std::string& text) {
-  return text.find_first_not_of(" \t") != std::string::npos &&
-         text.find_first_of("\r\n") == std::string::npos;
+  return text.find_first_not_of(" \t") != std::string::npos && text.find_first_of("\r\n") == std::string::npos;
 }
 
 /// The part of the path after its last folder of this name; empty if there is none.
@@ -42,8 +41,7 @@ void acceptGolden(const fs::path& file, Golden golden, const Acceptance& accepta
     throw InputError(file.string() +
                      ": a golden is accepted with a reason; say in one line what changed and why the "
                      "new result is right: --why \"…\"");
-  if (!isOneLine(acceptance.by))
-    throw InputError(file.string() + ": who accepts the golden? a name is expected");
+  if (!isOneLine(acceptance.by)) throw InputError(file.string() + ": who accepts the golden? a name is expected");
   golden.acceptedBy = acceptance.by, golden.why = acceptance.why, golden.file = file.string();
   const std::string text = writeGolden(golden);
   // What is written must be readable and must hold for the very run it was taken from.

@@ -18,12 +18,10 @@ std::string line(const std::string& heading, const std::string& text) {
   return "  " + heading + std::string(heading.size() < 10 ? 10 - heading.size() : 1, ' ') + text + '\n';
 }
 
-std::string lines(const std::string& heading, const std::vector<std::string>& texts,
-                  const std::string& what) {
+std::string lines(const std::string& heading, const std::vector<std::string>& texts, const std::string& what) {
   std::string all;
   for (std::size_t i = 0; i < std::min(mostLines, texts.size()); ++i) all += line(i ? "" : heading, texts[i]);
-  if (texts.size() > mostLines)
-    all += line("", "and " + std::to_string(texts.size() - mostLines) + " more " + what);
+  if (texts.size() > mostLines) all += line("", "and " + std::to_string(texts.size() - mostLines) + " more " + what);
   return all;
 }
 
@@ -49,8 +47,7 @@ std::map<Key, const Item*> byKey(const GoldenData& data, Key Item::*key) {
 std::string nameOf(const CellPath& cell) { return cellName(cell.text()); }
 
 std::string lifeOf(const GoldenCell& cell) {
-  return cell.ended ? std::string(name(cell.fate)) + " at time " + exactText(*cell.ended)
-                    : "alive at the end";
+  return cell.ended ? std::string(name(cell.fate)) + " at time " + exactText(*cell.ended) : "alive at the end";
 }
 
 std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
@@ -74,9 +71,7 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
   const auto a = byKey(before, &GoldenCell::path), b = byKey(after, &GoldenCell::path);
   std::vector<Event> events;
   const auto note = [&](const GoldenCell* x, const GoldenCell* y) {
-    const auto when = [](const GoldenCell* cell) {
-      return cell ? cell->ended.value_or(cell->born) : HUGE_VAL;
-    };
+    const auto when = [](const GoldenCell* cell) { return cell ? cell->ended.value_or(cell->born) : HUGE_VAL; };
     events.push_back({std::min(when(x), when(y)), (x ? x : y)->path.depth(), cellChange(x, y)});
   };
   for (const auto& [path, cell] : a) {
@@ -114,8 +109,7 @@ Values endOf(const GoldenData& data) {
 }
 
 /// Of the cell; without one, of the organism.
-std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell,
-                              const char* measure) {
+std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell, const char* measure) {
   const auto found = values.find({{}, cell, measure});
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
@@ -171,11 +165,10 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   }
   std::string text;
   if (moved.size != 0 && radius > 0)
-    text += line("moved",
-                 nameOf(moved.who) + " the farthest: " + brief(moved.size / radius) + " radii of the egg");
+    text += line("moved", nameOf(moved.who) + " the farthest: " + brief(moved.size / radius) + " radii of the egg");
   if (volume.size != 0)
-    text += line("volume", meanChange(a, b, "volume", "in all") + nameOf(volume.who) +
-                               " the most: " + brief(volume.size) + " %");
+    text += line("volume",
+                 meanChange(a, b, "volume", "in all") + nameOf(volume.who) + " the most: " + brief(volume.size) + " %");
   if (pressure.size != 0)
     text += line("pressure", meanChange(a, b, "mean_pressure", "in the mean") + nameOf(pressure.who) +
                                  " the most: " + brief(pressure.size) + " %");
@@ -212,8 +205,7 @@ std::string changeInWords(const GoldenData& before, const GoldenData& after) {
   const std::string keys = keysInWords(before, after), movement = movementInWords(before, after);
   const auto lineage = lineageChanges(before, after);
   if (keys.empty() && movement.empty() && lineage.empty()) return {};
-  return keys + (lineage.empty() ? line("lineage", "the same") : lines("lineage", lineage, "cells")) +
-         movement;
+  return keys + (lineage.empty() ? line("lineage", "the same") : lines("lineage", lineage, "cells")) + movement;
 }
 
 std::vector<ChangeLine> linesOfChange(const std::string& change) {

@@ -30,8 +30,7 @@ struct CheckResult {
 
 template <IsA<CheckResult> T>
 void listFields(T& r, auto&& field) {
-  auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share,
-         message] = r;
+  auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share, message] = r;
   field({.name = "check", .anyCharacters = true}, check);
   field({.name = "kind", .oneOf = "golden bullet invariant sanity"}, kind);
   field({.name = "expected", .anyCharacters = true}, expected);
@@ -57,9 +56,8 @@ inline CheckResult judged(CheckResult result, bool passed, const std::string& me
 }
 
 /// A check that failed as a whole, for it could not even compare.
-inline CheckResult failedCheck(const std::string& check, const std::string& failureClass,
-                               const std::string& expected, const std::string& actual,
-                               const std::string& message) {
+inline CheckResult failedCheck(const std::string& check, const std::string& failureClass, const std::string& expected,
+                               const std::string& actual, const std::string& message) {
   return judged({.check = check, .kind = "golden", .expected = expected, .actual = actual}, false, message,
                 failureClass);
 }

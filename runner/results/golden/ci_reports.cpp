@@ -74,8 +74,7 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
   if (!place.line.empty()) line += "line=" + place.line + ',';
   line += "title=" + command(cause[0]->failureClass + ": " + report.scenario, true);
   return line + "::" +
-         command(inOneLine(report, *cause[0],
-                           (cause[0]->check == "golden" ? "" : cause[0]->check + ": ") + place.rest),
+         command(inOneLine(report, *cause[0], (cause[0]->check == "golden" ? "" : cause[0]->check + ": ") + place.rest),
                  false) +
          '\n';
 }
@@ -84,8 +83,8 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
 std::string nextInWords(const CheckReport& report) {
   if (report.file.empty()) return {};
   const std::string file = ' ' + shellWord(report.file);
-  return '`' + programWord() + " explain" + file + "` tells where it began; `" + programWord() + " review" +
-         file + "` shows all of it, and with `--accept --why \"…\"` accepts it";
+  return '`' + programWord() + " explain" + file + "` tells where it began; `" + programWord() + " review" + file +
+         "` shows all of it, and with `--accept --why \"…\"` accepts it";
 }
 
 std::string failureOf(const CheckReport& report, const Cause& cause) {
@@ -102,8 +101,7 @@ Table detailsOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
   Table table{"What differs", {first.failureClass, failedInWords(first)}};
   if (first.kind == "golden")
-    for (const ChangeLine& line : linesOfChange(report.change))
-      table.rows.push_back({line.heading, line.text});
+    for (const ChangeLine& line : linesOfChange(report.change)) table.rows.push_back({line.heading, line.text});
   if (first.check != "scenario" || report.change.empty())  // whose changed keys stand there already
     table.rows.push_back({"check", first.check + ": " + firstLine(first.message)});
   if (cause.size() > 1) table.rows.push_back({"follow", followingInWords(cause)});
@@ -123,21 +121,19 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
       told[cause[0]] = failureOf(report, cause);
       skipped += cause.size() - 1;
       for (std::size_t i = 1; i < cause.size(); ++i)
-        told[cause[i]] =
-            "      <skipped message=\"differs, which follows from " + xml(cause[0]->check) + "\"/>\n";
+        told[cause[i]] = "      <skipped message=\"differs, which follows from " + xml(cause[0]->check) + "\"/>\n";
     }
     all += report.results.size(), failed += causes.size();
-    suites += "  <testsuite name=\"" + xml(report.scenario) + "\" tests=\"" +
-              std::to_string(report.results.size()) + "\" failures=\"" + std::to_string(causes.size()) +
-              "\" skipped=\"" + std::to_string(skipped) + "\">\n";
+    suites += "  <testsuite name=\"" + xml(report.scenario) + "\" tests=\"" + std::to_string(report.results.size()) +
+              "\" failures=\"" + std::to_string(causes.size()) + "\" skipped=\"" + std::to_string(skipped) + "\">\n";
     for (const CheckResult& r : report.results) {
       suites += "    <testcase classname=\"" + xml(report.scenario) + "\" name=\"" + xml(r.check) + '"';
       suites += r.passed ? "/>\n" : ">\n" + told.at(&r) + "    </testcase>\n";
     }
     suites += "  </testsuite>\n";
   }
-  return std::string(junitBeginning) + " tests=\"" + std::to_string(all) + "\" failures=\"" +
-         std::to_string(failed) + "\">\n" + suites + "</testsuites>\n";
+  return std::string(junitBeginning) + " tests=\"" + std::to_string(all) + "\" failures=\"" + std::to_string(failed) +
+         "\">\n" + suites + "</testsuites>\n";
 }
 
 std::string annotations(const std::vector<CheckReport>& reports, std::size_t most) {
@@ -146,8 +142,7 @@ std::string annotations(const std::vector<CheckReport>& reports, std::size_t mos
   for (const CheckReport& report : reports)
     for (const Cause& cause : causesOf(report))
       if (++count <= most) text += annotation(report, cause);
-  if (count > most)
-    text += "::error title=morula check::" + std::to_string(count - most) + " more; see the log\n";
+  if (count > most) text += "::error title=morula check::" + std::to_string(count - most) + " more; see the log\n";
   return text;
 }
 
@@ -160,8 +155,7 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
     for (const Cause& cause : causes)
       if (const std::string what = failedInWords(*cause[0]); words.find(what) == words.npos)
         words += (words.empty() ? "" : "; ") + what;
-    scenarios.rows.push_back(
-        {report.scenario, report.results.size(), causes.empty() ? Words("pass") : bold(words)});
+    scenarios.rows.push_back({report.scenario, report.results.size(), causes.empty() ? Words("pass") : bold(words)});
     if (!causes.empty()) details += "\n#### " + printableLine(report.scenario) + "\n";
     for (const Cause& cause : causes) details += "\n" + markdownOf(detailsOf(report, cause));
     if (const std::string next = nextInWords(report); !causes.empty() && !next.empty())

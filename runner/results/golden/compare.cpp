@@ -87,9 +87,7 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
     if (auto d = findDifference(file, p.golden, p.observed)) differences.push_back(std::move(*d));
   CheckResult r = resultOf(check, std::move(differences), pairs.size());
   if (pairs.size() == 1 && r.passed) {
-    const auto last = [&](const std::string&, const auto& value) {
-      r.expected = r.actual = goldenText(value);
-    };
+    const auto last = [&](const std::string&, const auto& value) { r.expected = r.actual = goldenText(value); };
     std::visit([&](const auto& only) { visitGoldenFields(last, only); }, *pairs.front().golden);
   }
   return r;
@@ -144,8 +142,7 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
   if (keys.empty())
     compare("scenario_hash", golden.data.scenarioHash, observed.scenarioHash,
             "the scenario has changed since this golden was accepted");
-  compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed),
-          "the run has another seed");
+  compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed), "the run has another seed");
   CheckResult r = resultOf("scenario", std::move(differences), 1);
   r.firstStep.reset();
   if (r.passed) r.expected = r.actual = golden.data.scenarioHash;
@@ -204,17 +201,16 @@ void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t 
   if (rule.tolerance.kind == Tolerance::Kind::exact || !horizon || step < *horizon) return;
   const std::string place = golden.file + ':' + std::to_string(rule.line);
   blind.try_emplace(
-      rule.line,
-      Difference{place,
-                 step,
-                 {},
-                 "tolerance",
-                 rule.pattern,
-                 "",
-                 place + ": the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
-                     std::to_string(step) + ", but from step " + std::to_string(*horizon) +
-                     " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
-                     std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why"});
+      rule.line, Difference{place,
+                            step,
+                            {},
+                            "tolerance",
+                            rule.pattern,
+                            "",
+                            place + ": the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
+                                std::to_string(step) + ", but from step " + std::to_string(*horizon) +
+                                " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
+                                std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why"});
 }
 
 void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckResult>& results) {
@@ -232,8 +228,7 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
     if (!value) continue;
     std::size_t holds = rules.size();
     for (std::size_t i = 0; i < rules.size(); ++i)
-      if (rules[i].matches(goldenText(value->name), value->step))
-        matched[i] = true, holds = i;  // the last wins
+      if (rules[i].matches(goldenText(value->name), value->step)) matched[i] = true, holds = i;  // the last wins
     if (both) checks[holds].add(golden, pair);
     if (holds < rules.size()) noteHorizon(golden, rules[holds], value->step, blind);
   }
@@ -242,14 +237,14 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
   for (std::size_t i = 0; i < rules.size(); ++i) {
     const std::string place = golden.file + ':' + std::to_string(rules[i].line);
     if (!matched[i])
-      idle.push_back({place,
-                      {},
-                      {},
-                      "tolerance",
-                      rules[i].pattern,
-                      "",
-                      place + ": the tolerance rule '" + rules[i].pattern +
-                          "' matches no value; remove it or mend its pattern"});
+      idle.push_back(
+          {place,
+           {},
+           {},
+           "tolerance",
+           rules[i].pattern,
+           "",
+           place + ": the tolerance rule '" + rules[i].pattern + "' matches no value; remove it or mend its pattern"});
   }
   for (auto& [line, difference] : blind) idle.push_back(std::move(difference));
   if (!rules.empty()) results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
@@ -267,10 +262,10 @@ const CheckResult* find(const std::vector<CheckResult>& results, const std::stri
 /// Why a check failed. An earlier cause explains what follows from it: a changed scenario, then the state
 /// before the first step, then the lineage, and only what is left is a change of the computation.
 void classify(std::vector<CheckResult>& results) {
-  const bool costsAlone = std::all_of(results.begin(), results.end(),
-                                      [](const CheckResult& r) { return r.passed || r.check == "costs"; });
-  const bool imagesAlone = std::all_of(results.begin(), results.end(),
-                                       [](const CheckResult& r) { return r.passed || r.check == "images"; });
+  const bool costsAlone =
+      std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed || r.check == "costs"; });
+  const bool imagesAlone =
+      std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed || r.check == "images"; });
   const auto failed = [&](const char* check) {
     const CheckResult* r = find(results, check);
     return r && !r->passed ? r : nullptr;
@@ -282,8 +277,7 @@ void classify(std::vector<CheckResult>& results) {
   if (failed("scenario")) cause = "INPUT_CHANGED";
   for (CheckResult& r : results) {
     if (r.passed) continue;
-    const bool aboutTheFile =
-        r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
+    const bool aboutTheFile = r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
     const bool chaos = cause == "COMPUTATION" && r.failureClass == "CHAOS";
     r.failureClass = aboutTheFile  ? "INPUT_CHANGED"
                      : costsAlone  ? "COST"
@@ -296,24 +290,21 @@ void classify(std::vector<CheckResult>& results) {
 }  // namespace
 
 CheckReport unusableGolden(const std::string& scenario, const std::string& why) {
-  return {scenario,
-          {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
+  return {scenario, {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
 }
 
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {
   CheckReport report{golden.data.scenario, {}};
   std::map<std::string, Pairs> checks = pairUp(golden, observed);
   report.results.push_back(compareScenario(golden, observed));
-  for (const std::string check :
-       {"counts", "lineage", "time_steps", "bits", "step_hashes", "images", "costs"}) {
+  for (const std::string check : {"counts", "lineage", "time_steps", "bits", "step_hashes", "images", "costs"}) {
     const auto found = checks.find(check);
     if (found == checks.end()) continue;
     report.results.push_back(check == "step_hashes" ? compareChain(golden, found->second)
                              : check == "images"    ? compareImages(golden.file, found->second)
                                                     : compareExactly(golden.file, check, found->second));
   }
-  if (checks.contains("values") || !golden.rules.empty())
-    compareValues(golden, checks["values"], report.results);
+  if (checks.contains("values") || !golden.rules.empty()) compareValues(golden, checks["values"], report.results);
   classify(report.results);
   if (!report.passed()) report.change = changeInWords(golden.data, observed);
   return report;

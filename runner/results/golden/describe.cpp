@@ -54,9 +54,7 @@ std::string followingInWords(const CheckResult& r) {
   if (!expected || !actual || r.field == "hash") return text;
   if (r.field != "count") text += ": " + r.field + (r.cell ? " of " + cellName(*r.cell) : "");
   const bool isSmall = numberText(*expected, 3) == numberText(*actual, 3);
-  const auto number = [&](double x) {
-    return isSmall || x == std::round(x) ? exactText(x) : numberText(x, 3);
-  };
+  const auto number = [&](double x) { return isSmall || x == std::round(x) ? exactText(x) : numberText(x, 3); };
   return text + ' ' + number(*expected) + " → " + number(*actual);
 }
 
@@ -71,15 +69,14 @@ std::string failedInWords(const CheckResult& failed) {
   if (failed.kind == "invariant") return "what must always hold does not";
   if (failed.kind == "bullet") return "Bullet comes to something else";
   if (failed.check == "scenario") return "the scenario changed";
-  static const std::map<std::string, std::string> words{
-      {"INPUT_CHANGED", "the scenario or its golden changed"},
-      {"SETUP", "it starts otherwise"},
-      {"LINEAGE", "the lineage differs"},
-      {"COMPUTATION", "computed values differ"},
-      {"CHAOS", "a last place has grown"},
-      {"IMAGE", "the picture differs"},
-      {"COST", "the cost differs"},
-      {"NONDETERMINISM", "it gives different bits each time"}};
+  static const std::map<std::string, std::string> words{{"INPUT_CHANGED", "the scenario or its golden changed"},
+                                                        {"SETUP", "it starts otherwise"},
+                                                        {"LINEAGE", "the lineage differs"},
+                                                        {"COMPUTATION", "computed values differ"},
+                                                        {"CHAOS", "a last place has grown"},
+                                                        {"IMAGE", "the picture differs"},
+                                                        {"COST", "the cost differs"},
+                                                        {"NONDETERMINISM", "it gives different bits each time"}};
   const auto found = words.find(failed.failureClass);
   return found == words.end() ? failed.failureClass : found->second;
 }
@@ -114,8 +111,7 @@ std::string describe(const CheckReport& report, bool differingOnly) {
   const std::string all = std::to_string(report.results.size());
   std::string text =
       report.scenario + ": " +
-      (failed ? std::to_string(failed) + " of " + all + " checks differ" : "all " + all + " checks pass") +
-      '\n';
+      (failed ? std::to_string(failed) + " of " + all + " checks differ" : "all " + all + " checks pass") + '\n';
   text += report.change;
   for (const Cause& cause : causesOf(report)) {
     text += "  FAIL  " + oneLine(*cause[0]) + '\n';

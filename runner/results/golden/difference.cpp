@@ -34,8 +34,7 @@ std::string nameOf(const GoldenItem& item) {
 std::optional<std::uint64_t> partingStep(const GoldenCell& golden, const GoldenCell& observed,
                                          const std::string& field) {
   if (field.starts_with("born")) return std::min(golden.bornStep, observed.bornStep);
-  if (!golden.endedStep || !observed.endedStep)
-    return golden.endedStep ? golden.endedStep : observed.endedStep;
+  if (!golden.endedStep || !observed.endedStep) return golden.endedStep ? golden.endedStep : observed.endedStep;
   return std::min(*golden.endedStep, *observed.endedStep);
 }
 
@@ -68,10 +67,9 @@ std::string compareInWords(double expected, double actual) {
   if (ulps > near && std::isfinite(expected) && std::isfinite(actual))
     return "expected " + exactText(expected) + ", actual " + exactText(actual) + ", difference " +
            numberText(actual - expected, 3) +
-           (expected != 0 ? " (" + numberText(100 * (actual - expected) / std::abs(expected), 3) + " %)"
-                          : "");
-  std::string text = "expected " + exactText(expected) + " (" + hex(expected) + "), actual " +
-                     exactText(actual) + " (" + hex(actual) + ")";
+           (expected != 0 ? " (" + numberText(100 * (actual - expected) / std::abs(expected), 3) + " %)" : "");
+  std::string text = "expected " + exactText(expected) + " (" + hex(expected) + "), actual " + exactText(actual) +
+                     " (" + hex(actual) + ")";
   if (ulps == std::numeric_limits<std::uint64_t>::max()) return text;  // not a number
   return text + ", " + std::to_string(ulps) + (ulps == 1 ? " ulp" : " ulps") + " apart, difference " +
          exactText(actual - expected);
@@ -81,8 +79,7 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
                                          const GoldenItem* observed) {
   const GoldenItem& item = golden ? *golden : *observed;
   Difference d;
-  d.place =
-      golden ? file + ':' + std::to_string(std::visit([](const auto& i) { return i.line; }, *golden)) : file;
+  d.place = golden ? file + ':' + std::to_string(std::visit([](const auto& i) { return i.line; }, *golden)) : file;
   d.cell = cellOf(item);
   d.step = stepOf(item);
   if (!golden || !observed) {
@@ -118,8 +115,7 @@ std::string listed(const std::vector<Difference>& differences) {
   std::string text;
   for (std::size_t i = 0; i < std::min(mostTold, differences.size()); ++i)
     text += (i ? "\n" : "") + differences[i].text;
-  if (differences.size() > mostTold)
-    text += "\nand " + std::to_string(differences.size() - mostTold) + " more";
+  if (differences.size() > mostTold) text += "\nand " + std::to_string(differences.size() - mostTold) + " more";
   return text;
 }
 

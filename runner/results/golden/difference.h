@@ -19,8 +19,7 @@ struct Difference {
 };
 
 /// Compares an item that must be equal; both are of one kind and key, or one of them is null. Nothing if equal.
-std::optional<Difference> findDifference(const std::string& file, const GoldenItem* golden,
-                                         const GoldenItem* observed);
+std::optional<Difference> findDifference(const std::string& file, const GoldenItem* golden, const GoldenItem* observed);
 
 /// Two numbers in words: "expected 0.5 (0x3fe0000000000000), actual …, 1 ulp apart, actual − expected = …".
 std::string compareInWords(double expected, double actual);

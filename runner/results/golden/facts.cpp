@@ -36,11 +36,10 @@ void addCounts(Items& to, const GoldenFacts& facts) {
   std::uint64_t alive = 0, divided = 0, died = 0;
   for (const LineageEntry& e : facts.lineage)
     ++(e.fate == Fate::alive ? alive : e.fate == Fate::divided ? divided : died);
-  to.insert(to.end(), {GoldenCount{"cells", alive}, GoldenCount{"cells_ever", facts.lineage.size()},
-                       GoldenCount{"divisions", divided}, GoldenCount{"deaths", died},
-                       GoldenCount{"steps", facts.steps}});
-  if (facts.chain.size() > 1)
-    to.push_back(GoldenCount{"hash_every", facts.chain[1].step - facts.chain[0].step});
+  to.insert(to.end(),
+            {GoldenCount{"cells", alive}, GoldenCount{"cells_ever", facts.lineage.size()},
+             GoldenCount{"divisions", divided}, GoldenCount{"deaths", died}, GoldenCount{"steps", facts.steps}});
+  if (facts.chain.size() > 1) to.push_back(GoldenCount{"hash_every", facts.chain[1].step - facts.chain[0].step});
 }
 
 void addLineage(Items& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
@@ -69,12 +68,7 @@ void addGenerations(Items& to, std::vector<const LineageEntry*> entries, StateTe
     std::size_t end = begin;
     for (; end < entries.size() && entries[end]->path.depth() == depth; ++end) {
       const LineageEntry& e = *entries[end];
-      hasher.add(e.path.high())
-          .add(e.path.low())
-          .add(e.born)
-          .add(e.bornStep)
-          .add(name(e.fate))
-          .add(stateText(e.state));
+      hasher.add(e.path.high()).add(e.path.low()).add(e.born).add(e.bornStep).add(name(e.fate)).add(stateText(e.state));
       if (e.fate != Fate::alive) hasher.add(e.ended).add(e.endedStep);
     }
     to.push_back(GoldenGeneration{static_cast<std::uint64_t>(depth), end - begin, hasher.digest()});

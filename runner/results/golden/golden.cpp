@@ -55,10 +55,8 @@ class Lines {
           fail(
               "a merge marker; take one side's file whole, run the scenario and accept its result if it is "
               "right");
-      if (end == std::string::npos)
-        fail("the last line is cut short; the file is truncated, restore it from git");
-      if (line.ends_with('\r'))
-        fail("the line ends in a carriage return; store the file with plain line ends");
+      if (end == std::string::npos) fail("the last line is cut short; the file is truncated, restore it from git");
+      if (line.ends_with('\r')) fail("the line ends in a carriage return; store the file with plain line ends");
       if (!line.empty() && line.front() != '#') return true;
     }
     return false;
@@ -203,8 +201,7 @@ std::string writeGolden(const Golden& golden) {
         "95 % "
         "interval, by morula study compare\n";
   for (const GoldenStatistic& statistic : golden.statistics) text += write(statistic) + '\n';
-  if (!data.parameters.empty())
-    text += "\n# parameter key value: what decides the result, defaults filled in\n";
+  if (!data.parameters.empty()) text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
   const GoldenItem* before = nullptr;
   for (const GoldenItem& item : data.items) {
@@ -223,8 +220,7 @@ Golden readGolden(const std::string& text, const std::string& file) {
   std::string_view line;
   if (!lines.next(line)) throw InputError(file + ":1: the file is empty; restore it from git");
   if (line != goldenHeader)
-    lines.fail("the first line is not `" + std::string(goldenHeader) +
-               "`; this is no golden file of this version");
+    lines.fail("the first line is not `" + std::string(goldenHeader) + "`; this is no golden file of this version");
   data.scenario = header(lines, "scenario");
   const std::string seed = header(lines, "seed");
   if (const auto value = readNatural(seed)) data.seed = *value;

@@ -42,8 +42,8 @@ struct GoldenGrowth {
 
 /// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured.
 struct GoldenError {
-  double time = 0;  // of the time step, and of the precision if it is single: the largest of centroids and
-                    // surfaces [radii of the egg] and volumes [relative]
+  double time = 0;             // of the time step, and of the precision if it is single: the largest of centroids and
+                               // surfaces [radii of the egg] and volumes [relative]
   std::optional<double> mesh;  // the same of the mesh; 0 for spheres, which have none; absent: not known
   double until = 0;            // [time] compared up to here
 };
@@ -53,11 +53,10 @@ struct Golden {
   std::string acceptedBy;  // who
   std::string why;         // the reason for the last acceptance
   std::vector<ToleranceRule> rules;
-  std::string file = {};                  // where it was read from
-  std::vector<GoldenGrowth> growth = {};  // by size; empty: not measured
-  std::optional<GoldenError> error = {};  // not measured
-  std::vector<GoldenStatistic> statistics =
-      {};  // at the end, beside the error of the path; empty: not measured
+  std::string file = {};                         // where it was read from
+  std::vector<GoldenGrowth> growth = {};         // by size; empty: not measured
+  std::optional<GoldenError> error = {};         // not measured
+  std::vector<GoldenStatistic> statistics = {};  // at the end, beside the error of the path; empty: not measured
 };
 
 /// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the

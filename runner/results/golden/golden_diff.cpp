@@ -44,8 +44,7 @@ GoldenData keepValuesWithinTolerance(GoldenData observed, const Golden& old) {
     const auto found = value ? before.find(value->name) : before.end();
     if (found == before.end() || found->second->step != value->step) continue;
     const ToleranceRule* rule = ruleFor(old.rules, *value);
-    if (rule && rule->tolerance.passes(found->second->value, value->value))
-      value->value = found->second->value;
+    if (rule && rule->tolerance.passes(found->second->value, value->value)) value->value = found->second->value;
   }
   return observed;
 }
@@ -56,9 +55,8 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
   for (ToleranceRule rule : golden.rules) {
     const auto horizon = horizonOf(golden, rule.tolerance.size());
     const auto matchesOne = [&] {
-      return std::any_of(values.begin(), values.end(), [&](const GoldenValue* value) {
-        return rule.matches(goldenText(value->name), value->step);
-      });
+      return std::any_of(values.begin(), values.end(),
+                         [&](const GoldenValue* value) { return rule.matches(goldenText(value->name), value->step); });
     };
     const bool isLoose = rule.tolerance.kind != Tolerance::Kind::exact;
     if (isLoose && horizon && (!rule.untilStep || *rule.untilStep >= *horizon)) {
@@ -68,8 +66,7 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
         notes.push_back("dropped, as it says something only beyond the chaos horizon: " + before);
         continue;
       }
-      notes.push_back("ends at the chaos horizon now, step " + std::to_string(*rule.untilStep) + ": " +
-                      before);
+      notes.push_back("ends at the chaos horizon now, step " + std::to_string(*rule.untilStep) + ": " + before);
     }
     limited.push_back(std::move(rule));
   }
@@ -80,9 +77,7 @@ std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& 
   std::map<std::string, std::size_t> count;  // by the rule that is looser
   for (const auto* value : all<GoldenValue>(golden.data)) {
     const ToleranceRule *was = ruleFor(before.rules, *value), *is = ruleFor(golden.rules, *value);
-    const auto allowed = [&](const ToleranceRule* rule) {
-      return rule ? rule->tolerance.allowed(value->value) : 0;
-    };
+    const auto allowed = [&](const ToleranceRule* rule) { return rule ? rule->tolerance.allowed(value->value) : 0; };
     if (allowed(is) > allowed(was))
       ++count["`" + is->text() + "`, before " + (was ? "`" + was->text() + "`" : "exact")];
   }

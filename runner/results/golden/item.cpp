@@ -69,20 +69,17 @@ Item readAs(std::string_view line, const std::string& place) {
     constexpr bool takesAll = std::is_same_v<Value, RestOfLine>;
     const std::string_view given = takesAll ? std::exchange(line, {}) : takeWord(line);
     if (given.empty() && !takesAll)
-      throw InputError(place +
-                       (isKey ? ": the line ends after its kind; its " : ": the line is cut short; ") + name +
+      throw InputError(place + (isKey ? ": the line ends after its kind; its " : ": the line is cut short; ") + name +
                        " is expected");
     isKey = false;
     const char* right = nullptr;
     try {
       right = read(given, value);
     } catch (const InputError& e) { throw InputError(place + ": path: " + e.what()); }
-    if (right)
-      throw InputError(place + ": " + name + ": '" + std::string(given) + "'; " + right + " is expected");
+    if (right) throw InputError(place + ": " + name + ": '" + std::string(given) + "'; " + right + " is expected");
   };
   visitGoldenFields(readField, item);
-  if (!line.empty())
-    throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
+  if (!line.empty()) throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
   return item;
 }
 
@@ -93,8 +90,8 @@ std::string goldenText(double value) { return exactText(value); }
 std::string goldenText(const Hash& value) { return value.text(); }
 std::string goldenText(const CellPath& value) { return value.isEgg() ? "egg" : value.text(); }
 std::string goldenText(const ValueName& value) {
-  return (value.time ? exactText(*value.time) : "final") + '/' +
-         (value.cell ? goldenText(*value.cell) : "organism") + '/' + value.measure;
+  return (value.time ? exactText(*value.time) : "final") + '/' + (value.cell ? goldenText(*value.cell) : "organism") +
+         '/' + value.measure;
 }
 
 std::string_view takeWord(std::string_view& rest) {
@@ -142,12 +139,10 @@ GoldenItem readItem(std::string_view line, const std::string& place) {
     if (kind == kindOf(empty)) item = readAs<Item>(line, place);
     kinds += (kinds.empty() ? "" : ", ") + kindOf(empty);
   };
-  [&]<class... Items>(const std::variant<Items...>*) {
-    (tryAs(Items{}), ...);
-  }(static_cast<GoldenItem*>(nullptr));
+  [&]<class... Items>(const std::variant<Items...>*) { (tryAs(Items{}), ...); }(static_cast<GoldenItem*>(nullptr));
   if (!item)
-    throw InputError(place + ": '" + std::string(kind) + "' begins no line of a golden file; one of " +
-                     kinds + " is expected");
+    throw InputError(place + ": '" + std::string(kind) + "' begins no line of a golden file; one of " + kinds +
+                     " is expected");
   return *item;
 }
 

@@ -43,8 +43,7 @@ struct GoldenCount {
 };
 
 struct GoldenCell {
-  static constexpr const char *form = "cell path born born_step ended ended_step fate state",
-                              *check = "lineage";
+  static constexpr const char *form = "cell path born born_step ended ended_step fate state", *check = "lineage";
   CellPath path;
   double born = 0;  // [time]
   std::uint64_t bornStep = 0;
@@ -110,8 +109,8 @@ struct GoldenValue {
 };
 
 /// The kinds in their order in the file.
-using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits,
-                                GoldenLink, GoldenImage, GoldenCost, GoldenValue>;
+using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits, GoldenLink,
+                                GoldenImage, GoldenCost, GoldenValue>;
 
 // Each value has one text, so that equal text is equal bits and the other way round.
 std::string goldenText(std::uint64_t value);
@@ -132,9 +131,7 @@ template <class Value>
 bool agree(const Value& a, const Value& b) {
   return a == b;
 }
-inline bool agree(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+inline bool agree(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 inline bool agree(const std::optional<double>& a, const std::optional<double>& b) {
   return a.has_value() == b.has_value() && (!a || agree(*a, *b));
 }

@@ -20,8 +20,6 @@ std::optional<Number> readNumber(std::string_view text) {
 }
 
 inline std::optional<double> readReal(std::string_view text) { return readNumber<double>(text); }
-inline std::optional<std::uint64_t> readNatural(std::string_view text) {
-  return readNumber<std::uint64_t>(text);
-}
+inline std::optional<std::uint64_t> readNatural(std::string_view text) { return readNumber<std::uint64_t>(text); }
 
 }  // namespace morula

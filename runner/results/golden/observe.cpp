@@ -19,8 +19,7 @@ GoldenData observeGolden(const World& world, const GoldenContext& context) {
   facts.chain = context.chain;
   facts.images = context.images;
   if (world.contacts)
-    facts.costs = {{"pair_evaluations", world.contacts->pairEvaluations},
-                   {"list_builds", world.contacts->rebuilds}};
+    facts.costs = {{"pair_evaluations", world.contacts->pairEvaluations}, {"list_builds", world.contacts->rebuilds}};
   facts.mechanics = world.bodies.has_value();
   if (facts.mechanics) {
     facts.end = measureWorld(world);

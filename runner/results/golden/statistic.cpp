@@ -6,8 +6,8 @@
 namespace morula {
 
 std::string write(const GoldenStatistic& s) {
-  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) +
-         " low " + exactText(s.low) + " high " + exactText(s.high) + " runs " + std::to_string(s.runs);
+  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) + " low " +
+         exactText(s.low) + " high " + exactText(s.high) + " runs " + std::to_string(s.runs);
 }
 
 std::optional<GoldenStatistic> readStatistic(std::string_view line) {
@@ -42,13 +42,7 @@ std::optional<GoldenStatistic> readStatistic(std::string_view line) {
 }
 
 void add(Hasher& hasher, const GoldenStatistic& s) {
-  hasher.field("statistic")
-      .add(s.measure)
-      .add(s.against)
-      .add(s.difference)
-      .add(s.low)
-      .add(s.high)
-      .add(s.runs);
+  hasher.field("statistic").add(s.measure).add(s.against).add(s.difference).add(s.low).add(s.high).add(s.runs);
 }
 
 }  // namespace morula

@@ -46,9 +46,7 @@ std::string Tolerance::text() const {
   throw BugError("a tolerance that is not one");
 }
 
-double Tolerance::size() const {
-  return kind == Kind::ulp ? amount * std::numeric_limits<double>::epsilon() : amount;
-}
+double Tolerance::size() const { return kind == Kind::ulp ? amount * std::numeric_limits<double>::epsilon() : amount; }
 
 double Tolerance::allowed(double expected) const {
   const double size = std::abs(expected);
@@ -63,8 +61,7 @@ double Tolerance::share(double expected, double actual) const {
   if (std::bit_cast<std::uint64_t>(expected) == std::bit_cast<std::uint64_t>(actual)) return 0;
   if (kind == Kind::exact) return nothingAllowed;
   const bool inUlps = kind == Kind::ulp;
-  const double used =
-      inUlps ? static_cast<double>(ulpsBetween(expected, actual)) : std::abs(actual - expected);
+  const double used = inUlps ? static_cast<double>(ulpsBetween(expected, actual)) : std::abs(actual - expected);
   if (used == 0) return 0;  // −0 and 0
   const double most = inUlps ? amount : allowed(expected);
   return most > 0 && std::isfinite(used) ? used / most : nothingAllowed;
@@ -84,9 +81,7 @@ std::string ToleranceRule::text() const {
 ToleranceRule readRule(std::string_view line, const std::string& place) {
   const std::vector<std::string> words = wordsOf(line, place);
   std::size_t next = 1;
-  const auto fail = [&](const std::string& what) {
-    return InputError(place + ": " + what + "; " + ruleForm);
-  };
+  const auto fail = [&](const std::string& what) { return InputError(place + ": " + what + "; " + ruleForm); };
   const auto word = [&](const char* what) {
     if (next >= words.size()) throw fail(std::string(what) + " is missing");
     return words[next++];
@@ -121,8 +116,7 @@ ToleranceRule readRule(std::string_view line, const std::string& place) {
       throw fail("'" + option + "' is not understood here");
     }
   }
-  if (kind == "ulp" && rule.tolerance.amount != std::floor(rule.tolerance.amount))
-    throw fail("ulps are whole numbers");
+  if (kind == "ulp" && rule.tolerance.amount != std::floor(rule.tolerance.amount)) throw fail("ulps are whole numbers");
   if (kind != "exact" && rule.why.find_first_not_of(' ') == std::string::npos)
     throw InputError(place + ": a tolerance looser than exact needs its reason; add why \"…\"");
   return rule;

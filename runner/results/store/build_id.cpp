@@ -7,8 +7,7 @@ namespace morula {
 
 std::string librariesText(const BuildInfo& build) {
   std::string text;
-  for (const auto& [library, version] : build.libraries)
-    text += (text.empty() ? "" : "; ") + library + ' ' + version;
+  for (const auto& [library, version] : build.libraries) text += (text.empty() ? "" : "; ") + library + ' ' + version;
   return text;
 }
 

@@ -61,8 +61,7 @@ std::string faceBytes(const MeshFaces& mesh) {
 std::vector<std::array<std::uint16_t, 3>> numbersFrom(std::string_view bytes) {
   MORULA_CHECK(bytes.size() % 6 == 0, "three numbers of two bytes a vertex");
   std::vector<std::array<std::uint16_t, 3>> numbers(bytes.size() / 6);
-  for (std::size_t i = 0; i < bytes.size() / 2; ++i)
-    numbers[i / 3][i % 3] = numberAt<std::uint16_t>(bytes, 2 * i);
+  for (std::size_t i = 0; i < bytes.size() / 2; ++i) numbers[i / 3][i % 3] = numberAt<std::uint16_t>(bytes, 2 * i);
   return numbers;
 }
 

@@ -14,10 +14,9 @@ namespace {
 std::map<std::string, std::uint64_t> pagesOf(Database& db) {
   std::map<std::string, std::uint64_t> bytes;
   try {
-    Statement s(
-        db,
-        "SELECT tbl_name, sum(pgsize) FROM dbstat JOIN sqlite_schema USING (name) WHERE aggregate = 1 "
-        "GROUP BY tbl_name");
+    Statement s(db,
+                "SELECT tbl_name, sum(pgsize) FROM dbstat JOIN sqlite_schema USING (name) WHERE aggregate = 1 "
+                "GROUP BY tbl_name");
     while (s.next()) bytes[s.text(0)] = s.natural(1);
   } catch (const StoreError&) { bytes.clear(); }
   return bytes;
@@ -33,11 +32,9 @@ std::uint64_t lengthOf(Database& db, const std::string& table, const std::vector
 
 }  // namespace
 
-std::vector<TableContents> contentsOf(Database& db, const std::string& id,
-                                      const std::vector<const SqlTable*>& known) {
+std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const SqlTable*>& known) {
   std::vector<std::string> tables;
-  Statement names(
-      db, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
+  Statement names(db, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
   while (names.next()) tables.push_back(names.text(0));
   const auto pages = pagesOf(db);
 

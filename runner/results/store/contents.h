@@ -20,7 +20,6 @@ struct TableContents {
 
 /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone; "": of all runs. Throws
 /// StoreError.
-std::vector<TableContents> contentsOf(Database& db, const std::string& id,
-                                      const std::vector<const SqlTable*>& known);
+std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const SqlTable*>& known);
 
 }  // namespace morula

@@ -5,9 +5,7 @@ namespace morula {
 namespace {
 
 bool isIdentity(RunPart part) { return part == RunPart::scene || part == RunPart::program; }
-bool isCondition(RunPart part) {
-  return isIdentity(part) || part == RunPart::detail || part == RunPart::environment;
-}
+bool isCondition(RunPart part) { return isIdentity(part) || part == RunPart::detail || part == RunPart::environment; }
 
 std::vector<Item> compare(const RunRecord& before, const RunRecord& now, bool (*takes)(RunPart)) {
   std::vector<Item> items;

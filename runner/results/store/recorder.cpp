@@ -35,8 +35,7 @@ void Recorder::observe(const World& world) {
   pour();
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
-  const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time),
-             surfaces = surfacesAreDue(clock.time);
+  const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time), surfaces = surfacesAreDue(clock.time);
   if (!divided(world) && !reached && !due && !surfaces) return;
   sample(world, surfaces || (reached && options_.meshes));
   if (due) expectNext(clock.time);
@@ -59,9 +58,7 @@ bool Recorder::isDue(double time) const {
   return options_.every ? time >= static_cast<double>(next_) * *options_.every : next_ == 0;
 }
 
-void Recorder::expectNext(double time) {
-  next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1;
-}
+void Recorder::expectNext(double time) { next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1; }
 
 bool Recorder::surfacesAreDue(double time) const {
   return (options_.meshes && time >= static_cast<double>(nextMeshes_) * *options_.meshes) ||
@@ -103,8 +100,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
     add(std::move(s));
   }
   for (const ChainLink& link : earlier.chain)
-    if (options_.hashEvery && link.step <= world.clock.step && link.step % *options_.hashEvery == 0)
-      pour(), add(link);
+    if (options_.hashEvery && link.step <= world.clock.step && link.step % *options_.hashEvery == 0) pour(), add(link);
 }
 
 void Recorder::hash(const World& world) { add(nextLink(lastLink_, world)); }
@@ -117,10 +113,9 @@ void Recorder::pour() {
 }
 
 void Recorder::add(Sample sample) {
-  double bytes =
-      double(sizeof(Sample) + sample.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
-             sample.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
-             sample.more.size() * sizeof(TakenMeasure));
+  double bytes = double(sizeof(Sample) + sample.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
+                        sample.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
+                        sample.more.size() * sizeof(TakenMeasure));
   for (const CellSurface& s : sample.surfaces) bytes += bytesOf(s);
   bytes_ += bytes;
   results_.samples.push_back(std::move(sample));
@@ -146,8 +141,7 @@ void Recorder::keepSurfaces(const World& world, Sample& sample) {
   if (!world.bodies) return;
   const Bodies& bodies = *world.bodies;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
-    const int slot = bodies.slots[i],
-              level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
+    const int slot = bodies.slots[i], level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
     Mesh surface = takeSurface(bodies, slot);
     // On the ball, where the surface has its volume: else it would stand out of the shell that holds the ball.
     const Point centre = bodies.vertex(slot, 0);
@@ -180,14 +174,12 @@ void Recorder::describe(const World& world, StateId state) {
 }
 
 RunResults Recorder::take(const World& world, bool failed) {
-  const bool measuredAlready =
-      !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
+  const bool measuredAlready = !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
   if (!failed && !measuredAlready) sample(world, options_.meshes.has_value());
   else if (!failed && options_.meshes && results_.samples.back().surfaces.empty())
     keepSurfaces(world, results_.samples.back());
   const bool hashesEnd = options_.hashEnd || options_.hashEvery;
-  if (hashesEnd && !failed && (results_.chain.empty() || results_.chain.back().step != world.clock.step))
-    hash(world);
+  if (hashesEnd && !failed && (results_.chain.empty() || results_.chain.back().step != world.clock.step)) hash(world);
   lastLink_.reset();
 
   for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);

@@ -13,9 +13,8 @@ namespace morula {
 struct World;
 
 struct RecordOptions {
-  std::optional<double>
-      every{};  // [time] sample at 0, every, 2·every, … and at the end; absent: at the start
-                // and at the end only
+  std::optional<double> every{};  // [time] sample at 0, every, 2·every, … and at the end; absent: at the start
+                                  // and at the end only
   std::optional<std::uint64_t> hashEvery{};  // [steps] a link of the chain of hashes at step 0, hashEvery, …
                                              // and at the end; absent: none
   bool hashEnd = false;                      // without hashEvery: one link, at the end
@@ -90,8 +89,8 @@ class Recorder {
   RecordOptions options_;
   RecordSink sink_;
   double enough_;
-  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every; without `every` only
-                            // number 0 is ever due
+  std::uint64_t next_ = 0;        // number of the next due sample: due at time next_·every; without `every` only
+                                  // number 0 is ever due
   std::uint64_t nextMeshes_ = 0;  // the same of `meshes`
   std::size_t nextAt_ = 0;        // of meshesAt
   std::size_t reached_ = 0;       // of atCells
@@ -106,7 +105,6 @@ class Recorder {
 
 /// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state
 /// hash.
-RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {},
-             Want want = Want::nothing);
+RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {}, Want want = Want::nothing);
 
 }  // namespace morula

@@ -22,8 +22,7 @@ std::string valueText(const Member& member) {
 
 }  // namespace
 
-void eachFieldOf(const StoredRun& run,
-                 const std::function<void(const RunField&, const std::string&)>& visit) {
+void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit) {
   listFields(run, [&](const RunField& field, const auto& member) { visit(field, valueText(member)); });
 }
 

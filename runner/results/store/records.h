@@ -24,11 +24,10 @@ namespace morula {
 
 enum class RunStatus { running, done, failed, killed };
 template <>
-inline constexpr auto choices<RunStatus> =
-    std::to_array<Choice<RunStatus>>({{RunStatus::running, "running", ""},
-                                      {RunStatus::done, "done", ""},
-                                      {RunStatus::failed, "failed", ""},
-                                      {RunStatus::killed, "killed", ""}});
+inline constexpr auto choices<RunStatus> = std::to_array<Choice<RunStatus>>({{RunStatus::running, "running", ""},
+                                                                             {RunStatus::done, "done", ""},
+                                                                             {RunStatus::failed, "failed", ""},
+                                                                             {RunStatus::killed, "killed", ""}});
 inline const char* name(RunStatus status) { return nameOf(status); }
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
@@ -108,9 +107,7 @@ void listFields(T& run, auto&& field) {
                        [&](const auto& text) { run.record.build.libraries = librariesFrom(text); }};
   const bool runs = status == RunStatus::running;
   using enum RunPart;
-  field(RunField{{"run_id", "from scenario_hash, seed and build_id: the same computation, the same id"},
-                 result,
-                 "run"},
+  field(RunField{{"run_id", "from scenario_hash, seed and build_id: the same computation, the same id"}, result, "run"},
         id);
   field(RunField{{"scenario"}, result, "scenario"}, scenario);
   field(RunField{{"seed", "two's complement from 2^63 on"}, scene, "seed"}, AllBits{seed});
@@ -122,14 +119,12 @@ void listFields(T& run, auto&& field) {
   field(RunField{{"steps"}, result, "steps"}, NullIf{runs, steps});
   field(RunField{{"cells", "alive at the end"}, result, "cells"}, NullIf{runs, cells});
   field(RunField{{"time", "simulated", "time"}, result, "time"}, NullIf{runs, time});
-  field(RunField{{"failure", "why a failed run stopped"}, result, "failure"},
-        NullIf{failure.empty(), failure});
-  field(RunField{{"scenario_hash", "of the meaning: formatting and key order do not count"},
-                 scene,
-                 "meaning of the scenario"},
-        scenarioHash);
-  field(RunField{{"build_id", "from sources, compiler, flags, target and libraries"}, detail, "build id"},
-        buildIdText);
+  field(RunField{{"failure", "why a failed run stopped"}, result, "failure"}, NullIf{failure.empty(), failure});
+  field(
+      RunField{
+          {"scenario_hash", "of the meaning: formatting and key order do not count"}, scene, "meaning of the scenario"},
+      scenarioHash);
+  field(RunField{{"build_id", "from sources, compiler, flags, target and libraries"}, detail, "build id"}, buildIdText);
   field(RunField{{"version"}, detail, "version"}, version);
   field(RunField{{"sources", "digest of the program's sources"}, program, "sources"}, sources);
   field(RunField{{"git_commit"}, detail, "commit"}, gitCommit);
@@ -142,17 +137,14 @@ void listFields(T& run, auto&& field) {
   field(RunField{{"kernel"}, environment, "kernel"}, kernel);
   field(RunField{{"isa", "changes no result"}, environment, "instruction set", true}, isa);
   field(RunField{{"threads", "changes no result"}, environment, "threads", true}, threads);
-  field(RunField{{.name = "command", .meaning = "as typed", .anyCharacters = true}, occasion, "command"},
-        command);
+  field(RunField{{.name = "command", .meaning = "as typed", .anyCharacters = true}, occasion, "command"}, command);
   field(RunField{{"binary_hash", "XXH3-128 of the program's file"}, detail, "binary hash"}, binaryHash);
   field(RunField{{"fp_environment", "how the processor rounds, and what it does with denormals"},
                  environment,
                  "floating point"},
         fpEnvironment);
-  field(RunField{{"cpu_features", "those that arithmetic can hang on"}, environment, "processor features"},
-        features);
-  field(RunField{{"condition_id", "of a study's merged database; NULL elsewhere"}, occasion, "condition"},
-        condition);
+  field(RunField{{"cpu_features", "those that arithmetic can hang on"}, environment, "processor features"}, features);
+  field(RunField{{"condition_id", "of a study's merged database; NULL elsewhere"}, occasion, "condition"}, condition);
 }
 
 /// The field's label with a capital.

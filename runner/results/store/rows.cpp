@@ -48,8 +48,7 @@ void insertCells(Database& db, const std::string& id, const RunResults& results)
 
 bool isNew(std::uint64_t step, std::optional<std::uint64_t> after) { return !after || step > *after; }
 
-void insertSamples(Database& db, const std::string& id, const RunResults& results,
-                   std::optional<std::uint64_t> after) {
+void insertSamples(Database& db, const std::string& id, const RunResults& results, std::optional<std::uint64_t> after) {
   Statement whole(db, sqlTable<WorldMeasures>().insert()), cell(db, sqlTable<CellSampleRow>().insert()),
       contact(db, sqlTable<ContactMeasures>().insert()), more(db, sqlTable<TakenMeasure>().insert()),
       surface(db, sqlTable<CellSurface>().insert());
@@ -125,12 +124,10 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 
 void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart)) {
   for (const SqlTable* t : runTables())
-    if (takes(t->info.part))
-      Statement(db, std::string("DELETE FROM ") + t->info.name + " WHERE run_id = ?").run(id);
+    if (takes(t->info.part)) Statement(db, std::string("DELETE FROM ") + t->info.name + " WHERE run_id = ?").run(id);
 }
 
-void insertRecords(Database& db, const std::string& id, const RunResults& results,
-                   std::optional<std::uint64_t> after) {
+void insertRecords(Database& db, const std::string& id, const RunResults& results, std::optional<std::uint64_t> after) {
   insertSamples(db, id, results, after);
   insertFaces(db, id, results.meshes);
   insertChain(db, id, results.chain, after);
@@ -156,8 +153,7 @@ void insertBulletSamples(Database& db, const std::string& id, const std::string&
                          const std::vector<Sample>& samples) {
   Statement insert(db, sqlTable<BulletSampleRow>().insert());
   for (const Sample& sample : samples)
-    for (const CellMeasures& c : sample.cells)
-      insert.run(id, sample.world.time, BulletSampleRow{c, baseline});
+    for (const CellMeasures& c : sample.cells) insert.run(id, sample.world.time, BulletSampleRow{c, baseline});
 }
 
 }  // namespace morula

@@ -11,13 +11,11 @@
 namespace morula {
 
 template <>
-inline constexpr auto choices<Fate> = std::to_array<Choice<Fate>>({{Fate::alive, "alive", ""},
-                                                                   {Fate::divided, "divided", ""},
-                                                                   {Fate::died, "died", ""}});
+inline constexpr auto choices<Fate> =
+    std::to_array<Choice<Fate>>({{Fate::alive, "alive", ""}, {Fate::divided, "divided", ""}, {Fate::died, "died", ""}});
 template <>
-inline constexpr auto choices<Scope> = std::to_array<Choice<Scope>>({{Scope::world, "world", ""},
-                                                                     {Scope::cell, "cell", ""},
-                                                                     {Scope::pair, "pair", ""}});
+inline constexpr auto choices<Scope> =
+    std::to_array<Choice<Scope>>({{Scope::world, "world", ""}, {Scope::cell, "cell", ""}, {Scope::pair, "pair", ""}});
 
 /// Texts that decided runs, each stored once however many runs share it.
 struct StoredText {
@@ -33,8 +31,8 @@ template <IsA<StoredText> T>
 void listFields(T& text, auto&& field) {
   auto& [hash, content] = text;
   field({"hash"}, hash);
-  field({"content"}, BytesOf{[&]() -> std::string_view { return text.content; },
-                             [&](const auto& bytes) { text.content = bytes; }});
+  field({"content"},
+        BytesOf{[&]() -> std::string_view { return text.content; }, [&](const auto& bytes) { text.content = bytes; }});
 }
 
 struct DocumentUse {
@@ -42,10 +40,10 @@ struct DocumentUse {
 };
 template <>
 inline constexpr TableInfo tableInfo<DocumentUse> = {.name = "run_document",
-                                                   .part = TablePart::record,
-                                                   .context = "run_id number",
-                                                   .key = "run_id, number",
-                                                   .why = "always: which document is what of which run"};
+                                                     .part = TablePart::record,
+                                                     .context = "run_id number",
+                                                     .key = "run_id, number",
+                                                     .why = "always: which document is what of which run"};
 template <IsA<DocumentUse> T>
 void listFields(T& use, auto&& field) {
   auto& [role, path, hash] = use;
@@ -118,11 +116,11 @@ struct CellSampleRow {
 };
 template <>
 inline constexpr TableInfo tableInfo<CellSampleRow> = {.name = "cell_sample",
-                                                     .part = TablePart::samples,
-                                                     .context = "run_id time",
-                                                     .key = "run_id, time, path",
-                                                     .csv = "cell_samples",
-                                                     .why = "each cell at the times of `sample`"};
+                                                       .part = TablePart::samples,
+                                                       .context = "run_id time",
+                                                       .key = "run_id, time, path",
+                                                       .csv = "cell_samples",
+                                                       .why = "each cell at the times of `sample`"};
 /// The columns that stand before `state`.
 inline bool isOfFirst(const CellMeasure& m) {
   for (const char* name : {"volume", "area", "pressure", "x", "y", "z", "sphericity", "neighbours"})
@@ -183,10 +181,8 @@ void listFields(T& surface, auto&& field) {
   auto& [path, mesh, low, step, numbers] = surface;
   const auto bytes = [&] { return numberBytes(surface); };
   field({"path"}, path);
-  field(
-      {"mesh",
-       "0 the egg's, 1 ... the coarser ones; its faces: the run's document of the role faces and this path"},
-      mesh);
+  field({"mesh", "0 the egg's, 1 ... the coarser ones; its faces: the run's document of the role faces and this path"},
+        mesh);
   field({"low", "a vertex = low + number * step, off by at most step / 2", "length"}, low);
   field({"step", "a 65535th of the extent", "length"}, step);
   field({"vertices", "the numbers of x, y and z of each vertex, 16 bits each, little-endian"},
@@ -232,9 +228,8 @@ void listFields(T& division, auto&& field) {
   field({"step"}, step);
   field({"axis", "unit normal of the plane; points to daughter A"}, axis);
   field({"share", "of the mother's volume that daughter A has"}, share);
-  field(
-      {"extent_ratio", "of the mother's two largest extents; towards 1 it is ambiguous which is the longest"},
-      extentRatio);
+  field({"extent_ratio", "of the mother's two largest extents; towards 1 it is ambiguous which is the longest"},
+        extentRatio);
 }
 
 template <>
@@ -270,7 +265,8 @@ void listFields(T& settling, auto&& field) {
   field({"evaluations", "of the forces"}, evaluations);
   field({"residual", "tractions left over the pressure in cells; at most physics.settle.tolerance where it ended"},
         residual);
-  field({"energy_left", "that cells lose until the residual is a hundredth of the tolerance; of samples (physics.settle.sample)",
+  field({"energy_left",
+         "that cells lose until the residual is a hundredth of the tolerance; of samples (physics.settle.sample)",
          "force·length"},
         energyLeft);
   field({"displacement_left", "the farthest that a vertex goes on that way", "length"}, displacementLeft);
@@ -314,11 +310,11 @@ void listFields(T& cell, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableInfo<CheckResult> = {.name = "check_result",
-                                                   .part = TablePart::checks,
-                                                   .context = "run_id number",
-                                                   .key = "run_id, number",
-                                                   .csv = "checks",
-                                                   .why = "where the run was checked: what each check found"};
+                                                     .part = TablePart::checks,
+                                                     .context = "run_id number",
+                                                     .key = "run_id, number",
+                                                     .csv = "checks",
+                                                     .why = "where the run was checked: what each check found"};
 
 struct BulletSampleRow {
   CellMeasures cell;
@@ -359,8 +355,8 @@ void listFields(T& row, auto&& field) {
   field({"made", "UTC"}, made);
   field({"every", "between samples; NULL: none are taken", "time"}, every);
   field({"hash_every", "steps between hashes; NULL: none are taken"}, hashEvery);
-  field({"state", "core/simulation/checkpoint.h"}, BytesOf{[&]() -> std::string_view { return row.of.state; },
-                                                           [&](const auto& bytes) { row.of.state = bytes; }});
+  field({"state", "core/simulation/checkpoint.h"},
+        BytesOf{[&]() -> std::string_view { return row.of.state; }, [&](const auto& bytes) { row.of.state = bytes; }});
 }
 
 struct FrameRow {

@@ -20,8 +20,7 @@ std::map<MeasuredThing, double> valuesIn(const Sample& sample, const AskedMeasur
     return values;
   }
   const auto add = [&](const CellPath& a, const CellPath& b, const std::optional<double>& value) {
-    if (value &&
-        (!measure.of || selected.contains(a) || (measure.scope == Scope::pair && selected.contains(b))))
+    if (value && (!measure.of || selected.contains(a) || (measure.scope == Scope::pair && selected.contains(b))))
       values[{a, b}] = *value;
   };
   if (measure.onDemand) {

@@ -19,10 +19,11 @@ bool isEmpty(Database& db) {
   const auto id = db.integer("PRAGMA application_id"), version = db.integer("PRAGMA user_version");
   if (id == 0 && version == 0 && db.integer("SELECT count(*) FROM sqlite_schema") == 0) return true;
   if (id != applicationId)
-    throw StoreError(db.file().string() + ": a database, but not one of Morula's (application_id " + std::to_string(id) +
-                     "); give another file");
+    throw StoreError(db.file().string() + ": a database, but not one of Morula's (application_id " +
+                     std::to_string(id) + "); give another file");
   if (version != schemaVersion)
-    refuseVersion(db, "database version " + std::to_string(version) + ", this program's is " + std::to_string(schemaVersion));
+    refuseVersion(
+        db, "database version " + std::to_string(version) + ", this program's is " + std::to_string(schemaVersion));
   return false;
 }
 
@@ -62,8 +63,7 @@ void configure(Database& db) {
 void makeTables(Database& db, bool withComments) {
   if (lacking(db, withComments).empty()) return;
   if (db.readOnly())
-    throw StoreError(db.file().string() +
-                     ": the file is not writable; change its permissions or give another file");
+    throw StoreError(db.file().string() + ": the file is not writable; change its permissions or give another file");
   Transaction transaction(db);
   db.execute(lacking(db, withComments));  // again: another process may have been faster
   db.execute("PRAGMA application_id = " + std::to_string(applicationId));
@@ -72,8 +72,7 @@ void makeTables(Database& db, bool withComments) {
 }
 
 void requireTables(Database& db) {
-  if (isEmpty(db))
-    throw StoreError(db.file().string() + ": the file is empty; a database of results is expected");
+  if (isEmpty(db)) throw StoreError(db.file().string() + ": the file is empty; a database of results is expected");
   lackingMeasures(db);
 }
 

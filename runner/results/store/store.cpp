@@ -24,8 +24,8 @@ std::optional<StoredRun> findEarlier(Database& db, const std::string& id) {
 template <class Number>
 void copyRows(Database& from, Database& to, const SqlTable& table, const std::string& id, const char* column,
               Number after) {
-  Statement rows(from, "SELECT " + table.names() + " FROM " + table.info.name + " WHERE run_id = ? AND " +
-                           column + " > ?");
+  Statement rows(from,
+                 "SELECT " + table.names() + " FROM " + table.info.name + " WHERE run_id = ? AND " + column + " > ?");
   Statement insert(to, table.insert());
   for (rows.start(id, after); rows.next();) insert.runWith(rows);
 }
@@ -39,9 +39,9 @@ void deleteRun(Database& db, const std::string& id) {
                                        const std::string& computed) {
   throw NondeterminismError(
       db.file().string() + ": run " + id +
-          ": NONDETERMINISM: the same scenario, seed and build gave another result; stored " +
-          earlier.stateHash + " (" + earlier.started + ", " + earlier.record.machine.cpu + ", " +
-          earlier.record.isa + ", threads " + std::to_string(earlier.record.threads) + "), now " + computed +
+          ": NONDETERMINISM: the same scenario, seed and build gave another result; stored " + earlier.stateHash +
+          " (" + earlier.started + ", " + earlier.record.machine.cpu + ", " + earlier.record.isa + ", threads " +
+          std::to_string(earlier.record.threads) + "), now " + computed +
           "; the stored run is kept. This is a bug or broken hardware: `morula explain` finds where they "
           "part",
       id, earlier.stateHash, computed);
@@ -52,8 +52,7 @@ void deleteRun(Database& db, const std::string& id) {
 Store Store::openForWriting(const std::filesystem::path& file, Options options) {
   Database db(file, Database::Mode::create, options.patience);
   if (db.readOnly())
-    throw StoreError(file.string() +
-                     ": the file is not writable; change its permissions or give another file");
+    throw StoreError(file.string() + ": the file is not writable; change its permissions or give another file");
   makeTables(db);
   configure(db);
   return Store(std::move(db));
@@ -93,8 +92,7 @@ std::string Store::begin(const RunRecord& record) {
 
 void Store::record(const std::string& id, const RunResults& records) {
   if (!recorded_) {
-    recorded_.emplace("the records of a run that goes on", Database::Mode::temporary,
-                      std::chrono::seconds(1));
+    recorded_.emplace("the records of a run that goes on", Database::Mode::temporary, std::chrono::seconds(1));
     makeTables(*recorded_);
   }
   recorded_->execute("BEGIN");
@@ -110,8 +108,7 @@ void Store::takeOver(const std::string& id, std::optional<std::uint64_t> after) 
   const std::int64_t step = after ? static_cast<std::int64_t>(*after) : -1;
   for (const SqlTable* t : runTables()) {
     if (t->info.part != TablePart::samples) continue;
-    if (std::string_view(t->info.key).starts_with("run_id, time"))
-      copyRows(*recorded_, db_, *t, id, "time", time);
+    if (std::string_view(t->info.key).starts_with("run_id, time")) copyRows(*recorded_, db_, *t, id, "time", time);
     else copyRows(*recorded_, db_, *t, id, "step", step);
   }
 }
@@ -126,8 +123,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
     if (earlier->status == RunStatus::done) {
       // Half a run says nothing against a whole one.
       if (end.status == RunStatus::killed || end.want != Want::nothing) return;
-      const std::string computed =
-          end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
+      const std::string computed = end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
       if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
     }
     if (end.status == RunStatus::killed) {
@@ -165,8 +161,7 @@ void Store::addChecks(const std::string& id, const std::vector<CheckResult>& che
   transaction.commit();
 }
 
-void Store::putBulletSamples(const std::string& id, const std::string& baseline,
-                             const std::vector<Sample>& samples) {
+void Store::putBulletSamples(const std::string& id, const std::string& baseline, const std::vector<Sample>& samples) {
   Transaction transaction(db_);
   if (!findEarlier(db_, id)) throw StoreError(db_.file().string() + ": no run " + id + " to add samples to");
   Statement(db_, "DELETE FROM bullet_sample WHERE run_id = ?").run(id);
@@ -185,10 +180,8 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
     const auto has = [&](const char* column) { return std::ranges::find(columns, column) != columns.end(); };
     if (has("run_id")) Statement(copy, "DELETE FROM " + sqlName(table) + " WHERE run_id <> ?").run(id);
     else if (table == "timing")
-      Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)")
-          .run(id);
-    else if (table != "document")
-      copy.execute("DROP TABLE " + sqlName(table));  // of all runs of a study together
+      Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)").run(id);
+    else if (table != "document") copy.execute("DROP TABLE " + sqlName(table));  // of all runs of a study together
   }
   configure(copy);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");

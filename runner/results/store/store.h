@@ -73,8 +73,7 @@ class Store {
   void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
 
   /// Replaces the cells of the same scene in Bullet that are kept beside the run's own.
-  void putBulletSamples(const std::string& id, const std::string& baseline,
-                        const std::vector<Sample>& samples);
+  void putBulletSamples(const std::string& id, const std::string& baseline, const std::vector<Sample>& samples);
 
   /// All runs, by start, then id.
   std::vector<StoredRun> runs();
@@ -101,15 +100,13 @@ class Store {
   std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`, table by
   /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
-  std::vector<TableDifference> compareResults(const std::string& id, Store& again,
-                                              const std::string& idAgain);
+  std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
   /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
   /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
   std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
-  void eachRow(const std::string& table, const std::string& id,
-               const std::function<void(const TableRow&)>& take) {
+  void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take) {
     morula::eachRow(db_, table, id, take);
   }
 

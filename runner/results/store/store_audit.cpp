@@ -8,8 +8,7 @@
 namespace morula {
 
 void Store::requireIntact() {
-  static std::set<std::filesystem::path>
-      intact;  // by this process; looking takes as long as reading the file does
+  static std::set<std::filesystem::path> intact;  // by this process; looking takes as long as reading the file does
   if (intact.contains(file())) return;
   Statement integrity(db_, "PRAGMA integrity_check(1)");
   const std::string found = integrity.next() ? integrity.text(0) : "ok";
@@ -21,10 +20,9 @@ void Store::requireIntact() {
 
 std::vector<ValueDifference> Store::changedRecord(const std::string& id) {
   std::vector<ValueDifference> changed;
-  Statement s(
-      db_,
-      "SELECT d.number, d.role, d.hash, t.content FROM run_document d LEFT JOIN document t USING (hash) "
-      "WHERE run_id = ? ORDER BY d.number");
+  Statement s(db_,
+              "SELECT d.number, d.role, d.hash, t.content FROM run_document d LEFT JOIN document t USING (hash) "
+              "WHERE run_id = ? ORDER BY d.number");
   for (s.start(id); s.next();) {
     const std::string row = "number " + std::to_string(s.integer(0)) + ", role " + s.text(1);
     if (s.isNull(3)) {
@@ -46,8 +44,7 @@ std::vector<ValueDifference> Store::changedRecord(const std::string& id) {
 std::vector<ValueDifference> Store::lostCells(const StoredRun& run) {
   std::vector<ValueDifference> lost;
   const auto add = [&](const char* which, const char* column, const char* stored) {
-    Statement s(
-        db_, std::string("SELECT path FROM cell c WHERE run_id = ? AND ") + which + " ORDER BY path LIMIT 1");
+    Statement s(db_, std::string("SELECT path FROM cell c WHERE run_id = ? AND ") + which + " ORDER BY path LIMIT 1");
     if (s.start(run.id).next()) lost.push_back({"cell", "path " + s.text(0), column, stored, "no such row"});
   };
   add("parent IS NOT NULL AND NOT EXISTS (SELECT 1 FROM cell m WHERE m.run_id = c.run_id AND m.path = "
@@ -62,13 +59,11 @@ std::vector<ValueDifference> Store::lostCells(const StoredRun& run) {
   Statement alive(db_, "SELECT count(*) FROM cell WHERE run_id = ? AND fate = 'alive'");
   alive.start(run.id).next();
   if (alive.natural(0) != run.cells)
-    lost.push_back(
-        {"run", "run_id " + run.id, "cells", std::to_string(run.cells), std::to_string(alive.natural(0))});
+    lost.push_back({"run", "run_id " + run.id, "cells", std::to_string(run.cells), std::to_string(alive.natural(0))});
   return lost;
 }
 
-std::vector<TableDifference> Store::compareResults(const std::string& id, Store& again,
-                                                   const std::string& idAgain) {
+std::vector<TableDifference> Store::compareResults(const std::string& id, Store& again, const std::string& idAgain) {
   return compareTables(db_, id, again.db_, idAgain);
 }
 

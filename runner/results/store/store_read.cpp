@@ -42,8 +42,7 @@ void readLineage(Database& db, const std::string& id, RunResults& results, State
   }
 }
 
-void readSamples(Database& db, const std::string& id, StateNumbers& numberOf,
-                 const std::function<void(Sample)>& take) {
+void readSamples(Database& db, const std::string& id, StateNumbers& numberOf, const std::function<void(Sample)>& take) {
   Statement whole(db, sqlTable<WorldMeasures>().select(db)), cell(db, sqlTable<CellSampleRow>().select(db)),
       contact(db, sqlTable<ContactMeasures>().select(db)),
       more(db, sqlTable<TakenMeasure>().select(db, "value IS NOT NULL"));
@@ -64,12 +63,11 @@ void readSamples(Database& db, const std::string& id, StateNumbers& numberOf,
 }
 
 void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& meshes) {
-  Statement s(
-      db,
-      "SELECT CAST(d.path AS INTEGER), content, "
-      "(SELECT max(length(vertices)) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
-      "CAST(d.path AS INTEGER)) "
-      "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
+  Statement s(db,
+              "SELECT CAST(d.path AS INTEGER), content, "
+              "(SELECT max(length(vertices)) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
+              "CAST(d.path AS INTEGER)) "
+              "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
   for (s.start(id); s.next();) {
     if (s.isNull(2)) continue;  // no surface has this mesh
     MeshFaces& m = meshes.emplace_back();

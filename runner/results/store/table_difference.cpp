@@ -144,15 +144,13 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
   };
   while (!a.ended() || !b.ended()) {
     int order = a.ended() ? 1 : b.ended() ? -1 : 0;
-    for (std::size_t i = 0; i < form.key.size() && order == 0; ++i)
-      order = compare(a.values()[i], b.values()[i]);
+    for (std::size_t i = 0; i < form.key.size() && order == 0; ++i) order = compare(a.values()[i], b.values()[i]);
     if (order < 0) note(a.values(), "", "a row", "no such row"), a.advance();
     else if (order > 0) note(b.values(), "", "no such row", "a row"), b.advance();
     else {
       for (std::size_t i = form.key.size(); i < a.values().size(); ++i) {
         if (same(a.values()[i], b.values()[i])) continue;
-        note(a.values(), form.values[i - form.key.size()].name, valueText(a.values()[i]),
-             valueText(b.values()[i]));
+        note(a.values(), form.values[i - form.key.size()].name, valueText(a.values()[i]), valueText(b.values()[i]));
         break;
       }
       a.advance(), b.advance();

@@ -48,8 +48,7 @@ void eachRow(Database& db, const std::string& table, const std::string& run,
   std::string order;
   for (const PlainColumn& c : key) order += (order.empty() ? " ORDER BY " : ", ") + sqlName(c.name);
   const bool one = !run.empty() && std::ranges::find(columns, "run_id", &PlainColumn::name) != columns.end();
-  Statement s(db,
-              "SELECT " + names + " FROM " + sqlName(table) + (one ? " WHERE run_id = ?" : "") + order);
+  Statement s(db, "SELECT " + names + " FROM " + sqlName(table) + (one ? " WHERE run_id = ?" : "") + order);
   if (one) s.start(run);
   TableRow row(columns.size());
   while (s.next()) {

@@ -9,8 +9,7 @@ namespace {
 
 /// What `run` holds of times and machines stands in `timing` alone here.
 bool isBlank(const std::string& column) {
-  return column == "binary_hash" || partOf(column) == RunPart::environment ||
-         partOf(column) == RunPart::occasion;
+  return column == "binary_hash" || partOf(column) == RunPart::environment || partOf(column) == RunPart::occasion;
 }
 
 /// [SELECT from a task's file, INSERT into this one], of all columns in the order of this file.
@@ -27,9 +26,9 @@ std::pair<std::string, std::string> copyOf(Database& db, const SqlTable& table) 
     places += comma + "?";
   }
   const std::string of = sqlName(table.info.name);
-  return {"SELECT " + select + " FROM " + of,
-          std::string("INSERT ") + (&table == &morula::sqlTable<StoredText>() ? "OR IGNORE " : "") + "INTO " +
-              of + " (" + columns + ") VALUES (" + places + ")"};
+  return {"SELECT " + select + " FROM " + of, std::string("INSERT ") +
+                                                  (&table == &morula::sqlTable<StoredText>() ? "OR IGNORE " : "") +
+                                                  "INTO " + of + " (" + columns + ") VALUES (" + places + ")"};
 }
 
 template <class Row>
@@ -54,8 +53,7 @@ void insertConditions(Database& db, const StudyTables& study) {
   Statement key(db, numbered("condition_key", study.keys.size()));
   for (std::size_t i = 0; i < study.conditions.size(); ++i) {
     const auto& row = study.conditions[i];
-    condition.run(std::uint64_t{i}, Texts{{row.labels.begin(), row.labels.end()}}, row.usesSeed,
-                  row.distinctRuns);
+    condition.run(std::uint64_t{i}, Texts{{row.labels.begin(), row.labels.end()}}, row.usesSeed, row.distinctRuns);
     key.run(std::uint64_t{i}, Texts{row.keyValues});
   }
 }
@@ -64,8 +62,7 @@ void insertConditions(Database& db, const StudyTables& study) {
 
 MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& study)
     : draft_(file), db_(draft_.path(), Database::Mode::existing, std::chrono::seconds(1)) {
-  db_.execute(
-      "PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away, and has no file beside it
+  db_.execute("PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away, and has no file beside it
   makeTables(db_);
   db_.execute("PRAGMA foreign_keys = ON");
   db_.execute("PRAGMA cache_size = -65536");
@@ -89,17 +86,13 @@ void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
     Statement rows(file.db(), copy.select);
     while (rows.next()) copy.insert.runWith(rows);
   }
-  Statement(db_, "UPDATE run SET condition_id = ? WHERE run_id = ?")
-      .run(planned.condition, file.task().runId);
+  Statement(db_, "UPDATE run SET condition_id = ? WHERE run_id = ?").run(planned.condition, file.task().runId);
   TaskRow task = file.task();
-  task.id = planned.id, task.number = planned.number, task.condition = planned.condition,
-  task.seed = planned.seed;
+  task.id = planned.id, task.number = planned.number, task.condition = planned.condition, task.seed = planned.seed;
   addMissing(task);
 }
 
-void MergedStudy::addMissing(const TaskRow& planned) {
-  Statement(db_, sqlTable<TaskRow>().insert()).run(planned);
-}
+void MergedStudy::addMissing(const TaskRow& planned) { Statement(db_, sqlTable<TaskRow>().insert()).run(planned); }
 
 void MergedStudy::finish(const StudyTables& study, const std::string& buildId) {
   StudyRow row = study.study;

@@ -50,8 +50,7 @@ void makeTaskTables(Database& db, bool withComments) {
     db.execute(t->create(withComments));
 }
 
-void makeStudyTables(Database& db, const std::vector<std::string>& axes,
-                     const std::vector<std::string>& keys) {
+void makeStudyTables(Database& db, const std::vector<std::string>& axes, const std::vector<std::string>& keys) {
   db.execute(
       "CREATE TABLE condition (            -- one cell of the factorial design; a column an axis: its label\n"
       "  condition_id INTEGER PRIMARY KEY" +
@@ -64,18 +63,19 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes,
       "JSON; NULL: the scene has no such part\n"
       "  condition_id INTEGER PRIMARY KEY REFERENCES condition" +
       columnsOfTexts(keys) + "\n) STRICT");
-  for (const SqlTable* t : {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &sqlTable<ReplicateRow>()})
+  for (const SqlTable* t :
+       {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &sqlTable<ReplicateRow>()})
     db.execute(t->create());
 }
 
 const std::vector<const SqlTable*>& allTables() {
   // Of columns that the design decides, only why they are there.
   static const SqlTable condition{{.name = "condition",
-                                .part = TablePart::study,
-                                .csv = "conditions",
-                                .why = "of a study: each combination of levels; compare reads it"},
-                               {},
-                               {}},
+                                   .part = TablePart::study,
+                                   .csv = "conditions",
+                                   .why = "of a study: each combination of levels; compare reads it"},
+                                  {},
+                                  {}},
       key{{.name = "condition_key",
            .part = TablePart::study,
            .why = "of a study: the conditions' values of the scenario's keys, for queries"},

@@ -32,12 +32,11 @@ struct TaskRow {
   bool isComputed() const;
 };
 template <>
-inline constexpr TableInfo tableInfo<TaskRow> = {
-    .name = "task",
-    .part = TablePart::study,
-    .key = "task_id",
-    .csv = "tasks",
-    .why = "of a study: how each run ended; compare and status read it"};
+inline constexpr TableInfo tableInfo<TaskRow> = {.name = "task",
+                                                 .part = TablePart::study,
+                                                 .key = "task_id",
+                                                 .csv = "tasks",
+                                                 .why = "of a study: how each run ended; compare and status read it"};
 template <IsA<TaskRow> T>
 void listFields(T& task, auto&& field) {
   auto& [id, number, condition, seed, status, reason, runId, resultHash] = task;
@@ -50,8 +49,7 @@ void listFields(T& task, auto&& field) {
          .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
          .anyCharacters = true},
         reason);
-  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"},
-        NullIf{runId.empty(), runId});
+  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"}, NullIf{runId.empty(), runId});
   field({"result_hash", "over all results of the run; NULL while it is missing"},
         NullIf{resultHash.empty(), resultHash});
 }
@@ -91,16 +89,15 @@ struct TimingRow {
   std::string command, binaryHash;
 };
 template <>
-inline constexpr TableInfo tableInfo<TimingRow> = {
-    .name = "timing",
-    .part = TablePart::study,
-    .context = "task_id",
-    .key = "task_id",
-    .why = "of a study: when and where each task was computed"};
+inline constexpr TableInfo tableInfo<TimingRow> = {.name = "timing",
+                                                   .part = TablePart::study,
+                                                   .context = "task_id",
+                                                   .key = "task_id",
+                                                   .why = "of a study: when and where each task was computed"};
 template <IsA<TimingRow> T>
 void listFields(T& timing, auto&& field) {
-  auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads,
-         command, binaryHash] = timing;
+  auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads, command,
+         binaryHash] = timing;
   field({"started", "UTC"}, started);
   field({"ended", "UTC"}, ended);
   field({"cpu_seconds", "", "s"}, cpuSeconds);
@@ -142,10 +139,8 @@ struct AxisRow {
   std::string name;
 };
 template <>
-inline constexpr TableInfo tableInfo<AxisRow> = {.name = "axis",
-                                                 .part = TablePart::study,
-                                                 .key = "number",
-                                                 .why = "of a study: what it varies; compare reads it"};
+inline constexpr TableInfo tableInfo<AxisRow> = {
+    .name = "axis", .part = TablePart::study, .key = "number", .why = "of a study: what it varies; compare reads it"};
 template <IsA<AxisRow> T>
 void listFields(T& axis, auto&& field) {
   auto& [number, name] = axis;
@@ -158,11 +153,10 @@ struct LevelRow {
   std::string label, keys;
 };
 template <>
-inline constexpr TableInfo tableInfo<LevelRow> = {
-    .name = "level",
-    .part = TablePart::study,
-    .key = "axis, number",
-    .why = "of a study: the values of each axis; compare reads it"};
+inline constexpr TableInfo tableInfo<LevelRow> = {.name = "level",
+                                                  .part = TablePart::study,
+                                                  .key = "axis, number",
+                                                  .why = "of a study: the values of each axis; compare reads it"};
 template <IsA<LevelRow> T>
 void listFields(T& level, auto&& field) {
   auto& [axis, number, label, keys] = level;
@@ -192,15 +186,13 @@ void listFields(T& replicate, auto&& field) {
   auto& [condition, seed, task] = replicate;
   field({.name = "condition_id", .refersTo = "condition"}, condition);
   field({"seed"}, AllBits{seed});
-  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"},
-        task);
+  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"}, task);
 }
 
 /// Makes `task`, `result` and `timing`.
 void makeTaskTables(Database& db, bool withComments = true);
 /// Makes the others. `axes`, `keys`: columns of `condition` and `condition_key`.
-void makeStudyTables(Database& db, const std::vector<std::string>& axes,
-                     const std::vector<std::string>& keys);
+void makeStudyTables(Database& db, const std::vector<std::string>& axes, const std::vector<std::string>& keys);
 
 /// All tables of a run and of a study.
 const std::vector<const SqlTable*>& allTables();

@@ -74,9 +74,8 @@ TimingRow TaskFile::timing() {
 std::string TaskFile::buildId() { return morula::buildId(run_.record.build); }
 
 std::string TaskFile::resolved() {
-  Statement s(
-      db(),
-      "SELECT content FROM run_document JOIN document USING (hash) WHERE run_id = ? AND role = 'resolved'");
+  Statement s(db(),
+              "SELECT content FROM run_document JOIN document USING (hash) WHERE run_id = ? AND role = 'resolved'");
   return s.start(run_.id).next() ? s.text(0) : "";
 }
 
@@ -89,8 +88,7 @@ std::string TaskFile::whatIsWrong() {
   Statement integrity(db(), "PRAGMA integrity_check(1)");
   if (integrity.next() && integrity.text(0) != "ok") return "the database is damaged: " + integrity.text(0);
   if (run_.id != task_.runId) return "its task names run " + task_.runId + ", and its run is " + run_.id;
-  if (task_.status != name(run_.status))
-    return "its task is " + task_.status + ", and its run " + name(run_.status);
+  if (task_.status != name(run_.status)) return "its task is " + task_.status + ", and its run " + name(run_.status);
   if (const auto changed = store_.changedRecord(run_.id); !changed.empty()) {
     const ValueDifference& first = changed.front();
     return "the record of its run was changed: " + first.table + ", " + first.row + ": " + first.stored +

@@ -17,9 +17,8 @@ namespace {
 /// Bits are checked exactly; the values beside them tell how large a difference is.
 std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
   if (!scenario.scene.mechanics) return {};  // a lineage has no values
-  return {
-      readRule("tolerance * rel 1e-9 scale 1 why \"what the bits tell exactly, in numbers people can weigh\"",
-               "usual rules")};
+  return {readRule("tolerance * rel 1e-9 scale 1 why \"what the bits tell exactly, in numbers people can weigh\"",
+                   "usual rules")};
 }
 
 /// No result is worth keeping that breaks what the scenario itself demands, or that is not sane.
@@ -40,21 +39,18 @@ TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   }
   const SignalWatch signals;
   Progress progress(label, quiet);
-  return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how),
-                  [&](const World& world) {
-                    stopAtSignal();
-                    progress.show(world);
-                  });
+  return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), [&](const World& world) {
+    stopAtSignal();
+    progress.show(world);
+  });
 }
 
 }  // namespace
 
-AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
-                      bool quiet) {
+AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance, bool quiet) {
   const auto file = goldenFile(scenario);
   refuseWithinCi(file);
-  const CheckedRun checked =
-      simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
+  const CheckedRun checked = simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
   const Simulation& run = checked.run;
   if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);

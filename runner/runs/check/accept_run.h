@@ -19,7 +19,6 @@ struct AcceptedRun {
 /// Runs the scenario, again with another instruction set and number of threads, and together with that its twin (loop/twin_run.h);
 /// writes the golden only if both agree to the last bit. Throws InputError if a run fails or the golden
 /// cannot be accepted.
-AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
-                      bool quiet);
+AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance, bool quiet);
 
 }  // namespace morula

@@ -31,11 +31,8 @@ struct MadeAgain {
 MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execution& how, bool quiet) {
   const auto before = goldenScenario(scenario, golden);
   if (!before)
-    return {
-        {},
-        "its scenario is not known in full (DNA and meshes are recorded as a hash, and git has no other)"};
-  if (before->meaning == scenario.meaning)
-    return {{}, "this build computes other bits from the same scenario"};
+    return {{}, "its scenario is not known in full (DNA and meshes are recorded as a hash, and git has no other)"};
+  if (before->meaning == scenario.meaning) return {{}, "this build computes other bits from the same scenario"};
   try {
     const auto run = simulate(*before, how, {.label = before->scene.name + ", the golden's", .quiet = quiet});
     if (run.signal) return {{}, "", run.signal};
@@ -75,8 +72,8 @@ Drawing BesideGolden::sheet() const {
   return comparisonSheet(images, notes);
 }
 
-BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, const Golden& golden,
-                              const Execution& how, bool quiet) {
+BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, const Golden& golden, const Execution& how,
+                              bool quiet) {
   BesideGolden result;
   OrganismPicture now = pictureOf(world, scenario);
   now.width = now.height = side;
@@ -102,8 +99,7 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
   } else {
     before = spheresOf(golden, scenario);
     if (before.cells.empty())
-      return alone("The golden's organism cannot be shown: " + again.whyNot +
-                   ", and it holds no places of cells.");
+      return alone("The golden's organism cannot be shown: " + again.whyNot + ", and it holds no places of cells.");
     result.source = BesideGolden::Source::centres;
     before.shell = now.shell;
     result.notes = {
@@ -125,8 +121,8 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
   return result;
 }
 
-std::optional<BesideGolden> drawBesideGoldenFile(const Scenario& scenario, const World& now,
-                                                 const Execution& how, bool quiet) {
+std::optional<BesideGolden> drawBesideGoldenFile(const Scenario& scenario, const World& now, const Execution& how,
+                                                 bool quiet) {
   const auto file = goldenFile(scenario);
   if (!now.bodies || !fileExists(file)) return std::nullopt;
   try {

@@ -31,8 +31,7 @@ CheckResult shellHolds(const World& world) {
                  .tolerance = "abs " + exactText(shellSlack),
                  .field = "outermost",
                  .share = outermost <= 1 ? 0 : (outermost - 1) / shellSlack},
-                outermost <= 1 + shellSlack,
-                "a vertex stands at " + text + " of the shell's radius; needs at most 1");
+                outermost <= 1 + shellSlack, "a vertex stands at " + text + " of the shell's radius; needs at most 1");
 }
 
 Hash hashOf(const Image& image) {
@@ -60,10 +59,7 @@ CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path&
 }  // namespace
 
 RunChecks::RunChecks(const Scenario& scenario, const World& start, bool asked)
-    : scenario_(scenario),
-      asked_(asked),
-      invariants_(asked ? scenario.check : CheckParameters{}),
-      sanity_(start) {}
+    : scenario_(scenario), asked_(asked), invariants_(asked ? scenario.check : CheckParameters{}), sanity_(start) {}
 
 std::function<void(const World&)> RunChecks::watch() {
   if (!asked_ || !Invariants::areGiven(scenario_.check)) return {};
@@ -120,8 +116,7 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
   const auto committed = committedText(scenario.file);
   if (!committed) return golden;
   try {
-    const auto before =
-        readScenario(*committed, scenario.file, folderOf(scenario.file), {}, {}, scenario.allowOutside);
+    const auto before = readScenario(*committed, scenario.file, folderOf(scenario.file), {}, {}, scenario.allowOutside);
     if (before.meaning.text() == golden.data.scenarioHash) golden.data.parameters = decidingValues(before);
   } catch (const InputError&) {  // of another version of the format: then it cannot tell
   }

@@ -35,8 +35,7 @@ class RunChecks {
 };
 
 /// Runs the scenario with its checks. `options.watch` is theirs.
-CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {},
-                           bool asked = true);
+CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {}, bool asked = true);
 
 /// What the run's golden would say.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);

@@ -123,10 +123,9 @@ std::optional<Scenario> asCommitted(const Scenario& now, const Golden& golden, c
   if (!text) return std::nullopt;
   std::vector<NamedFile> files;
   for (const NamedFile& file : now.files)
-    if (auto content = committedText(file.path, commit))
-      files.push_back({file.role, file.path, std::move(*content)});
-  return ifMeant(
-      golden, [&] { return readScenario(*text, now.file, folderOf(now.file), {}, files, now.allowOutside); });
+    if (auto content = committedText(file.path, commit)) files.push_back({file.role, file.path, std::move(*content)});
+  return ifMeant(golden,
+                 [&] { return readScenario(*text, now.file, folderOf(now.file), {}, files, now.allowOutside); });
 }
 
 }  // namespace

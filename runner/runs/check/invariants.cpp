@@ -26,8 +26,8 @@ void forEachCell(const char* name, const Observation& now, const See& see) {
 std::string text(const Bounds& b) { return "from " + exactText(b.least) + " to " + exactText(b.most); }
 
 CheckResult resultOf(const char* check, const std::string& expected, const std::string& actual, bool passed) {
-  return judged({.check = check, .kind = "invariant", .expected = expected, .actual = actual, .field = check},
-                passed, std::string("check.") + check + ": " + actual + "; expected " + expected);
+  return judged({.check = check, .kind = "invariant", .expected = expected, .actual = actual, .field = check}, passed,
+                std::string("check.") + check + ": " + actual + "; expected " + expected);
 }
 
 }  // namespace
@@ -69,9 +69,7 @@ void Invariants::observe(const World& world) {
 
 // Comparisons that fail for what is no number.
 bool Invariants::holdSoFar() const {
-  const auto most = [](const std::optional<double>& bound, const Extreme& e) {
-    return !bound || e.value <= *bound;
-  };
+  const auto most = [](const std::optional<double>& bound, const Extreme& e) { return !bound || e.value <= *bound; };
   const auto& volume = check_.volume;
   return (!volume || (leastVolume_.value >= volume->least && mostVolume_.value <= volume->most)) &&
          most(check_.extent, extent_) && most(check_.energy, energy_) && most(check_.momentum, stray_);
@@ -82,8 +80,8 @@ std::vector<CheckResult> Invariants::watched() const { return collect(nullptr); 
 
 std::vector<CheckResult> Invariants::collect(const World* end) const {
   std::vector<CheckResult> all;
-  const auto add = [&](const char* check, const std::string& expected, const std::string& actual,
-                       const Extreme& worst, bool passed) {
+  const auto add = [&](const char* check, const std::string& expected, const std::string& actual, const Extreme& worst,
+                       bool passed) {
     all.push_back(resultOf(check, expected, actual, passed));
     CheckResult& r = all.back();
     r.firstStep = worst.step;
@@ -92,8 +90,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
     r.message += " at step " + std::to_string(worst.step);
     if (worst.cell) r.message += " of " + cellName(worst.cell->text());
   };
-  const auto addBounds = [&](const char* check, const Bounds& bounds, const Extreme& least,
-                             const Extreme& most) {
+  const auto addBounds = [&](const char* check, const Bounds& bounds, const Extreme& least, const Extreme& most) {
     const bool above = !(most.value <= bounds.most);
     add(check, text(bounds), text({least.value, most.value}), above ? most : least,
         least.value >= bounds.least && !above);

@@ -51,9 +51,7 @@ struct Origin {
   friend bool operator==(const Origin&, const Origin&) = default;
 };
 
-Origin originOf(const Scenario& scenario) {
-  return {absolutePath(scenario.file).string(), buildId(buildInfo())};
-}
+Origin originOf(const Scenario& scenario) { return {absolutePath(scenario.file).string(), buildId(buildInfo())}; }
 
 Origin readOrigin(const fs::path& file) {
   Origin origin;
@@ -68,8 +66,8 @@ Origin readOrigin(const fs::path& file) {
 
 fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".png"); }
 
-int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed,
-               const Execution& how, bool quiet) {
+int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
+               bool quiet) {
   const fs::path file = fileOf(scenario, ".golden");
   const Origin origin = originOf(scenario);
   try {
@@ -103,8 +101,7 @@ void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".gold
 
 std::vector<fs::path> pendingScenarios() {
   std::vector<fs::path> scenarios;
-  for (const char* folder :
-       {"golden/.pending", ".pending"}) {  // the second: of scenarios beside their goldens
+  for (const char* folder : {"golden/.pending", ".pending"}) {  // the second: of scenarios beside their goldens
     if (!fileExists(folder)) continue;
     for (const fs::path& result : filesBelow(folder, ".golden")) {
       const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;

@@ -13,8 +13,8 @@ namespace morula {
 /// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h). Where the
 /// folder cannot be written it says so and goes on: nothing is lost but the convenience. Returns the signal that interrupted
 /// the picture, or 0.
-int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed,
-               const Execution& how, bool quiet);
+int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
+               bool quiet);
 /// What waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
 /// Where it lies, and the picture that was written with it; the paths may not exist.

@@ -15,8 +15,8 @@ namespace morula {
 namespace {
 
 /// The same run under the conditions of now.
-RunRecord recordNow(const RunRecord& before, const Scenario& scenario, const Execution& how,
-                    const std::string& command, std::vector<SourceText> documents) {
+RunRecord recordNow(const RunRecord& before, const Scenario& scenario, const Execution& how, const std::string& command,
+                    std::vector<SourceText> documents) {
   RunRecord now;
   now.scenario = before.scenario;
   now.scenarioHash = scenario.meaning.text();
@@ -32,22 +32,20 @@ std::string endText(const std::string& hash, const std::string& failure) {
   return failure.empty() ? hash : "failed: " + failure;
 }
 
-void compareEnds(const StoredRun& before, const std::vector<ChainLink>& hashes, const Simulation& run,
-                 Replay& c) {
+void compareEnds(const StoredRun& before, const std::vector<ChainLink>& hashes, const Simulation& run, Replay& c) {
   c.hashBefore = endText(before.stateHash, before.failure);
   c.hashNow = endText(run.end.stateHash ? run.end.stateHash->text() : "", run.end.failure);
   c.hashesBefore = hashes.size();
   c.hashesNow = run.results.chain.size();
-  const auto [a, b] =
-      std::mismatch(hashes.begin(), hashes.end(), run.results.chain.begin(), run.results.chain.end());
+  const auto [a, b] = std::mismatch(hashes.begin(), hashes.end(), run.results.chain.begin(), run.results.chain.end());
   if (a != hashes.end()) c.firstDifference = a->step;
   else if (b != run.results.chain.end()) c.firstDifference = b->step;
 }
 
 /// Drops a table in which the two cannot be expected to agree, and says why.
 void leaveOut(Replay& c, const std::string& table, const std::string& why) {
-  const auto found = std::find_if(c.tables.begin(), c.tables.end(),
-                                  [&](const TableDifference& t) { return t.table == table; });
+  const auto found =
+      std::find_if(c.tables.begin(), c.tables.end(), [&](const TableDifference& t) { return t.table == table; });
   if (found == c.tables.end()) return;
   c.tables.erase(found);
   c.notCompared.push_back(table + ": " + why);
@@ -74,11 +72,10 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const CheckResult& r : stored.checks(before.id)) elsewhere += r.kind == "golden" || r.kind == "bullet";
   if (!checked) leaveOut(c, "check_result", "the run was not checked");
   if (elsewhere > 0)
-    c.notCompared.push_back(fmt::format(
-        "check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
+    c.notCompared.push_back(
+        fmt::format("check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
   for (const TableContents& t : stored.contents(runTables(), before.id))
-    if (t.table == "bullet_sample" && t.rows > 0)
-      c.notCompared.push_back("bullet_sample: Bullet is not run again");
+    if (t.table == "bullet_sample" && t.rows > 0) c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }
 
 std::string describe(const ValueDifference& d) {
@@ -93,25 +90,18 @@ std::string describeTables(const Replay& c) {
   for (const TableDifference& t : c.tables) {
     if (t.differing == 0) ++same, rows += t.rows;
     else
-      text += fmt::format("  {:<15} {} of {} rows differ{}\n    first {}\n", t.table, t.differing,
-                          std::max(t.rows, t.recomputedRows),
-                          t.rows == t.recomputedRows
-                              ? ""
-                              : fmt::format(" ({} are stored, {} recomputed)", t.rows, t.recomputedRows),
-                          describe(*t.first));
+      text += fmt::format(
+          "  {:<15} {} of {} rows differ{}\n    first {}\n", t.table, t.differing, std::max(t.rows, t.recomputedRows),
+          t.rows == t.recomputedRows ? "" : fmt::format(" ({} are stored, {} recomputed)", t.rows, t.recomputedRows),
+          describe(*t.first));
   }
-  text += fmt::format("  tables          {}{} the same, {} rows\n", same == c.tables.size() ? "all " : "",
-                      same, rows);
+  text += fmt::format("  tables          {}{} the same, {} rows\n", same == c.tables.size() ? "all " : "", same, rows);
   for (const std::string& what : c.notCompared) text += fmt::format("  not compared    {}\n", what);
   return text;
 }
 
 Json toJson(const ValueDifference& d) {
-  return {{"table", d.table},
-          {"row", d.row},
-          {"column", d.column},
-          {"stored", d.stored},
-          {"recomputed", d.recomputed}};
+  return {{"table", d.table}, {"row", d.row}, {"column", d.column}, {"stored", d.stored}, {"recomputed", d.recomputed}};
 }
 
 /// The kinds of checks that the run was held against and that it decides itself: it is again. Sanity is measured of every
@@ -126,8 +116,7 @@ std::set<std::string> kindsOfChecks(Store& store, const StoredRun& run, const Sc
 
 }  // namespace
 
-Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
-              const ReplayQuestion& question) {
+Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, const ReplayQuestion& question) {
   Replay c;
   const Execution& how = question.execution;
   const RunRecord now = recordNow(before.record, scenario, how, question.command, store.documents(before.id));
@@ -139,8 +128,8 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
   const bool endAlone = hashes.size() == 1 && hashes.front().step == before.steps && before.steps > 0;
   RecordOptions recording = recordingOf(scenario, !hashes.empty() && !endAlone);
   recording.hashEnd = endAlone;
-  CheckedRun checked = simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording},
-                                       kinds.contains("invariant"));
+  CheckedRun checked =
+      simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording}, kinds.contains("invariant"));
   Simulation& run = checked.run;
   c.signal = run.signal;
   if (c.signal) return c;
@@ -175,10 +164,8 @@ std::string describe(const Replay& c, const StoredRun& run) {
   text += same == c.conditions.size() ? fmt::format("  conditions      all {} the same\n", same)
                                       : fmt::format("  conditions      {} others the same\n", same);
   if (c.hashBefore == c.hashNow) text += fmt::format("  state           the same: {}\n", c.hashNow);
-  else
-    text += fmt::format("  state           differs\n    then  {}\n    now   {}\n", c.hashBefore, c.hashNow);
-  if (c.firstDifference)
-    text += fmt::format("  steps           differ first at step {}\n", *c.firstDifference);
+  else text += fmt::format("  state           differs\n    then  {}\n    now   {}\n", c.hashBefore, c.hashNow);
+  if (c.firstDifference) text += fmt::format("  steps           differ first at step {}\n", *c.firstDifference);
   else if (c.hashesBefore > 0)
     text += fmt::format("  steps           all {} hashes on the way the same\n", c.hashesBefore);
   else text += "  steps           none were hashed on the way\n";

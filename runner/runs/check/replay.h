@@ -37,8 +37,7 @@ struct ReplayQuestion {
 
 /// Runs the stored run `before` again, which has ended, and compares. A record that was changed since it was stored is not
 /// run.
-Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
-              const ReplayQuestion& question);
+Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, const ReplayQuestion& question);
 
 /// For people.
 std::string describe(const Replay& replay, const StoredRun& run);

@@ -31,8 +31,8 @@ Box boxOf(const World& world, int cell) {
 }
 
 bool meet(const Box& a, const Box& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y &&
-         a.low.z < b.high.z && b.low.z < a.high.z;
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z &&
+         b.low.z < a.high.z;
 }
 
 /// False only if no two cells reach each other.
@@ -82,9 +82,8 @@ std::string contactAdvice(const MechanicsScene& m) {
   if (m.contact->law == ContactLaw::thesis)
     return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more "
            "physics.drag";
-  return fmt::format(
-      "what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
-      exactText(m.contact->stiffness), exactText(m.contact->radius));
+  return fmt::format("what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
+                     exactText(m.contact->stiffness), exactText(m.contact->radius));
 }
 
 std::string sentence(const SanityMeasure& m, const World& world) {
@@ -99,12 +98,12 @@ std::string sentence(const SanityMeasure& m, const World& world) {
     return fmt::format("{} is turned inside out over {} of its surface; fine is at most {}", who, v(m.value),
                        v(m.most));
   if (m.name == "overlap")
-    return fmt::format("{} shares {} of its volume with {}; fine is at most {}; {}", who, v(m.value),
-                       nameOf(m.other), v(m.most), contactAdvice(scene));
+    return fmt::format("{} shares {} of its volume with {}; fine is at most {}; {}", who, v(m.value), nameOf(m.other),
+                       v(m.most), contactAdvice(scene));
   if (m.name == "gap")
     return fmt::format(
-        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both",
-        who, v(m.value), v(m.most));
+        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both", who,
+        v(m.value), v(m.most));
   if (m.name == "outermost")
     return fmt::format("{} stands out of the shell: its surface reaches {:.6g} of its radius{}", who, m.value,
                        !kindOf(scene.physics.cell.model).hasMesh
@@ -144,13 +143,12 @@ CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParame
 
 /// A scene that says it is not sane and is.
 CheckResult needlessExcuse(const CheckParameters& check) {
-  return judged(
-      {.check = "sanity because",
-       .kind = "sanity",
-       .expected = "not sane, because " + check.because,
-       .actual = "sane",
-       .field = "sane"},
-      false, "check.sane is false, and the end lies within all bounds; remove check.sane and check.because");
+  return judged({.check = "sanity because",
+                 .kind = "sanity",
+                 .expected = "not sane, because " + check.because,
+                 .actual = "sane",
+                 .field = "sane"},
+                false, "check.sane is false, and the end lies within all bounds; remove check.sane and check.because");
 }
 
 }  // namespace
@@ -165,8 +163,7 @@ SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path), states_
   energyScale_ = std::max(energy.total() - 2 * energy.adhesion, energyNoise * atRest);
 }
 
-std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParameters& check,
-                                              bool held) const {
+std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParameters& check, bool held) const {
   std::vector<SanityMeasure> measures = measureSanity(end);
   const bool finite = !measures.empty() && measures[0].holds();
   if (energy_ && finite && end.cells.path == cells_ && (!sticksBySubstances(end) || statesOf(end) == states_)) {
@@ -175,8 +172,7 @@ std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParam
   }
   std::vector<CheckResult> all;
   for (const SanityMeasure& m : measures) all.push_back(resultOf(m, end, check));
-  const bool sane =
-      std::all_of(measures.begin(), measures.end(), [](const SanityMeasure& m) { return m.holds(); });
+  const bool sane = std::all_of(measures.begin(), measures.end(), [](const SanityMeasure& m) { return m.holds(); });
   if (!measures.empty() && held && !check.sane && sane) all.push_back(needlessExcuse(check));
   return all;
 }

@@ -9,8 +9,8 @@
 namespace morula {
 
 std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings) {
-  const auto count = std::ranges::count_if(
-      settlings, [&](const SettlingRecord& s) { return !(s.residual <= asked.tolerance); });
+  const auto count =
+      std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return !(s.residual <= asked.tolerance); });
   if (count == 0) return "";
   const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, &SettlingRecord::residual);
   return fmt::format(

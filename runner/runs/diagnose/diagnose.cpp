@@ -33,9 +33,7 @@ class Budget {
   bool allows(const World& world, std::uint64_t steps) const {
     return spent_ + costOf(world) * static_cast<double>(steps) <= diagnosisLimit;
   }
-  void spend(const World& world, std::uint64_t steps) {
-    spent_ += costOf(world) * static_cast<double>(steps);
-  }
+  void spend(const World& world, std::uint64_t steps) { spent_ += costOf(world) * static_cast<double>(steps); }
 
  private:
   static double costOf(const World& world) {
@@ -73,8 +71,7 @@ std::optional<Rerun> runAgain(const Scene& scene, const Execution& execution, st
   World world = makeWorld(scene, execution);
   Rerun rerun{keep(world), {}, {}};
   rerun.good = rerun.last = rerun.start;
-  const std::uint64_t end = failedStep > 0 ? failedStep - 1 : 0,
-                      apart = std::max<std::uint64_t>(1, end / statesKept);
+  const std::uint64_t end = failedStep > 0 ? failedStep - 1 : 0, apart = std::max<std::uint64_t>(1, end / statesKept);
   const std::uint64_t lookFrom = end > fewStepsMeasured ? end - fewStepsMeasured : 0;
   while (world.clock.step < end) {
     const std::uint64_t now = world.clock.step;
@@ -99,20 +96,16 @@ bool lives(const World& world, const CellPath& cell) {
   return std::binary_search(world.cells.path.begin(), world.cells.path.end(), cell);
 }
 
-std::string share(double part, double whole) {
-  return std::to_string(std::lround(100 * part / whole)) + " %";
-}
+std::string share(double part, double whole) { return std::to_string(std::lround(100 * part / whole)) + " %"; }
 
 /// "in its last 16 steps contacts did 91 % of the work on it, springs 9 %"
 std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t steps) {
   double all = 0;
   for (const ForceWork& w : works)
     if (w.work > 0) all += w.work;
-  const std::string when =
-      steps == 1 ? "in the step before " : "in the " + std::to_string(steps) + " steps before ";
+  const std::string when = steps == 1 ? "in the step before " : "in the " + std::to_string(steps) + " steps before ";
   if (!(all > 0) || !(all < INFINITY)) return when + "no force drove it, only its own motion";
-  std::string text =
-      when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove it";
+  std::string text = when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove it";
   for (std::size_t i = 1; i < works.size(); ++i)
     if (works[i].work > 0.01 * all) text += ", " + works[i].force + " " + share(works[i].work, all);
   return text;
@@ -147,15 +140,13 @@ std::string describeLimit(const World& world, const CellPath& cell) {
                             {"its pressure", own.pressure},
                             {"drag", dragLimit(p.integrator, p.drag)}};
   if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
-    limits.push_back(
-        {"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
-                                  world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});
-  const Limit lowest = *std::min_element(limits.begin(), limits.end(),
-                                         [](const Limit& x, const Limit& y) { return x.time < y.time; });
+    limits.push_back({"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
+                                               world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});
+  const Limit lowest =
+      *std::min_element(limits.begin(), limits.end(), [](const Limit& x, const Limit& y) { return x.time < y.time; });
   if (!(lowest.time > 0 && lowest.time < INFINITY)) return "";
   return "the time step " + exactText(world.clock.timeStep) + " is " +
-         numberText(world.clock.timeStep / lowest.time, 2) + " of the lowest stability limit, that of " +
-         lowest.of;
+         numberText(world.clock.timeStep / lowest.time, 2) + " of the lowest stability limit, that of " + lowest.of;
 }
 
 enum class Outcome { holds, fails, refused, tooLong };
@@ -221,9 +212,9 @@ FailureFindings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, 
 }
 
 std::string describe(const FailureFindings& found, const Kept& from, const BodyFailure& failure) {
-  const std::string since =
-      from.step == 0 ? "tried from the start: "
-                     : "tried from step " + std::to_string(from.step) + " on, where all was well: ";
+  const std::string since = from.step == 0
+                                ? "tried from the start: "
+                                : "tried from step " + std::to_string(from.step) + " on, where all was well: ";
   std::string text;
   if (!found.failed.empty())
     text = since + list(found.failed) + (found.failed.size() == 1 ? " does" : " do") + " not help";

@@ -18,8 +18,7 @@ void add(std::vector<Remedy>& remedies, const char* key, double value, std::func
 double rounded(double a) { return std::stod(numberText(a, 3)); }
 
 void addTimeSteps(std::vector<Remedy>& remedies, const World& world, double advised) {
-  std::vector<double> steps{powerOfTwoBelow(0.5 * world.clock.timeStep),
-                            powerOfTwoBelow(0.125 * world.clock.timeStep)};
+  std::vector<double> steps{powerOfTwoBelow(0.5 * world.clock.timeStep), powerOfTwoBelow(0.125 * world.clock.timeStep)};
   if (advised > 0) steps = {advised};
   for (const double step : steps) {
     add(remedies, "physics.time_step", step, [step](World& w) { w.bodies->parameters.timeStep = step; });
@@ -82,8 +81,7 @@ void addMembrane(std::vector<Remedy>& remedies, const World& world) {
 
 void addConnections(std::vector<Remedy>& remedies, const World& world) {
   if (!world.connections || !world.connections->parameters.strength) return;
-  remedies.push_back(
-      {"connections.strength", "shared", [](World& w) { w.connections->parameters.strength.reset(); }});
+  remedies.push_back({"connections.strength", "shared", [](World& w) { w.connections->parameters.strength.reset(); }});
 }
 
 /// So much that the motion of a few hundred time steps dies away.

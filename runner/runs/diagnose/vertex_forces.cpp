@@ -138,8 +138,8 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
   };
   if (b.model().hasMembrane) {
     at(ForceKind::spring) = springForces(b, slot);
-    at(ForceKind::pressure) = scaled(
-        b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside, volumeGradients(b, slot));
+    at(ForceKind::pressure) =
+        scaled(b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside, volumeGradients(b, slot));
     at(ForceKind::other) = dragForces(b, slot);
   }
   add(ForceKind::contact, outer.bareContact ? outer.bareContact : outer.contact);
@@ -188,9 +188,8 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
                      addContactForces(*world.contacts, b, slot / blockLanes, world.clock.timeStep);
                    })});
   if (world.connections)
-    all.push_back({"connections", addedForces(b, slot, [&] {
-                     addConnectionForces(*world.connections, world.cells.path, b);
-                   })});
+    all.push_back(
+        {"connections", addedForces(b, slot, [&] { addConnectionForces(*world.connections, world.cells.path, b); })});
   if (world.motility) all.push_back({"crawling", addedForces(b, slot, [&] { addMotility(world); })});
   if (b.model().hasRestShape) {
     VertexForces shape{"its shape", {}};  // what is left of the whole

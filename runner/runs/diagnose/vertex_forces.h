@@ -28,8 +28,7 @@ inline constexpr auto choices<ForceKind> = std::to_array<Choice<ForceKind>>({
     {ForceKind::contact, "contact", "of cells that are pressed together, with friction"},
     {ForceKind::adhesion, "adhesion", "of cells that stick together, and of connections"},
     {ForceKind::shell, "shell", "of the shell against what presses on it"},
-    {ForceKind::other, "other",
-     "drag, crawling, chirality, and where a cell's shape is kept in another way that"},
+    {ForceKind::other, "other", "drag, crawling, chirality, and where a cell's shape is kept in another way that"},
 });
 
 /// [ForceKind][vertex] of one cell [force]; all kinds add up to mass times acceleration.

@@ -38,8 +38,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
   for (const Point& x : cell.position) places.push_back(toBullet(x));
   const double vertexMass = cell.mass / mesh.vertexCount();
   const std::vector<btScalar> masses(places.size(), vertexMass);
-  auto body =
-      std::make_unique<btSoftBody>(&info, static_cast<int>(places.size()), places.data(), masses.data());
+  auto body = std::make_unique<btSoftBody>(&info, static_cast<int>(places.size()), places.data(), masses.data());
   for (std::size_t v = 0; v < cell.velocity.size(); ++v)
     body->m_nodes[static_cast<int>(v)].m_v = toBullet(cell.velocity[v]);
 
@@ -52,8 +51,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
   const double dt = scene.timeStep, inverseMasses = 2 / vertexMass;
   btSoftBody::Material* material = body->appendMaterial();
   material->m_kLST = scene.physics.membrane.stiffness * dt * dt * inverseMasses / scene.iterations;
-  for (int e = 0; e < mesh.edgeCount(); ++e)
-    body->appendLink(mesh.edges[2 * e], mesh.edges[2 * e + 1], material);
+  for (int e = 0; e < mesh.edgeCount(); ++e) body->appendLink(mesh.edges[2 * e], mesh.edges[2 * e + 1], material);
   for (const Face& f : mesh.mesh.faces) body->appendFace(f[0], f[1], f[2], material);
 
   // Appending makes Bullet's next step take every length as it finds it for the rest length. So that step is
@@ -96,8 +94,7 @@ void checkPrecision(const Mesh& egg, btSoftBodyWorldInfo& info) {
                "Bullet's library measures another volume: is it of another precision than its headers?");
 }
 
-std::vector<Body> readCells(const BulletScene& scene,
-                            const std::vector<std::unique_ptr<btSoftBody>>& bodies) {
+std::vector<Body> readCells(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies) {
   std::vector<Body> cells = scene.cells;
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t v = 0; v < cells[i].position.size(); ++v) {

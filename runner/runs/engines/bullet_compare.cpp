@@ -22,8 +22,7 @@ double aspect(const Shape& shape) {
     const Eigen::Vector3d d(p.x - centre.x, p.y - centre.y, p.z - centre.z);
     moments += d * d.transpose();
   }
-  const auto values =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  const auto values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
   return values[2] == 0 ? 1 : std::sqrt(values[2] / values[0]);
 }
 
@@ -34,9 +33,7 @@ double meanRadius(const Shape& shape) {
   return sum / static_cast<double>(shape.size());
 }
 
-double centreDistance(const Shape& a, const Shape& b) {
-  return norm(measureCentroid(a) - measureCentroid(b));
-}
+double centreDistance(const Shape& a, const Shape& b) { return norm(measureCentroid(a) - measureCentroid(b)); }
 
 /// The worst of several comparisons of one metric.
 class Metric {
@@ -65,8 +62,8 @@ class Metric {
   CheckResult result(std::uint64_t step) const {
     CheckResult r = judged(result_, *result_.share <= 1,
                            "check.bullet." + result_.field + ": ours " + result_.actual + ", Bullet's " +
-                               result_.expected + "; needs " + result_.tolerance + ", at step " +
-                               std::to_string(step) + " of " + cellName(result_.cell.value_or("")));
+                               result_.expected + "; needs " + result_.tolerance + ", at step " + std::to_string(step) +
+                               " of " + cellName(result_.cell.value_or("")));
     if (!r.passed) r.firstStep = step;
     return r;
   }
@@ -106,8 +103,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
   const auto eachCell = [&](const char* field, const std::optional<double>& tolerance, const auto& measure) {
     if (!tolerance) return;
     Metric metric(field, relative(*tolerance), *tolerance);
-    for (std::size_t i = 0; i < own.size(); ++i)
-      metric.seeRelative(measure(shapes[i]), measure(own[i]), names[i]);
+    for (std::size_t i = 0; i < own.size(); ++i) metric.seeRelative(measure(shapes[i]), measure(own[i]), names[i]);
     results.push_back(metric.result(ours.clock.step));
   };
 
@@ -121,8 +117,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
     results.push_back(metric.result(ours.clock.step));
   }
   eachCell("radius", check.radius, meanRadius);
-  eachCell("volume", check.volume,
-           [&](const Shape& s) { return measureVolume(s, ours.model.mechanics->mesh.faces); });
+  eachCell("volume", check.volume, [&](const Shape& s) { return measureVolume(s, ours.model.mechanics->mesh.faces); });
   if (check.distance) {
     Metric metric("distance", relative(*check.distance), *check.distance);
     bool touching = false;

@@ -89,9 +89,8 @@ struct ExplicitEngine final : BulletEngine {
 
   void step() override {
     if (scene.baseline == Baseline::b1)
-      eachNode([&](btSoftBody::Node& node, std::size_t at) {
-        node.m_f += read(notebook.acceleration, at) / node.m_im;
-      });
+      eachNode(
+          [&](btSoftBody::Node& node, std::size_t at) { node.m_f += read(notebook.acceleration, at) / node.m_im; });
     else
       for (std::size_t i = 0; i < bodies.size(); ++i)
         setPressure(*bodies[i], scene.cells[i].pressureConstant, scene.physics.pressure.outside);
@@ -106,9 +105,8 @@ struct ExplicitEngine final : BulletEngine {
     // w = v + ½Δt a, with the acceleration that led here: the velocity at the time of the positions, as
     // velocity Verlet predicts it.
     if (secondOrder)
-      eachNode([&](const btSoftBody::Node& node, std::size_t at) {
-        write(notebook.velocity, at, node.m_v + halfKick(at));
-      });
+      eachNode(
+          [&](const btSoftBody::Node& node, std::size_t at) { write(notebook.velocity, at, node.m_v + halfKick(at)); });
     evaluateForces();
   }
 

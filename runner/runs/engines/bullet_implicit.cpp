@@ -30,9 +30,7 @@ class ContentsForce final : public btDeformableLagrangianForce {
   void addScaledDampingForceDifferential(btScalar, const TVStack&, TVStack&) override {}
   void buildDampingForceDifferentialDiagonal(btScalar, TVStack&) override {}
   /// None of Bullet's own kinds: forces of one kind are taken for one force.
-  btDeformableLagrangianForceType getForceType() override {
-    return static_cast<btDeformableLagrangianForceType>(100);
-  }
+  btDeformableLagrangianForceType getForceType() override { return static_cast<btDeformableLagrangianForceType>(100); }
 
  private:
   /// f = P Σ A/3 over the faces of a vertex: a sixth of the cross product of two edges each [Nilsson 2008,
@@ -67,8 +65,7 @@ struct ImplicitEngine final : BulletEngine {
   btDbvtBroadphase broadphase;
   btDeformableBodySolver deformables;
   btDeformableMultiBodyConstraintSolver constraints;
-  btDeformableMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &constraints, &configuration,
-                                           &deformables};
+  btDeformableMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &constraints, &configuration, &deformables};
   btDeformableMassSpringForce springs;
   ContentsForce contents{scene};
   std::vector<std::unique_ptr<btSoftBody>> bodies;

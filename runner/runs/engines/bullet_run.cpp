@@ -45,8 +45,7 @@ void BulletRun::step() {
 namespace {
 
 void placeCell(Bodies& b, int slot, const std::vector<Point>& shape) {
-  for (int v = 0; v < b.vertexCount(slot); ++v)
-    b.write(b.position, slot, v, shape[static_cast<std::size_t>(v)]);
+  for (int v = 0; v < b.vertexCount(slot); ++v) b.write(b.position, slot, v, shape[static_cast<std::size_t>(v)]);
   b.volume[slot] = measureVolume(shape, b.meshOf(slot).mesh.faces);
   b.pressure[slot] = b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside;
 }

@@ -21,8 +21,8 @@ struct BulletScene {
   std::vector<Body> cells;
   double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes it as a float, even in double precision
   bool contact = true;       // vertices of a cell against faces of others
-  double margin = 0.01;  // [length] of each surface: cells at rest against each other are two of them apart
-  int iterations = 1;    // of Bullet's position solver in each step: contacts, and B2's links
+  double margin = 0.01;      // [length] of each surface: cells at rest against each other are two of them apart
+  int iterations = 1;        // of Bullet's position solver in each step: contacts, and B2's links
 
   bool touching() const { return contact && cells.size() > 1; }
 };

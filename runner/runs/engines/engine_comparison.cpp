@@ -30,8 +30,8 @@ Verdict askThesis(const Scenario& scenario, const ExternalQuestion& question) {
   const auto& contact = scenario.scene.mechanics->contact;
   if (!contact) return notAsked("as ours: nothing touches");
   if (contact->law == ContactLaw::thesis) return notAsked("is ours");
-  const Scenario changed = loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}},
-                                        scenario.allowOutside);
+  const Scenario changed =
+      loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}}, scenario.allowOutside);
   return judge(scenario.check, runExternally(changed, question, ownProgram()));
 }
 
@@ -39,12 +39,10 @@ Verdict askBullet(const Scenario& scenario, const ExternalQuestion& question, Ba
   if (!bulletIsAvailable()) return notAsked("not asked: this build has no Bullet");
   for (const auto& one : scenario::bulletIncompatibilities(scenario, baseline))
     if (one.lacks) return notAsked("cannot be asked: " + one.wrong);
-  if (baseline == Baseline::b3 &&
-      (scenario.scene.mechanics->contact || scenario.scene.mechanics->physics.shell))
+  if (baseline == Baseline::b3 && (scenario.scene.mechanics->contact || scenario.scene.mechanics->physics.shell))
     return notAsked("cannot be asked: b3 knows neither contact nor shell");
   const ExternalRun run = runExternally(scenario, question, ownProgram());
-  if (run.end == ExternalRun::End::refused)
-    return notAsked("cannot be asked: " + withoutPlace(run.why, scenario));
+  if (run.end == ExternalRun::End::refused) return notAsked("cannot be asked: " + withoutPlace(run.why, scenario));
   return judge(scenario.check, run);
 }
 
@@ -80,14 +78,13 @@ std::vector<Engine> parseEngines(const std::string& text) {
       if (word == name(engine) || (word == "bullet" && (engine == Engine::b1 || engine == Engine::b2)))
         engines.push_back(engine);
     if (engines.size() == before)
-      throw InputError("'" + word +
-                       "' is no engine; needs some of thesis, bullet, b1, b2, b3, as thesis,bullet");
+      throw InputError("'" + word + "' is no engine; needs some of thesis, bullet, b1, b2, b3, as thesis,bullet");
   }
   return engines;
 }
 
-std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios,
-                                          const std::vector<Verdict>& own, const ComparisonOptions& options) {
+std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios, const std::vector<Verdict>& own,
+                                          const ComparisonOptions& options) {
   std::vector<ComparisonRow> rows;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     rows.push_back({goldenName(scenarios[i].file), {own[i]}});
@@ -100,8 +97,7 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
   const auto work = [&] {
     for (std::size_t i; (i = next++) < count;) {
       const std::size_t row = i / options.engines.size(), column = i % options.engines.size();
-      Verdict& verdict = rows[row].verdicts[1 + column] =
-          ask(scenarios[row], options.engines[column], options);
+      Verdict& verdict = rows[row].verdicts[1 + column] = ask(scenarios[row], options.engines[column], options);
       const std::lock_guard<std::mutex> alone(console);
       tell(rows[row].scenario + ", " + title(options.engines[column]) + ": " + verdict.text, options.quiet);
     }

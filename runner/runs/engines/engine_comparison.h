@@ -48,8 +48,8 @@ struct ComparisonOptions {
 
 /// Asks all engines for all scenarios, as many processes at a time as there are processors. `own`: ours, one
 /// for each scenario.
-std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios,
-                                          const std::vector<Verdict>& own, const ComparisonOptions& options);
+std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios, const std::vector<Verdict>& own,
+                                          const ComparisonOptions& options);
 
 /// A Markdown table, a row for each scenario.
 std::string comparisonTable(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);

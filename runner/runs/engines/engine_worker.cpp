@@ -21,8 +21,7 @@ BulletResult runRequest(const BulletRequest& request) {
   BulletResult result;
   for (int i = 1; i <= request.steps; ++i) {
     result.stepSeconds.push_back(timeOf(ClockKind::process, [&] { world.step(); }));
-    if (std::binary_search(request.reports.begin(), request.reports.end(), i))
-      result.reports.push_back(world.cells());
+    if (std::binary_search(request.reports.begin(), request.reports.end(), i)) result.reports.push_back(world.cells());
   }
   result.cells = world.cells();
   return result;
@@ -68,16 +67,14 @@ BulletResult runInBullet(const BulletRequest& request, const std::string& progra
   }
 }
 
-ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question,
-                          const std::string& program) {
-  const ChildEnd end = runChild({program, workerVerb}, {.input = jsonText(toJson(scenario, question)),
-                                                        .cpuSeconds = question.cpuSeconds});
+ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question, const std::string& program) {
+  const ChildEnd end = runChild({program, workerVerb},
+                                {.input = jsonText(toJson(scenario, question)), .cpuSeconds = question.cpuSeconds});
   const Json message = lastMessage(end.said);
   ExternalRun silent;
   if (message.is_object() && message.contains("step") && message["step"].is_number_unsigned())
     message["step"].get_to(silent.step);
-  if (end.outOfTime())
-    silent.why = "no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
+  if (end.outOfTime()) silent.why = "no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
   else if (!end.well()) silent.why = "its process " + end.text();
   else silent.why = "its answer is cut";
   if (!end.well()) return silent;

@@ -19,7 +19,6 @@ BulletResult runInBullet(const BulletRequest& request, const std::string& progra
 
 /// The same of a scenario with mechanics; with the engine thesis it has that law already. Never throws for what goes wrong
 /// on the other side.
-ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question,
-                          const std::string& program);
+ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question, const std::string& program);
 
 }  // namespace morula

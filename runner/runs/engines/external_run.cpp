@@ -37,8 +37,7 @@ std::vector<std::vector<Point>> shapesOf(const World& world) {
 /// Keeps the shapes at the times that are asked for.
 class FrameKeeper {
  public:
-  FrameKeeper(const std::vector<double>& times, std::vector<ExternalFrame>& frames)
-      : times_(times), frames_(frames) {}
+  FrameKeeper(const std::vector<double>& times, std::vector<ExternalFrame>& frames) : times_(times), frames_(frames) {}
   void observe(const World& world) {
     if (next_ == times_.size() || world.clock.time < times_[next_]) return;
     while (next_ < times_.size() && world.clock.time >= times_[next_]) ++next_;

@@ -60,7 +60,7 @@ struct ExternalRun {
   std::vector<CheckResult> results;        // of what the scenario's check demands; or what is broken
   Bounds volumes;                          // [1] of all cells, over those at rest
   std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
-  std::vector<Sample> samples;  // as the scenario records, and the end; without states and contacts
+  std::vector<Sample> samples;             // as the scenario records, and the end; without states and contacts
   std::vector<ExternalFrame> frames = {};  // as they were asked for; none after mostFrameVertices
 };
 

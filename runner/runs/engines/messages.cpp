@@ -123,16 +123,14 @@ BulletResult bulletResultFrom(const Json& json) { return fromJson<BulletResult>(
 
 Json toJson(const Scenario& scenario, const ExternalQuestion& question) {
   Json json = toJson(question);
-  json["scenario"] = scenario.resolved, json["file"] = scenario.file,
-  json["files"] = memberJson(scenario.files);
+  json["scenario"] = scenario.resolved, json["file"] = scenario.file, json["files"] = memberJson(scenario.files);
   return json;
 }
 
 Scenario scenarioFrom(const Json& json) {
   std::vector<NamedFile> files;
   readMember(json.at("files"), files);
-  return readScenario(json.at("scenario").get<std::string>(), json.at("file").get<std::string>(), "", {},
-                      files);
+  return readScenario(json.at("scenario").get<std::string>(), json.at("file").get<std::string>(), "", {}, files);
 }
 
 ExternalQuestion externalQuestionFrom(const Json& json) { return fromJson<ExternalQuestion>(json); }

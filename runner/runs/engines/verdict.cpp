@@ -35,8 +35,7 @@ std::string inShort(const CheckResult& r) {
   const auto after = [](const std::string& text, std::size_t length) { return text.substr(length); };
   std::string text = r.check + ' ' + r.actual + ", not " + r.expected;
   if (r.expected.starts_with("at most ")) text = r.check + ' ' + r.actual + " > " + after(r.expected, 8);
-  else if (r.expected.starts_with("at least "))
-    text = r.check + ' ' + r.actual + " < " + after(r.expected, 9);
+  else if (r.expected.starts_with("at least ")) text = r.check + ' ' + r.actual + " < " + after(r.expected, 9);
   else if (const auto to = r.expected.find(" to "); r.expected.starts_with("from ") && to != text.npos)
     text = r.check + ' ' + after(r.actual, 5) + " of [" + r.expected.substr(5, to - 5) + ", " +
            after(r.expected, to + 4) + ']';
@@ -58,16 +57,13 @@ std::optional<Verdict> brokenOf(const std::vector<CheckResult>& results) {
 Verdict noCell(const ExternalRun& run) {
   const auto place = std::find_if(run.results.begin(), run.results.end(),
                                   [](const CheckResult& r) { return r.check == "extent" && !r.passed; });
-  return {
-      Verdict::Kind::breaks,
-      fmt::format("breaks: {} at step {}", place == run.results.end() ? "inside out" : "no number", run.step),
-      run.step};
+  return {Verdict::Kind::breaks,
+          fmt::format("breaks: {} at step {}", place == run.results.end() ? "inside out" : "no number", run.step),
+          run.step};
 }
 
 /// Up to the remedy, which is for the author of the scenario.
-std::string firstPart(const std::string& why) {
-  return why.substr(0, std::min(why.find(';'), why.find('\n')));
-}
+std::string firstPart(const std::string& why) { return why.substr(0, std::min(why.find(';'), why.find('\n'))); }
 
 }  // namespace
 
@@ -87,10 +83,9 @@ Verdict judge(const CheckParameters& check, const ExternalRun& run) {
   }
   if (run.end == End::broken) return noCell(run);
   if (mustStop)
-    return {
-        Verdict::Kind::goesOn,
-        fmt::format("goes on: volume {:.4g} to {:.4g} of that at rest", run.volumes.least, run.volumes.most),
-        {}};
+    return {Verdict::Kind::goesOn,
+            fmt::format("goes on: volume {:.4g} to {:.4g} of that at rest", run.volumes.least, run.volumes.most),
+            {}};
   return brokenOf(run.results).value_or(Verdict{Verdict::Kind::holds, "holds", {}});
 }
 

@@ -57,16 +57,15 @@ std::string describe(const Explanation& x, const std::string& e, const std::stri
                      const HashTrace& ta) {
   std::string text = x.failureClass + ": ";
   text += x.step == 0u ? "different before the first step"
-                       : "the same up to step " + std::to_string(x.lastEqual.value_or(0)) +
-                             ", different at step " + std::to_string(*x.step);
+                       : "the same up to step " + std::to_string(x.lastEqual.value_or(0)) + ", different at step " +
+                             std::to_string(*x.step);
   text += "\n  expected  " + e + "\n  actual    " + a;
   if (x.difference) text += "\n  first     " + x.difference->text;
   if (!x.cells.empty())
     text += "\n  cells     " + inWords(x.cells) + (x.cells.size() == 1 ? " differs" : " differ") + " there";
   for (const auto& [who, trace] : {std::pair{"expected", &te}, std::pair{"actual", &ta}})
     if (!trace->failure.empty())
-      text += "\n  " + std::string(who) + " ended at step " + std::to_string(trace->lastStep) + ": " +
-              trace->failure;
+      text += "\n  " + std::string(who) + " ended at step " + std::to_string(trace->lastStep) + ": " + trace->failure;
   return text + '\n';
 }
 
@@ -84,11 +83,8 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
     return x;
   }
   if (const std::uint64_t from = window.lastEqual.value_or(0); window.first > from + 1) {
-    HashTrace finerE = expected.hashTrace(from, window.first, 1),
-              finerA = actual.hashTrace(from, window.first, 1);
-    const auto stepByStep = [from](const HashTrace& t) {
-      return t.links.size() > 1 && t.links[1].step == from + 1;
-    };
+    HashTrace finerE = expected.hashTrace(from, window.first, 1), finerA = actual.hashTrace(from, window.first, 1);
+    const auto stepByStep = [from](const HashTrace& t) { return t.links.size() > 1 && t.links[1].step == from + 1; };
     if (stepByStep(finerE) && stepByStep(finerA)) {
       const Window finer = partingOf(finerE, finerA);
       if (finer.same) window = {false, window.first, window.first + 1};  // one ends there, the other goes on
@@ -100,12 +96,8 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
   if (window.expected && window.actual) x.cells = cellsThatDiffer(*window.expected, *window.actual);
   const auto worldE = expected.stateAt(window.first), worldA = actual.stateAt(window.first);
   if (worldE && worldA) x.difference = findStateDifference(*worldE, *worldA);
-  x.cell = x.difference      ? x.difference->cell
-           : x.cells.empty() ? std::nullopt
-                             : std::optional(x.cells.front());
-  x.failureClass = window.first == 0                       ? "SETUP"
-                   : x.difference && x.difference->lineage ? "LINEAGE"
-                                                           : "COMPUTATION";
+  x.cell = x.difference ? x.difference->cell : x.cells.empty() ? std::nullopt : std::optional(x.cells.front());
+  x.failureClass = window.first == 0 ? "SETUP" : x.difference && x.difference->lineage ? "LINEAGE" : "COMPUTATION";
   x.text = describe(x, expected.name(), actual.name(), e, a);
   for (const RunSource* w : {&expected, &actual})
     if (!w->noState.empty()) x.text += "  no vertex and values: " + w->name() + ": " + w->noState + '\n';

@@ -11,11 +11,11 @@
 namespace morula {
 
 struct Explanation {
-  std::string failureClass;  // "": the same bits; SETUP, LINEAGE, COMPUTATION; a caller may know better
-  std::optional<std::uint64_t> step;  // the first step that differs; the last of the window if not narrowed
-  std::optional<std::uint64_t> lastEqual;     // the last step known to be the same
-  std::optional<std::string> cell;            // the first that differs
-  std::vector<std::string> cells;             // all whose hashes differ at `step`
+  std::string failureClass;                // "": the same bits; SETUP, LINEAGE, COMPUTATION; a caller may know better
+  std::optional<std::uint64_t> step;       // the first step that differs; the last of the window if not narrowed
+  std::optional<std::uint64_t> lastEqual;  // the last step known to be the same
+  std::optional<std::string> cell;         // the first that differs
+  std::vector<std::string> cells;          // all whose hashes differ at `step`
   std::optional<StateDifference> difference;  // absent where only the hashes of a run are known
   std::optional<Hash> expectedEnd;            // of the expected run's last state; absent if none is known
   std::string text;                           // for people, several lines

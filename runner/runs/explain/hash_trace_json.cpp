@@ -28,11 +28,8 @@ Json toJson(const ChainLink& link) {
 ChainLink linkFrom(const Json& j, const std::optional<Hash>& before) {
   ChainLink link;
   j.at("step").get_to(link.step);
-  link.state = {hashFrom(j.at("whole")),
-                hashFrom(j.at("clock")),
-                {},
-                hashFrom(j.at("connections")),
-                hashFrom(j.at("lineage"))};
+  link.state = {
+      hashFrom(j.at("whole")), hashFrom(j.at("clock")), {}, hashFrom(j.at("connections")), hashFrom(j.at("lineage"))};
   for (const Json& cell : j.at("cells"))
     link.state.cells.push_back({CellPath::parse(cell.at(0).get<std::string>()), hashFrom(cell.at(1))});
   link.hash = hashLink(before, link.step, link.state.whole);
@@ -52,8 +49,7 @@ HashTrace readHashTrace(const std::string& text) {
     const Json json = parseJson(text);
     HashTrace trace;
     for (const Json& j : json.at("links"))
-      trace.links.push_back(
-          linkFrom(j, trace.links.empty() ? std::nullopt : std::optional(trace.links.back().hash)));
+      trace.links.push_back(linkFrom(j, trace.links.empty() ? std::nullopt : std::optional(trace.links.back().hash)));
     json.at("last_step").get_to(trace.lastStep), json.at("failure").get_to(trace.failure);
     return trace;
   } catch (const Json::exception& error) {

@@ -8,10 +8,7 @@ namespace morula {
 
 OwnRun::OwnRun(std::string name, std::function<World()> make, std::function<void(World&)> advance,
                std::function<void(const World&)> watch)
-    : name_(std::move(name)),
-      make_(std::move(make)),
-      advance_(std::move(advance)),
-      watch_(std::move(watch)) {}
+    : name_(std::move(name)), make_(std::move(make)), advance_(std::move(advance)), watch_(std::move(watch)) {}
 
 OwnRun::~OwnRun() = default;
 
@@ -49,8 +46,7 @@ HashTrace OwnRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t 
     if (!addLink(t)) break;
   }
   // Its last state, too, wherever it lies.
-  if (failure_.empty() && world_->clock.step >= from &&
-      (t.links.empty() || t.links.back().step < world_->clock.step))
+  if (failure_.empty() && world_->clock.step >= from && (t.links.empty() || t.links.back().step < world_->clock.step))
     addLink(t);
   t.lastStep = world_->clock.step;
   t.failure = failure_;

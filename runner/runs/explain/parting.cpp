@@ -53,12 +53,11 @@ std::string partingInWords(const Scenario& before, const Scenario& now, const Ex
     if (most.distance == 0) continue;
     const std::string cell = cellName(b.cells.path[most.cell].text()), step = std::to_string(b.clock.step);
     if (first.empty())
-      first = "  moves     first at step " + step + ", time " + numberText(b.clock.time) + ": " + cell +
-              ", vertex " + std::to_string(most.vertex) + ", by " + numberText(most.distance / radius, 3) +
-              " radii of the egg\n";
+      first = "  moves     first at step " + step + ", time " + numberText(b.clock.time) + ": " + cell + ", vertex " +
+              std::to_string(most.vertex) + ", by " + numberText(most.distance / radius, 3) + " radii of the egg\n";
     for (; next < 1 && most.distance >= next * radius; next *= 10)
-      apart += (apart.empty() ? "  apart     by " : ", ") + numberText(next) + " radii from step " + step +
-               " on (" + cell + ")";
+      apart += (apart.empty() ? "  apart     by " : ", ") + numberText(next) + " radii from step " + step + " on (" +
+               cell + ")";
   } while (stepBoth(a, b));
   return first + apart + (apart.empty() ? "" : "\n");
 }

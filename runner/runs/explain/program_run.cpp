@@ -10,10 +10,7 @@ namespace morula {
 
 ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<World()> make,
                        std::vector<std::string> more)
-    : program_(std::move(program)),
-      scenario_(std::move(scenario)),
-      make_(std::move(make)),
-      more_(std::move(more)) {}
+    : program_(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)), more_(std::move(more)) {}
 
 std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
   std::vector<std::string> command{program_, "trail", scenario_};

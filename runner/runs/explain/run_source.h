@@ -58,7 +58,6 @@ class OwnRun : public RunSource {
 };
 
 /// The scenario, which must outlive it, computed so; stops at signals.
-OwnRun scenarioRun(const Scenario& scenario, const Execution& how,
-                   const std::string& called = "this program");
+OwnRun scenarioRun(const Scenario& scenario, const Execution& how, const std::string& called = "this program");
 
 }  // namespace morula

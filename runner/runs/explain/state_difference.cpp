@@ -35,8 +35,7 @@ class Finder {
   void about(bool lineage, std::optional<std::string> path) { lineage_ = lineage, path_ = std::move(path); }
 
   void compare(const char* field, const Value& e, const Value& a) {
-    std::visit([&](const auto& value) { differ(field, value, std::get<std::decay_t<decltype(value)>>(a)); },
-               e);
+    std::visit([&](const auto& value) { differ(field, value, std::get<std::decay_t<decltype(value)>>(a)); }, e);
   }
 
  private:

@@ -29,10 +29,9 @@ void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question
 }
 
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
-void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question,
-                Findings& f) {
-  const auto run = simulate(scenario, question.execution,
-                            {.quiet = question.quiet, .record = recordingOf(scenario, false)});
+void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question, Findings& f) {
+  const auto run =
+      simulate(scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, false)});
   if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
   const GoldenData now = observe(scenario, run, false);
@@ -93,10 +92,9 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   }
   const auto chain = store.chain(stored.id);
   if (chain.empty())
-    throw InputError(
-        question.database + ": run " + stored.id +
-        " kept no chain: no hashes of the states on the way; run the scenario again with a golden file or "
-        "with `check: {}` in it, and without --no-check, --set and --seed");
+    throw InputError(question.database + ": run " + stored.id +
+                     " kept no chain: no hashes of the states on the way; run the scenario again with a golden file or "
+                     "with `check: {}` in it, and without --no-check, --set and --seed");
   std::uint64_t step = 0;
   if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
     f.failureClass = f.where.failureClass = "INPUT_CHANGED";
@@ -104,8 +102,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
     f.text += "INPUT_CHANGED: run " + stored.id + " in " + question.database + ": " + broken + "\n";
     return;
   }
-  StoredRunSource expected("run " + stored.id + " in " + question.database, chain, stored.steps,
-                           stored.failure);
+  StoredRunSource expected("run " + stored.id + " in " + question.database, chain, stored.steps, stored.failure);
   OwnRun actual = scenarioRun(scenario, question.execution);
   f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
   f.failureClass = f.where.failureClass;
@@ -125,8 +122,7 @@ void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, F
 }
 
 /// Of a golden that cannot be read there is nothing to tell.
-void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question,
-                         Findings& f) {
+void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question, Findings& f) {
   try {
     const Golden golden = readAccepted(scenario, goldenFile(scenario));
     f.changed = changedKeys(golden.data, observe(scenario, run, false));
@@ -142,8 +138,8 @@ void tellChangedScenario(const Scenario& scenario, const Simulation& run, const 
 }
 
 void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
-  const CheckedRun checked = simulateChecked(
-      scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, true)});
+  const CheckedRun checked =
+      simulateChecked(scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, true)});
   const Simulation& run = checked.run;
   if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
@@ -154,8 +150,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   if (run.end.status != RunStatus::done) {
     f.failureClass = "COMPUTATION";
     f.where.step = run.end.steps;
-    f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " +
-              run.end.failure + "\n";
+    f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
     return;
   }
   const CheckReport report = check(scenario, checked, true);
@@ -199,13 +194,10 @@ Findings findWhy(const Scenario& scenario, const WhyQuestion& question) {
 Json toJson(const Scenario& scenario, const Findings& f) {
   const auto& d = f.where.difference;
   Json checks = Json::array(), changed = Json::array();
-  for (const KeyChange& c : f.changed)
-    changed.push_back({{"key", c.key}, {"expected", c.before}, {"actual", c.after}});
+  for (const KeyChange& c : f.changed) changed.push_back({{"key", c.key}, {"expected", c.before}, {"actual", c.after}});
   for (const auto& r : f.checks)
-    checks.push_back({{"check", r.check},
-                      {"passed", r.passed},
-                      {"class", r.failureClass},
-                      {"first_step", orNull(r.firstStep)}});
+    checks.push_back(
+        {{"check", r.check}, {"passed", r.passed}, {"class", r.failureClass}, {"first_step", orNull(r.firstStep)}});
   return {{"scenario", goldenName(scenario.file)},
           {"class", f.failureClass},
           {"first_step", orNull(f.where.step)},

@@ -8,8 +8,7 @@
 
 namespace morula {
 
-Progress::Progress(std::string label, bool quiet)
-    : label_(std::move(label)), line_(quiet), lastShown_(Clock::now()) {}
+Progress::Progress(std::string label, bool quiet) : label_(std::move(label)), line_(quiet), lastShown_(Clock::now()) {}
 
 void Progress::show(const World& world) {
   // A look at the clock costs as much as a small part of the shortest step; 16 steps are shorter than an eye
@@ -33,8 +32,7 @@ std::string Progress::text(const World& world, double stepsPerSecond, double tim
   text += fmt::format("  time {:.4g}", world.clock.time);
   if (end) text += fmt::format(" of {:.4g}", *end);
   text += fmt::format("  {:.0f} steps/s", stepsPerSecond);
-  if (end && timePerSecond > 0)
-    text += "  " + formatDuration((*end - world.clock.time) / timePerSecond) + " left";
+  if (end && timePerSecond > 0) text += "  " + formatDuration((*end - world.clock.time) / timePerSecond) + " left";
   return text;
 }
 

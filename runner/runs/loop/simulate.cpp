@@ -32,11 +32,11 @@ std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const
 void requireMemoryForRecords(const World& world, const Recorder& recorder) {
   const double most = world.execution.memoryLimit / 2;
   if (recorder.bytes() <= most) return;
-  throw NumericalError(
-      "", world.clock.step,
-      "samples, surfaces and hashes take " + bytesText(recorder.bytes()) +
-          ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
-      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit", Want::memory);
+  throw NumericalError("", world.clock.step,
+                       "samples, surfaces and hashes take " + bytesText(recorder.bytes()) +
+                           ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
+                       "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit",
+                       Want::memory);
 }
 
 }  // namespace
@@ -52,9 +52,9 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     const auto path = what.substr(0, what.find(' '));
     const auto place = scenario.places.find(path);
     if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want);
-    throw InputError(place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") +
-                         what.substr(path.size() + 1),
-                     error.want);
+    throw InputError(
+        place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") + what.substr(path.size() + 1),
+        error.want);
   }
 }
 
@@ -71,9 +71,7 @@ std::uint64_t stepsPerHashOf(const Scene& scene) {
   return scene.mechanics && !kindOf(scene.mechanics->physics.integrator).settles ? stepsPerHash : 1;
 }
 
-bool wantsHashes(const Scenario& scenario, bool hasGolden) {
-  return hasGolden || scenario.places.contains("check");
-}
+bool wantsHashes(const Scenario& scenario, bool hasGolden) { return hasGolden || scenario.places.contains("check"); }
 
 RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command) {
   RunRecord record;
@@ -138,17 +136,14 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
       }
       takeSteps(run.world, stepsUntilLook(run.world, recorder, options));
       observe();
-      if (options.keepEvery > 0 && run.world.clock.step % options.keepEvery == 0)
-        options.keep(run.world, recorder);
+      if (options.keepEvery > 0 && run.world.clock.step % options.keepEvery == 0) options.keep(run.world, recorder);
     }
     run.end = endOf(run.world, status);  // hashes the state, which must be numbers
   } catch (const BodyFailure& error) {
     // What drove a cell through time steps is no question where there are none.
-    fail(settles(run.world) ? error.what() : diagnose(run.world.model, run.world.execution, error),
-         error.want);
+    fail(settles(run.world) ? error.what() : diagnose(run.world.model, run.world.execution, error), error.want);
   } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
-    fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy),
-         Want::memory);
+    fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy), Want::memory);
   }
   if (status == RunStatus::failed) run.end = endOf(run.world, status, failure, want);
   run.results = recorder.take(run.world, status == RunStatus::failed);

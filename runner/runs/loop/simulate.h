@@ -12,11 +12,10 @@ namespace morula {
 
 struct Simulation {
   World world;
-  RunEnd end;          // done, failed or killed
-  RunResults results;  // lineage, samples, step hashes, …
-  int signal = 0;      // the one that ended it
-  RunResults passed =
-      {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
+  RunEnd end;              // done, failed or killed
+  RunResults results;      // lineage, samples, step hashes, …
+  int signal = 0;          // the one that ended it
+  RunResults passed = {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
 };
 
 /// Builds the scenario's world. InputErrors name the scenario's file.

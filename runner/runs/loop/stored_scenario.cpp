@@ -39,15 +39,13 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
     else if (document.role == "mesh" || document.role == "shell")
       files.push_back({document.role, document.path, document.content});
   }
-  if (resolved.empty())
-    throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");
+  if (resolved.empty()) throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");
   return readScenario(resolved, database, "", {}, files);
 }
 
 Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {
   if (isDatabase(file)) return storedScenario(file, run);
-  if (!run.empty())
-    throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
+  if (!run.empty()) throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
   return loadScenario(file, {}, allowOutside);
 }
 

@@ -19,9 +19,8 @@ constexpr std::array decades{1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double nextAbove(double x, Precision precision) {
-  return precision == Precision::binary64
-             ? std::nextafter(x, infinity)
-             : double(std::nextafter(float(x), std::numeric_limits<float>::infinity()));
+  return precision == Precision::binary64 ? std::nextafter(x, infinity)
+                                          : double(std::nextafter(float(x), std::numeric_limits<float>::infinity()));
 }
 
 double distance(const World& a, const World& b) {

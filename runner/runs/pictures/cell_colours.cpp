@@ -68,8 +68,8 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
 }
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
-                     const std::vector<std::vector<std::optional<double>>>& values,
-                     const AskedMeasure& measure, const Units& units) {
+                     const std::vector<std::vector<std::optional<double>>>& values, const AskedMeasure& measure,
+                     const Units& units) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -110,16 +110,14 @@ Colouring parseColouring(std::string_view text) {
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
   std::string wrong = "'" + std::string(text) + "' is nothing to colour cells by";
   try {
-    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell)
-      return {.by = By::measure, .measure = m.name};
+    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell) return {.by = By::measure, .measure = m.name};
   } catch (const InputError& error) {
     if (text.find(' ') != text.npos) wrong = error.what();
   }
   std::vector<std::string> known{"substance", "clone", "generation"};
   for (const CellMeasure& row : measures<CellContext>()) known.push_back(row.name);
   const std::string near = closest(text.starts_with("cell.") ? text.substr(5) : text, known);
-  throw InputError(wrong +
-                   "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
+  throw InputError(wrong + "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
                    "(scenarios/MEASURES.md)" + (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
@@ -160,9 +158,8 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
   return values;
 }
 
-void colourCells(std::vector<OrganismPicture>& pictures,
-                 const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,
-                 const Scenario& scenario) {
+void colourCells(std::vector<OrganismPicture>& pictures, const std::vector<std::vector<std::optional<double>>>& values,
+                 const Colouring& colouring, const Scenario& scenario) {
   if (colouring.by == Colouring::By::substance) return shareLegend(pictures);
   for (OrganismPicture& picture : pictures) picture.legend.clear();
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);

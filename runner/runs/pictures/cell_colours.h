@@ -42,8 +42,7 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
 /// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value of a cell that is
 /// drawn (opacity > 0) in any of them.
 /// Nothing for substances.
-void colourCells(std::vector<OrganismPicture>& pictures,
-                 const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,
-                 const Scenario& scenario);
+void colourCells(std::vector<OrganismPicture>& pictures, const std::vector<std::vector<std::optional<double>>>& values,
+                 const Colouring& colouring, const Scenario& scenario);
 
 }  // namespace morula

@@ -17,19 +17,17 @@ ComparedPictures comparePictures(const std::string& one, const std::string& othe
     compared.words = fmt::format(
         "{}: at most {:.3g} ΔE00, at pixel ({}, {}); needs at most {}\n"
         "  mean {:.3g}; {:.3g} % of the pixels differ noticeably, {:.3g} % at all\n",
-        d.isNoticeable() ? "they look different" : "they look the same", d.most, d.x, d.y,
-        noticeableDifference, d.mean, 100 * d.share,
-        100 * static_cast<double>(d.unequalPixels) / static_cast<double>(d.map.size()));
+        d.isNoticeable() ? "they look different" : "they look the same", d.most, d.x, d.y, noticeableDifference, d.mean,
+        100 * d.share, 100 * static_cast<double>(d.unequalPixels) / static_cast<double>(d.map.size()));
   return compared;
 }
 
 Drawing drawCompared(const ComparedPictures& compared) {
   const PictureDifference& d = compared.difference;
-  return drawPictureDifference(
-      compared.one, compared.other, d,
-      {fmt::format("The first, the second, and how different they look: at most {:.3g} ΔE00 "
-                   "[CIEDE2000], at pixel ({}, {}).",
-                   d.most, d.x, d.y)});
+  return drawPictureDifference(compared.one, compared.other, d,
+                               {fmt::format("The first, the second, and how different they look: at most {:.3g} ΔE00 "
+                                            "[CIEDE2000], at pixel ({}, {}).",
+                                            d.most, d.x, d.y)});
 }
 
 }  // namespace morula

@@ -34,8 +34,7 @@ std::vector<std::string> wayTo(const std::string& ending) {
       fmt::format("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=0x{:02x}{:02x}{:02x}", paper.r, paper.g, paper.b);
   if (ending == ".mp4")
     return {"-vf", even, "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
-  if (ending == ".webm")
-    return {"-vf", even, "-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-pix_fmt", "yuv420p"};
+  if (ending == ".webm") return {"-vf", even, "-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-pix_fmt", "yuv420p"};
   // A palette of its own for the whole film, and no dots: areas of one colour stay so.
   return {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none"};
 }
@@ -62,14 +61,12 @@ void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw,
     writeNewFile(folder.path() / fmt::format("{:06}.png", i), pngFile(draw(i)));
   }
   const fs::path film = folder.path() / ("film" + endingOf(file));
-  std::vector<std::string> command{
-      "ffmpeg",     "-nostdin",           "-v", "error",
-      "-xerror",  // a write that fails is an error
-      "-framerate", exactText(perSecond), "-i", (folder.path() / "%06d.png").string()};
+  std::vector<std::string> command{"ffmpeg",     "-nostdin",           "-v", "error",
+                                   "-xerror",  // a write that fails is an error
+                                   "-framerate", exactText(perSecond), "-i", (folder.path() / "%06d.png").string()};
   for (const std::string& word : wayTo(endingOf(file))) command.push_back(word);
   // No date and no version in the file.
-  for (const char* word :
-       {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", "1"})
+  for (const char* word : {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", "1"})
     command.push_back(word);
   command.push_back(film.string());
   ChildOptions options;

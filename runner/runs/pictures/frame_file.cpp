@@ -15,13 +15,10 @@ using Numbers = std::vector<std::uint64_t>;
 std::uint64_t number(Colour c) { return std::uint64_t{c.r} << 16 | std::uint64_t{c.g} << 8 | c.b; }
 
 Colour colour(std::uint64_t n) {
-  return {static_cast<std::uint8_t>(n >> 16), static_cast<std::uint8_t>(n >> 8),
-          static_cast<std::uint8_t>(n)};
+  return {static_cast<std::uint8_t>(n >> 16), static_cast<std::uint8_t>(n >> 8), static_cast<std::uint8_t>(n)};
 }
 
-[[noreturn]] void refuse() {
-  throw InputError("frame: its counts, positions and corners do not fit together");
-}
+[[noreturn]] void refuse() { throw InputError("frame: its counts, positions and corners do not fit together"); }
 
 /// Takes the next `count` triples of values, from `at` on.
 template <class Value>
@@ -77,18 +74,16 @@ OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank) {
   const Numbers corners = in.numbers("corners");
   in.end();
   const std::size_t n = paths.size();
-  if (caption.size() != 1 || labelColours.size() != labels.size() || colours.size() != n ||
-      vertices.size() != n || faces.size() != n)
+  if (caption.size() != 1 || labelColours.size() != labels.size() || colours.size() != n || vertices.size() != n ||
+      faces.size() != n)
     refuse();
   blank.caption = caption[0];
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    blank.legend.push_back({colour(labelColours[i]), labels[i]});
+  for (std::size_t i = 0; i < labels.size(); ++i) blank.legend.push_back({colour(labelColours[i]), labels[i]});
   std::size_t atPosition = 0, atCorner = 0;
   for (std::size_t i = 0; i < n; ++i) {
     CellShape cell{paths[i], {}, colour(colours[i])};
     const auto x = nextTriples(positions, atPosition, vertices[i]);
-    for (std::size_t v = 0; v < vertices[i]; ++v)
-      cell.vertices.push_back({x[3 * v], x[3 * v + 1], x[3 * v + 2]});
+    for (std::size_t v = 0; v < vertices[i]; ++v) cell.vertices.push_back({x[3 * v], x[3 * v + 1], x[3 * v + 2]});
     const auto c = nextTriples(corners, atCorner, faces[i]);
     for (std::size_t f = 0; f < faces[i]; ++f) {
       Face face;

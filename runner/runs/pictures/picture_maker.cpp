@@ -36,8 +36,7 @@ void addConnections(OrganismPicture& picture, const World& world) {
     const ConnectionRecord& record = world.connections->history[place];
     const int a = cellNumber(world.cells, record.a), b = cellNumber(world.cells, record.b);
     if (a >= 0 && b >= 0)
-      picture.lines.push_back(
-          {middleOf(picture.cells[a]), middleOf(picture.cells[b]), connectionColour, true});
+      picture.lines.push_back({middleOf(picture.cells[a]), middleOf(picture.cells[b]), connectionColour, true});
   }
 }
 
@@ -46,16 +45,14 @@ void setOpacities(OrganismPicture& picture, const World& world, const std::vecto
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
     for (std::size_t o = 0; o < opacities.size(); ++o) {
       const CellOpacity& wish = opacities[o];
-      if (wish.pattern != "*" && !fitsAny(wish.pattern, world.biology->describe(world.cells.state[i])))
-        continue;
+      if (wish.pattern != "*" && !fitsAny(wish.pattern, world.biology->describe(world.cells.state[i]))) continue;
       picture.cells[i].opacity = wish.opacity;
       fit[o] = true;
     }
 }
 
 /// What the colours of the cells that are drawn mean.
-std::vector<LegendEntry> legendOf(const OrganismPicture& picture, const World& world,
-                                  const Scenario& scenario) {
+std::vector<LegendEntry> legendOf(const OrganismPicture& picture, const World& world, const Scenario& scenario) {
   Palette palette(scenario);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
     if (picture.cells[i].opacity > 0) palette.colourOf(world.biology->describe(world.cells.state[i]));
@@ -99,8 +96,7 @@ OrganismPicture Pictures::operator[](std::size_t i) const {
       for (std::size_t v = 0; v < onVertex.size(); ++v) {
         const Point from = isBall ? middleOf(cell) : cell.vertices[v];
         if (norm(onVertex[v]) > 1e-12 * most)  // else rounding
-          picture.lines.push_back(
-              {from, from + lengthPerForce_ * onVertex[v], forceColour(kind), isBall, true});
+          picture.lines.push_back({from, from + lengthPerForce_ * onVertex[v], forceColour(kind), isBall, true});
       }
     }
   return picture;

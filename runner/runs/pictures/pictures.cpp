@@ -101,12 +101,11 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   }
   if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh) {
     Mesh flat = withEdges(shell->mesh->mesh);
-    picture.cells.push_back(
-        {"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
+    picture.cells.push_back({"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
   }
   picture.legend = palette.legend();
-  picture.caption = fmt::format("time {}, {}", shownTime(scenario.units, world.clock.time),
-                                counted(world.cells.path.size(), "cell"));
+  picture.caption =
+      fmt::format("time {}, {}", shownTime(scenario.units, world.clock.time), counted(world.cells.path.size(), "cell"));
   return picture;
 }
 
@@ -122,27 +121,24 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
     const auto substances = describe(cell.state);
     const bool lives = cell.fate == Fate::alive;
     alive += lives;
-    picture.nodes.push_back({cell.path.text(), perTime * cell.born, perTime * (lives ? end : cell.ended),
-                             cell.fate, palette.colourOf(substances),
-                             scenario.names.of(cell.path).value_or(substances)});
+    picture.nodes.push_back({cell.path.text(), perTime * cell.born, perTime * (lives ? end : cell.ended), cell.fate,
+                             palette.colourOf(substances), scenario.names.of(cell.path).value_or(substances)});
   }
   picture.title = scenario.scene.name;
-  picture.caption = cells.size() == 1 ? fmt::format("1 cell, {} at time {}", alive ? "alive" : "dead",
-                                                    shownTime(scenario.units, end))
-                                      : fmt::format("{} cells, {} of them alive at time {}", cells.size(),
-                                                    alive, shownTime(scenario.units, end));
+  picture.caption =
+      cells.size() == 1
+          ? fmt::format("1 cell, {} at time {}", alive ? "alive" : "dead", shownTime(scenario.units, end))
+          : fmt::format("{} cells, {} of them alive at time {}", cells.size(), alive, shownTime(scenario.units, end));
   picture.legend = palette.legend();
   return picture;
 }
 
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
   return lineagePictureOf(
-      world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time,
-      scenario);
+      world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time, scenario);
 }
 
-Drawing drawBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes,
-                         const Scenario& scenario) {
+Drawing drawBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes, const Scenario& scenario) {
   return comparisonSheet(imagesBesideBullet(world, shapes, scenario));
 }
 
@@ -207,9 +203,7 @@ void writePicture(const Drawing& drawing, const fs::path& file) {
   writeFile(file, drawing.file(pictureFormat(file).value()), Content::picture);
 }
 
-void writePicture(const Image& image, const fs::path& file) {
-  writeFile(file, pngFile(image), Content::picture);
-}
+void writePicture(const Image& image, const fs::path& file) { writeFile(file, pngFile(image), Content::picture); }
 
 std::optional<PictureFormat> pictureFormat(const fs::path& file) {
   std::string ending = file.extension().string();
@@ -220,8 +214,8 @@ std::optional<PictureFormat> pictureFormat(const fs::path& file) {
   return ending.empty() || ending == ".png" ? std::optional(PictureFormat::png) : std::nullopt;
 }
 
-std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
-                                       FrameCollector& collector, const fs::path& folder) {
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario, FrameCollector& collector,
+                                       const fs::path& folder) {
   std::vector<std::string> files;
   const auto write = [&](const auto& picture, const fs::path& name) {
     files.push_back((folder / name).string());

@@ -38,14 +38,12 @@ void shareLegend(std::vector<OrganismPicture>& frames);
 /// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe` gives a state's substances, `end` [time] is when the living
 /// are seen.
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
-                             const std::function<std::string(StateId)>& describe, double end,
-                             const Scenario& scenario);
+                             const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
 /// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface (drawComparison). `shapes`:
 /// the vertices of Bullet's cells, in the order of ours.
-Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
-                         const Scenario& scenario);
+Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes, const Scenario& scenario);
 /// The three pictures of it, each by itself.
 ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                                     const Scenario& scenario);
@@ -53,8 +51,7 @@ ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::ve
 /// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
 class FrameCollector {
  public:
-  FrameCollector(const Scenario& scenario, std::optional<double> every)
-      : scenario_(scenario), every_(every) {}
+  FrameCollector(const Scenario& scenario, std::optional<double> every) : scenario_(scenario), every_(every) {}
   void observe(const World& world);
   /// Goes on with the frames that were kept (frame_file.h) when the world was stopped.
   void resume(const World& world, const std::vector<std::string>& kept);
@@ -82,7 +79,7 @@ std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 /// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
 /// Returns the files. Pictures that an earlier, longer run left in the sequence are removed; other files
 /// stay.
-std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
-                                       FrameCollector& collector, const std::filesystem::path& folder);
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario, FrameCollector& collector,
+                                       const std::filesystem::path& folder);
 
 }  // namespace morula

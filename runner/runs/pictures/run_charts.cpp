@@ -57,16 +57,15 @@ Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Sce
   std::size_t number = 0;
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), title,
-                              counted(results.samples.size(), "sample"));
+  chart.caption =
+      fmt::format("{} {} over time, {}", name(measure.scope), title, counted(results.samples.size(), "sample"));
   chart.xLabel = timeLabel(scenario.units), chart.yLabel = title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
   for (auto& [key, points] : series) {
     const std::string founder = founderOf(key.a.text(), founders);
     clones.insert(founder);
-    const bool labelled =
-        series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLineLabels);
+    const bool labelled = series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLineLabels);
     // What ends early has its label there, the others theirs beside the chart.
     std::vector<std::string> atPoints;
     if (labelled && points.back().x < end) {
@@ -102,8 +101,7 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
   }
   for (const ContactMeasures& pair : last->contacts) {
     const std::size_t a = rows.at(pair.a), b = rows.at(pair.b);
-    if (const auto area = pair["area"])
-      picture.values[a * n + b] = picture.values[b * n + a] = unit.factor * *area;
+    if (const auto area = pair["area"]) picture.values[a * n + b] = picture.values[b * n + a] = unit.factor * *area;
   }
   picture.title = scenario.scene.name;
   picture.caption = fmt::format("who touches whom at time {}: {} cells, {} contacts",
@@ -122,21 +120,18 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
       "outer circle the "
       "largest",
       results.divisions.size());
-  picture.roses = {
-      {"from the front", "x", "z", {}}, {"from the right", "y", "z", {}}, {"from above", "x", "y", {}}};
+  picture.roses = {{"from the front", "x", "z", {}}, {"from the right", "y", "z", {}}, {"from above", "x", "y", {}}};
   for (const DivisionRecord& division : results.divisions) {
     const Vector& a = division.axis;
     const std::pair<double, double> seen[] = {{a.x, a.z}, {a.y, a.z}, {a.x, a.y}};
     for (std::size_t i = 0; i < 3; ++i)  // an axis along the line of sight has no direction
       if (std::hypot(seen[i].first, seen[i].second) > 0.1)
-        picture.roses[i].degrees.push_back(std::atan2(seen[i].second, seen[i].first) * 180 /
-                                           std::numbers::pi);
+        picture.roses[i].degrees.push_back(std::atan2(seen[i].second, seen[i].first) * 180 / std::numbers::pi);
   }
   return picture;
 }
 
-void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring,
-                const Scenario& scenario) {
+void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring, const Scenario& scenario) {
   using By = Colouring::By;
   if (colouring.by == By::substance) return;
   tree.legend.clear();
@@ -173,17 +168,16 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
   for (LineageNode& node : tree.nodes) {
     const auto mean = means.find(node.path);
     lacks = lacks || mean == means.end();
-    node.colour = mean == means.end() ? neutralGrey
-                  : range.low < range.high
-                      ? scaleColour((mean->second.sum / double(mean->second.count) - range.low) /
-                                    (range.high - range.low))
-                      : scaleColour(0);
+    node.colour =
+        mean == means.end() ? neutralGrey
+        : range.low < range.high
+            ? scaleColour((mean->second.sum / double(mean->second.count) - range.low) / (range.high - range.low))
+            : scaleColour(0);
   }
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
   const ShownUnit unit = shownUnit(scenario.units, measure.unit);
   const std::string of = colouring.by == By::measure ? ", mean over a cell's samples" : "";
-  tree.colourBar =
-      ColourBar{unit.after(measure.title()) + of, unit.factor * range.low, unit.factor * range.high};
+  tree.colourBar = ColourBar{unit.after(measure.title()) + of, unit.factor * range.low, unit.factor * range.high};
 }
 
 }  // namespace morula

@@ -30,7 +30,6 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario);
 
 /// The tree in the colours of clones, generations or a measure of cells: of each cell the mean over its samples; grey where
 /// it has none. Throws InputError as seriesOf. Nothing for substances.
-void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring,
-                const Scenario& scenario);
+void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring, const Scenario& scenario);
 
 }  // namespace morula

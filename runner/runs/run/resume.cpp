@@ -16,8 +16,7 @@ namespace {
 std::string differences(const RunRecord& there, const RunRecord& here) {
   std::string text;
   for (const auto& [name, item, before, now] : compareIdentity(there, here))
-    if (before != now)
-      text += (text.empty() ? "" : "; ") + fmt::format("{} ({} then, {} now)", item, before, now);
+    if (before != now) text += (text.empty() ? "" : "; ") + fmt::format("{} ({} then, {} now)", item, before, now);
   return text;
 }
 
@@ -56,8 +55,8 @@ void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
 
 }  // namespace
 
-std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, World& world,
-                                       Recorder& recorder, FrameCollector& frames, bool quiet) {
+std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, World& world, Recorder& recorder,
+                                       FrameCollector& frames, bool quiet) {
   const auto run = store.resume(record);
   if (!run) {
     tell("nothing to resume: " + whyNot(store, record) + "; starting from the beginning", quiet);
@@ -72,9 +71,7 @@ std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Wo
     throw FileError(store.file().string() + ": run " + run->id + " cannot be resumed: " + error.what() +
                     "; leave out --resume to start from the beginning");
   }
-  tell(fmt::format("{} goes on from step {}, time {:.6g}", record.scenario, world.clock.step,
-                   world.clock.time),
-       quiet);
+  tell(fmt::format("{} goes on from step {}, time {:.6g}", record.scenario, world.clock.step, world.clock.time), quiet);
   return world.clock.step;
 }
 

@@ -78,9 +78,9 @@ Json sampleJson(const Sample& sample) {
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
   const auto& end = outcome.end;
-  auto text = fmt::format("{}  seed {}: {}, {} at time {} after {} steps\n", scenario.scene.name,
-                          scenario.scene.seed, name(end.status), counted(end.cells, "cell"),
-                          shownTime(scenario.units, end.time, 6), end.steps);
+  auto text =
+      fmt::format("{}  seed {}: {}, {} at time {} after {} steps\n", scenario.scene.name, scenario.scene.seed,
+                  name(end.status), counted(end.cells, "cell"), shownTime(scenario.units, end.time, 6), end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
@@ -102,8 +102,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     if (file.find("/sequence/") != file.npos) ++frames;
     else text += "           " + file + "\n";
   }
-  if (frames)
-    text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
+  if (frames) text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
   if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
   if (!outcome.isSane().value_or(true)) text += describe(outcome.sanityReport(scenario));
   return withNames(text, scenario.names.function());

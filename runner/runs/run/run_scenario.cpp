@@ -61,8 +61,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
 }
 
 /// golden.png: the accepted result, this one, and how far they are apart; only of a run that differs from its golden.
-void besideGolden(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
-                  RunOutcome& outcome) {
+void besideGolden(const Scenario& scenario, const RunSettings& settings, const Simulation& run, RunOutcome& outcome) {
   const auto file = settings.folder / "golden.png";
   const bool differs =
       outcome.checks && std::any_of(outcome.checks->results.begin(), outcome.checks->results.end(),
@@ -86,9 +85,7 @@ std::optional<bool> RunOutcome::isSane() const {
   return std::all_of(sanity.begin(), sanity.end(), [](const CheckResult& r) { return r.passed; });
 }
 
-CheckReport RunOutcome::sanityReport(const Scenario& scenario) const {
-  return {goldenName(scenario.file), sanity};
-}
+CheckReport RunOutcome::sanityReport(const Scenario& scenario) const { return {goldenName(scenario.file), sanity}; }
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto world = makeScenarioWorld(scenario, settings.execution);
@@ -104,38 +101,34 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.id = runId(record);
   RunResults passed;
   const bool hasGolden = checked && fileExists(goldenFile(scenario));
-  Recorder recorder(recordingOf(scenario, checked && wantsHashes(scenario, hasGolden)),
-                    [&](const RunResults& records) {
-                      store.record(outcome.id, records);
-                      if (hasGolden) keepForGolden(records, passed);
-                    });
+  Recorder recorder(recordingOf(scenario, checked && wantsHashes(scenario, hasGolden)), [&](const RunResults& records) {
+    store.record(outcome.id, records);
+    if (hasGolden) keepForGolden(records, passed);
+  });
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
   if (!outcome.resumedAt) store.begin(record);
   if (const auto step = store.checkpointStep(outcome.id); step && !settings.resume)
-    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step),
-         settings.quiet);
+    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step), settings.quiet);
 
-  RunOptions options{
-      .label = scenario.scene.name + " " + std::to_string(scenario.scene.seed),
-      .quiet = settings.quiet,
-      .watch = checks.watch(),
-      .keep =
-          [&](const World& w, const Recorder& r) {
-            outcome.canBeResumed = store.keepCheckpoint(
-                outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
-                r.records(),
-                {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
-          },
-      .keepEvery = settings.checkpointEvery};
+  RunOptions options{.label = scenario.scene.name + " " + std::to_string(scenario.scene.seed),
+                     .quiet = settings.quiet,
+                     .watch = checks.watch(),
+                     .keep =
+                         [&](const World& w, const Recorder& r) {
+                           outcome.canBeResumed = store.keepCheckpoint(
+                               outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
+                               r.records(),
+                               {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
+                         },
+                     .keepEvery = settings.checkpointEvery};
   // Who watches sees every step; who does not lets cells that need no other take many at once.
   if (scenario.record.pictures)
     options.watch = [&frames, others = options.watch](const World& w) {
       frames.observe(w);
       if (others) others(w);
     };
-  CheckedRun ended =
-      checks.of(simulate(std::move(world), std::move(recorder), options, outcome.resumedAt.has_value()));
+  CheckedRun ended = checks.of(simulate(std::move(world), std::move(recorder), options, outcome.resumedAt.has_value()));
   Simulation& run = ended.run;
   run.passed = std::move(passed);
 
@@ -150,10 +143,9 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
   store.finish(outcome.id, run.end, run.results);
   outcome.ambiguous = ambiguousDivisions(
-      run.world.model, run.world.lineage.entries,
-      [&](StateId state) { return run.world.biology->describe(state); }, run.world.divisions);
-  if (run.world.settlings)
-    outcome.unsettled = unsettledText(run.world.bodies->parameters.settle, *run.world.settlings);
+      run.world.model, run.world.lineage.entries, [&](StateId state) { return run.world.biology->describe(state); },
+      run.world.divisions);
+  if (run.world.settlings) outcome.unsettled = unsettledText(run.world.bodies->parameters.settle, *run.world.settlings);
   outcome.signal = run.signal;
   if (!done) return outcome;
   try {
@@ -167,8 +159,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   } catch (const NumericalError& error) {
     if (error.want == Want::nothing) throw;
     throw NumericalError(
-        fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, settings.database.string()),
-        error.want);
+        fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, settings.database.string()), error.want);
   }
   return outcome;
 }

@@ -30,7 +30,7 @@ struct RunOutcome {
   RunEnd end;
   std::optional<Sample> last;  // of a run that came to its end
   std::optional<CheckReport> checks;
-  std::string whyNotChecked;  // against a golden
+  std::string whyNotChecked;           // against a golden
   std::vector<CheckResult> sanity;     // of a run with bodies that came to its end, whatever else was checked
   std::optional<bool> isSane() const;  // or the scenario says that it need not be; absent: not measured
   CheckReport sanityReport(const Scenario& scenario) const;

@@ -23,9 +23,7 @@ std::size_t axisOf(const Claim& claim) {
 }
 
 std::string claimInWords(const Claim& claim, const Study& study) {
-  const auto label = [&](std::size_t axis, std::size_t level) {
-    return study.axes[axis].levels[level].label;
-  };
+  const auto label = [&](std::size_t axis, std::size_t level) { return study.axes[axis].levels[level].label; };
   std::vector<std::string> fixed;
   const std::size_t axis = claim.says == Says::mean ? claim.a.size() : axisOf(claim);
   for (std::size_t x = 0; x < claim.a.size(); ++x)
@@ -94,11 +92,10 @@ void judgeMean(const StudyComparison& c, const Claim& claim, ClaimFinding& findi
     if (!fits) continue;
     const auto margin = marginOf(parseMargins({claim.within}, {}), claim.measure, claim.mean);
     finding.holds = std::abs(s.mean - claim.mean) <= margin.value_or(0);
-    finding.found =
-        fmt::format("{}: {} in the mean of {} runs{}", claim.measure, numberText(s.mean), s.values.size(),
-                    s.interval ? fmt::format(", 95 % interval {} to {}", numberText(s.interval->low),
-                                             numberText(s.interval->high))
-                               : "");
+    finding.found = fmt::format(
+        "{}: {} in the mean of {} runs{}", claim.measure, numberText(s.mean), s.values.size(),
+        s.interval ? fmt::format(", 95 % interval {} to {}", numberText(s.interval->low), numberText(s.interval->high))
+                   : "");
   }
 }
 
@@ -106,8 +103,7 @@ void judgeMean(const StudyComparison& c, const Claim& claim, ClaimFinding& findi
 
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study) {
   requireSame(results, study);
-  std::map<std::pair<std::string, bool>, StudyComparison>
-      comparisons;  // by margin, and whether other axes are fixed
+  std::map<std::pair<std::string, bool>, StudyComparison> comparisons;  // by margin, and whether other axes are fixed
   const auto compared = [&](const std::string& margin, bool within) -> const StudyComparison& {
     const auto [found, isNew] = comparisons.try_emplace({margin, within});
     if (isNew) {

@@ -8,8 +8,7 @@ namespace morula {
 namespace {
 
 ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition) {
-  ConditionSummary summary{
-      .measure = measure, .condition = condition, .seeds = {}, .values = {}, .interval = {}};
+  ConditionSummary summary{.measure = measure, .condition = condition, .seeds = {}, .values = {}, .interval = {}};
   const auto& tasks = results.conditions[condition].tasks;
   std::set<std::size_t> seen;
   std::set<std::string> states;
@@ -44,8 +43,7 @@ bool isSeedless(const StudyResults& results, const ResultCondition& condition) {
 
 template <class Get>
 std::vector<std::size_t> numbersOf(const std::string& option, const std::string& kind,
-                                   const std::vector<std::string>& words, std::size_t count,
-                                   const Get& nameOf) {
+                                   const std::vector<std::string>& words, std::size_t count, const Get& nameOf) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < count; ++i) names.push_back(nameOf(i));
   std::vector<std::size_t> numbers;

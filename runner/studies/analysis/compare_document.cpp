@@ -20,8 +20,7 @@ constexpr std::size_t mostTimes = 8;      // in a table of means over time
 template <class Row>
 std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
   std::vector<Row> some;
-  std::ranges::copy_if(rows, std::back_inserter(some),
-                       [&](const Row& row) { return row.measure == measure; });
+  std::ranges::copy_if(rows, std::back_inserter(some), [&](const Row& row) { return row.measure == measure; });
   return some;
 }
 
@@ -106,8 +105,7 @@ Document comparedTables(const StudyComparison& c) {
         std::vector<PairComparison> ofAxis;
         std::ranges::copy_if(c.split, std::back_inserter(ofAxis),
                              [&](const auto& p) { return p.measure == m && p.axis == axis; });
-        add(name + " by " + c.results.axes[axis].name + " at each level of " +
-                c.results.axes[interaction->other].name,
+        add(name + " by " + c.results.axes[axis].name + " at each level of " + c.results.axes[interaction->other].name,
             pairTable(c, ofAxis));
       }
     add(name + ": equivalence, two one-sided tests", equivalenceTable(c, pairs));

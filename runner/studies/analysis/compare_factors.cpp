@@ -17,8 +17,7 @@ std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<s
   std::vector<DesignCell> cells(count);
   for (std::size_t i = 0; i < results.conditions.size(); ++i) {
     std::size_t cell = 0;
-    for (const std::size_t a : axes)
-      cell = cell * results.axes[a].labels.size() + results.conditions[i].levels[a];
+    for (const std::size_t a : axes) cell = cell * results.axes[a].labels.size() + results.conditions[i].levels[a];
     cells[cell].conditions.push_back(i);
   }
   return cells;
@@ -75,8 +74,7 @@ std::optional<Interaction> interactionOf(const StudyComparison& c, std::size_t m
   for (const MeasureEffects& effects : c.effects)
     for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
       const FactorEffect& e = effects.analysis.effects[i];
-      if (effects.measure != measure || e.factors.size() < 2 || effects.corrected[i].value_or(1) >= 0.05)
-        continue;
+      if (effects.measure != measure || e.factors.size() < 2 || effects.corrected[i].value_or(1) >= 0.05) continue;
       const std::size_t one = effects.axes[e.factors[0]], two = effects.axes[e.factors[1]];
       if ((one != axis && two != axis) || !(e.share > most)) continue;
       most = e.share;

@@ -36,8 +36,7 @@ double valueAt(const std::vector<TimedValue>& values, double time) {
   return after == values.begin() ? values.front().value : (after - 1)->value;
 }
 
-std::vector<std::size_t> distinctTasks(const StudyResults& r, std::size_t measure,
-                                       const ResultCondition& condition) {
+std::vector<std::size_t> distinctTasks(const StudyResults& r, std::size_t measure, const ResultCondition& condition) {
   std::vector<std::size_t> tasks;
   for (const std::size_t t : condition.tasks)
     if (t != noTask && !r.tasks[t].values[measure].empty() && std::ranges::find(tasks, t) == tasks.end())

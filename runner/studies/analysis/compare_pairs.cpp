@@ -13,8 +13,8 @@ namespace {
 using Fixed = std::vector<std::optional<std::size_t>>;
 
 /// Conditions that differ in one axis alone: level a of it, and level b.
-std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& results, std::size_t axis,
-                                                          std::size_t a, std::size_t b, const Fixed& at) {
+std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& results, std::size_t axis, std::size_t a,
+                                                          std::size_t b, const Fixed& at) {
   std::map<std::vector<std::size_t>, std::size_t> byLevels;
   for (std::size_t i = 0; i < results.conditions.size(); ++i) byLevels[results.conditions[i].levels] = i;
   std::vector<std::pair<std::size_t, std::size_t>> all;
@@ -24,14 +24,13 @@ std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& re
     for (std::size_t x = 0; x < levels.size(); ++x) fits = fits && (!at[x] || *at[x] == levels[x]);
     if (!fits) continue;
     levels[axis] = b;
-    if (const auto partner = byLevels.find(levels); partner != byLevels.end())
-      all.push_back({i, partner->second});
+    if (const auto partner = byLevels.find(levels); partner != byLevels.end()) all.push_back({i, partner->second});
   }
   return all;
 }
 
-PairComparison compare(const StudyResults& results, std::size_t measure, std::size_t axis, std::size_t a,
-                       std::size_t b, const Fixed& at) {
+PairComparison compare(const StudyResults& results, std::size_t measure, std::size_t axis, std::size_t a, std::size_t b,
+                       const Fixed& at) {
   PairComparison pair;
   pair.measure = measure, pair.axis = axis, pair.a = a, pair.b = b, pair.at = at, pair.sameRuns = true;
   const auto conditions = partners(results, axis, a, b, at);
@@ -124,8 +123,7 @@ void testEquivalences(StudyComparison& c) {
       c.pairs, [&](PairComparison& p) { return tested(p) ? Value(p.equivalence->test.pBeyond) : Value(); },
       [](PairComparison& p, double corrected) { p.equivalence->correctedBeyond = corrected; });
   for (PairComparison& p : c.pairs)
-    if (p.equivalence)
-      p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
+    if (p.equivalence) p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ struct Interaction {
   const MeasureEffects* of;
   std::size_t effect, other;  // other: axis
 };
-std::optional<Interaction> interactionOf(const StudyComparison& comparison, std::size_t measure,
-                                         std::size_t axis);
+std::optional<Interaction> interactionOf(const StudyComparison& comparison, std::size_t measure, std::size_t axis);
 /// Fills `split`; after compareFactors.
 void splitPairs(StudyComparison& comparison);
 /// Fills `courses`.

@@ -43,12 +43,10 @@ std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;
   std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& row) { return c.measureName(row.measure); }},
-      {{"labels", "", ""},
-       [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
+      {{"labels", "", ""}, [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
   for (std::size_t a = 0; a < r.axes.size(); ++a)
-    fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name}, [&r, a](const Row& row) {
-                        return r.axes[a].labels[r.conditions[row.condition].levels[a]];
-                      }});
+    fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name},
+                      [&r, a](const Row& row) { return r.axes[a].labels[r.conditions[row.condition].levels[a]]; }});
   return fields;
 }
 
@@ -110,8 +108,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"axis", "by", ""}, [&](const Row& p) { return axisOf(p).name; }},
       {{"a", "a", ""}, [&](const Row& p) { return axisOf(p).labels[p.a]; }},
       {{"b", "b", ""}, [&](const Row& p) { return axisOf(p).labels[p.b]; }},
-      {{"", "", "a − b"},
-       [&](const Row& p) { return axisOf(p).labels[p.a] + " − " + axisOf(p).labels[p.b]; }},
+      {{"", "", "a − b"}, [&](const Row& p) { return axisOf(p).labels[p.a] + " − " + axisOf(p).labels[p.b]; }},
       {{"at", "", "of the others"}, [&](const Row& p) { return Cell(fixedJson(c, p), fixedOf(c, p)); }},
       {{"n", "n", "pairs"}, [](const Row& p) { return p.of.size(); }},
       {{"known", "", ""}, [](const Row& p) { return name(p.known); }},
@@ -147,12 +144,10 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
        [](const Row& p) { return bound(p.unpaired ? p.unpaired->interval : std::nullopt, &Interval::high); }},
       {{"interval_ratio", "interval_ratio", "paired/unpaired"},
        [](const Row& p) { return number(p.intervalRatio(), 2); }},
-      {{"", "margin", ""},
-       [](const Row& p) { return p.equivalence ? number(p.equivalence->test.margin) : exact({}); }},
+      {{"", "margin", ""}, [](const Row& p) { return p.equivalence ? number(p.equivalence->test.margin) : exact({}); }},
       {{"", "p_equivalent_holm", ""},
        [](const Row& p) { return p.equivalence ? number(p.equivalence->corrected) : exact({}); }},
-      {{"", "equivalent", ""},
-       [](const Row& p) { return p.equivalence ? name(p.equivalence->verdict) : exact({}); }},
+      {{"", "equivalent", ""}, [](const Row& p) { return p.equivalence ? name(p.equivalence->verdict) : exact({}); }},
   };
   if (!c.margins.empty())
     fields.push_back({{"equivalence", "", ""}, [&](const Row& p) {
@@ -168,18 +163,14 @@ Table equivalenceTable(const StudyComparison& c, const std::vector<PairCompariso
   using Row = PairComparison;
   const std::vector<FieldOf<Row>> fields{
       {{"", "", "a, b"},
-       [&](const Row& p) {
-         return c.results.axes[p.axis].labels[p.a] + ", " + c.results.axes[p.axis].labels[p.b];
-       }},
+       [&](const Row& p) { return c.results.axes[p.axis].labels[p.a] + ", " + c.results.axes[p.axis].labels[p.b]; }},
       {{"", "", "of the others"}, [&](const Row& p) { return fixedOf(c, p); }},
       {{"", "", "difference"}, [](const Row& p) { return number(p.paired.difference); }},
       {{"low", "", ""}, [](const Row& p) { return bound(p.equivalence->test.interval, &Interval::low); }},
       {{"high", "", ""}, [](const Row& p) { return bound(p.equivalence->test.interval, &Interval::high); }},
       {{"", "", "90 % interval"}, [](const Row& p) { return rangeOf(p.equivalence->test.interval); }},
       {{"margin", "", "margin"},
-       [](const Row& p) {
-         return Cell(p.equivalence->test.margin, "±" + numberText(p.equivalence->test.margin, 4));
-       }},
+       [](const Row& p) { return Cell(p.equivalence->test.margin, "±" + numberText(p.equivalence->test.margin, 4)); }},
       {{"p", "", "p"}, [](const Row& p) { return number(p.equivalence->test.p, 2); }},
       {{"p_holm", "", "Holm"}, [](const Row& p) { return number(p.equivalence->corrected, 2); }},
       {{"p_beyond", "", ""}, [](const Row& p) { return number(p.equivalence->test.pBeyond); }},
@@ -221,8 +212,7 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
          return Cell(d, e.f ? fmt::format("{}, {}", d, error) : "-");
        }},
       {{"error_df", "", ""}, [](const Row& e) { return number(e.errorDegreesOfFreedom); }},
-      {{"epsilon", "", "ε"},
-       [](const Row& e) { return number(e.f ? std::optional(e.epsilon) : std::nullopt, 3); }},
+      {{"epsilon", "", "ε"}, [](const Row& e) { return number(e.f ? std::optional(e.epsilon) : std::nullopt, 3); }},
       {{"p", "p", "p"}, [](const Row& e) { return number(e.p, 2); }},
       {{"p_holm", "p_holm", "Holm"}, [=](const Row& e) { return number(corrected(e), 2); }},
       {{"means", "", "means"},
@@ -244,8 +234,7 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
 
 Table courseTable(const StudyComparison& c, const TimeCourse& of) {
   using Row = TimeCourse::Point;
-  std::vector<FieldOf<Row>> fields{
-      {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
+  std::vector<FieldOf<Row>> fields{{{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
   for (std::size_t a = 0; a < c.results.axes.size(); ++a)
     fields.push_back({{"", "axis:" + c.results.axes[a].name, ""}, [&, a](const Row&) {
                         return c.results.axes[a].labels[c.results.conditions[of.condition].levels[a]];

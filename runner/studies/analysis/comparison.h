@@ -18,8 +18,7 @@ struct CompareOptions {
   std::vector<std::string> by;        // axes whose levels are held against each other; none: all axes
   std::vector<std::string> measures;  // none: all
   std::vector<std::string> margins;   // as parseMargins takes them; none: equivalence is not tested
-  bool within =
-      false;  // hold levels against each other also at each level of the other axes, not only in their mean
+  bool within = false;  // hold levels against each other also at each level of the other axes, not only in their mean
 };
 
 /// One measure under one condition, at the end of the runs.
@@ -28,9 +27,8 @@ struct ConditionSummary {
   std::vector<std::uint64_t> seeds;  // those with a value
   std::vector<double> values;        // one for each of them
   std::size_t distinct = 0;          // final states that differ
-  double mean = 0;  // of the distinct runs: what was computed once counts once. 0 without values
-  std::optional<Interval>
-      interval;  // of the mean, 95 %, Student's; none where seeds change nothing, or of one value
+  double mean = 0;                   // of the distinct runs: what was computed once counts once. 0 without values
+  std::optional<Interval> interval;  // of the mean, 95 %, Student's; none where seeds change nothing, or of one value
 };
 
 /// What is known of a difference.
@@ -51,7 +49,7 @@ struct PairEquivalence {
 /// that differ in nothing else and have both been measured.
 struct PairComparison {
   std::size_t measure = 0, axis = 0, a = 0, b = 0;  // levels of the axis, a < b
-  std::vector<std::optional<std::size_t>> at;  // [axis] its level if it is fixed; otherwise the mean over it
+  std::vector<std::optional<std::size_t>> at;       // [axis] its level if it is fixed; otherwise the mean over it
   Known known = Known::estimated;
   bool sameRuns = false;            // both levels mean the same scenes
   std::size_t seeds = 0;            // for which both sides have values
@@ -61,8 +59,7 @@ struct PairComparison {
   std::optional<MeanDifference> unpaired;  // the same values without their pairs
   EffectSizes effect{};
   Signs signs{};
-  std::optional<double>
-      corrected;  // p of `paired`, by Holm over all pairs that are tested; absent where none is
+  std::optional<double> corrected;  // p of `paired`, by Holm over all pairs that are tested; absent where none is
   std::optional<PairEquivalence> equivalence;
 
   bool isShown() const { return known == Known::estimated && corrected.value_or(1) < 0.05; }
@@ -98,7 +95,7 @@ struct StudyComparison {
   std::vector<std::size_t> by;        // axes, in the order asked for
   std::vector<std::size_t> measures;  // those compared
   std::vector<Margin> margins;
-  std::vector<std::size_t> seedless;  // conditions whose seeds change nothing, though the study has several
+  std::vector<std::size_t> seedless;         // conditions whose seeds change nothing, though the study has several
   std::vector<ConditionSummary> conditions;  // by measure, then condition
   std::vector<PairComparison> pairs;         // by measure, axis, what is fixed, levels
   std::vector<MeasureEffects> effects;

@@ -9,8 +9,8 @@ namespace {
 
 /// [condition][measure] The means in standard deviations of all values; absent: without values, or all are the same.
 std::vector<std::vector<std::optional<double>>> scaledMeans(const StudyComparison& c) {
-  std::vector<std::vector<std::optional<double>>> means(
-      c.results.conditions.size(), std::vector<std::optional<double>>(c.results.measures.size()));
+  std::vector<std::vector<std::optional<double>>> means(c.results.conditions.size(),
+                                                        std::vector<std::optional<double>>(c.results.measures.size()));
   for (const std::size_t m : c.measures) {
     double sum = 0, squares = 0, n = 0;
     for (const ConditionSummary& s : c.conditions)
@@ -38,8 +38,7 @@ std::vector<std::size_t> byDifference(const StudyComparison& c) {
     return sum;
   };
   const auto isKnown = [&](std::size_t k) {
-    return std::ranges::any_of(c.conditions,
-                               [&](const auto& s) { return s.condition == k && !s.values.empty(); });
+    return std::ranges::any_of(c.conditions, [&](const auto& s) { return s.condition == k && !s.values.empty(); });
   };
   // How far each is from the nearest that has been chosen; those without values are behind all others.
   std::vector<double> far(n);

@@ -55,14 +55,12 @@ std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t 
 
 void writeIntoGolden(const StudyComparison& comparison, const std::filesystem::path& study,
                      const std::filesystem::path& scenario) {
-  if (comparison.by.size() != 1)
-    throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
+  if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
   const Scenario own = loadScenario(scenario);
   for (const std::string& text : plannedScenarios(study))
     if (text != own.bytes)
-      throw InputError(
-          scenario.string() + ": " + study.string() +
-          " is a study of another scenario, or of this one before it was changed; run the study again");
+      throw InputError(scenario.string() + ": " + study.string() +
+                       " is a study of another scenario, or of this one before it was changed; run the study again");
   const auto file = goldenPath(scenario);
   refuseWithinCi(file);
   Golden golden = readGoldenFile(file);
@@ -70,8 +68,7 @@ void writeIntoGolden(const StudyComparison& comparison, const std::filesystem::p
     throw InputError(file.string() + ": the scenario has changed since; accept its result first");
   golden.statistics = statisticsOf(comparison, comparison.by.front());
   if (golden.statistics.empty())
-    throw InputError(study.string() +
-                     ": has no difference to state: it needs two runs of each of two levels at least");
+    throw InputError(study.string() + ": has no difference to state: it needs two runs of each of two levels at least");
   acceptGolden(file, golden, {golden.acceptedBy, golden.why});
 }
 

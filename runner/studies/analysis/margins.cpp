@@ -33,16 +33,14 @@ Margin parseMargin(const std::string& word, const std::vector<std::string>& meas
 
 }  // namespace
 
-std::vector<Margin> parseMargins(const std::vector<std::string>& words,
-                                 const std::vector<std::string>& measures) {
+std::vector<Margin> parseMargins(const std::vector<std::string>& words, const std::vector<std::string>& measures) {
   std::vector<Margin> margins;
   for (const std::string& word : words) {
     Margin margin = parseMargin(word, measures);
     if (std::ranges::any_of(margins, [&](const Margin& m) { return m.measure == margin.measure; }))
-      throw UsageError(
-          "--equivalent: " +
-          (margin.measure.empty() ? "two margins for all measures" : "two margins for " + margin.measure) +
-          "; leave out one of them");
+      throw UsageError("--equivalent: " +
+                       (margin.measure.empty() ? "two margins for all measures" : "two margins for " + margin.measure) +
+                       "; leave out one of them");
     margins.push_back(std::move(margin));
   }
   return margins;

@@ -14,8 +14,7 @@ struct Margin {
 
 /// "0.01", "5%", "sphericity=0.01", "clone-radius=2%", as --equivalent takes them. Throws UsageError for anything else, and
 /// for a measure that is not among `measures`.
-std::vector<Margin> parseMargins(const std::vector<std::string>& words,
-                                 const std::vector<std::string>& measures);
+std::vector<Margin> parseMargins(const std::vector<std::string>& words, const std::vector<std::string>& measures);
 
 /// The margin of this measure, in its unit, between conditions with this mean. None if none was given, or it is a share of 0.
 std::optional<double> marginOf(const std::vector<Margin>& margins, const std::string& measure, double mean);

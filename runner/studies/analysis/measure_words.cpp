@@ -53,8 +53,7 @@ std::string unitOfMeasure(const std::string& measure) {
 
 std::string titleOfMeasure(const std::string& measure, const Units& units) {
   std::string title = wordsOfMeasure(measure).noun;
-  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
-    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
   return shownUnit(units, unitOfMeasure(measure)).after(title);
 }
 

@@ -35,9 +35,8 @@ bool isDone(const StudyResults& results, const ResultCondition& condition, std::
 std::size_t commonSeed(const StudyResults& results) {
   std::size_t best = 0, most = 0;
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
-    const auto done =
-        static_cast<std::size_t>(std::count_if(results.conditions.begin(), results.conditions.end(),
-                                               [&](const auto& c) { return isDone(results, c, s); }));
+    const auto done = static_cast<std::size_t>(std::count_if(results.conditions.begin(), results.conditions.end(),
+                                                             [&](const auto& c) { return isDone(results, c, s); }));
     if (done > most) best = s, most = done;
   }
   return best;
@@ -58,8 +57,8 @@ struct TakenTile {
 /// Takes pictures of a run at the moments that it reaches, in their order.
 class MomentTaker {
  public:
-  MomentTaker(const Scenario& scenario, const std::vector<double>& times,
-              const std::vector<std::size_t>& cells, const Colouring& colouring)
+  MomentTaker(const Scenario& scenario, const std::vector<double>& times, const std::vector<std::size_t>& cells,
+              const Colouring& colouring)
       : scenario_(scenario), times_(times), cells_(cells), colouring_(colouring) {}
 
   void observe(const World& world) {
@@ -67,10 +66,9 @@ class MomentTaker {
   }
   void add(const World& world) {
     const std::size_t cells = world.cells.path.size();
-    tiles.push_back(
-        {{pictureOf(world, scenario_), false,
-          counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))},
-         colourValues(world, colouring_, scenario_)});
+    tiles.push_back({{pictureOf(world, scenario_), false,
+                      counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))},
+                     colourValues(world, colouring_, scenario_)});
   }
 
   std::vector<TakenTile> tiles;
@@ -88,21 +86,20 @@ class MomentTaker {
 };
 
 /// A tile for each moment; without any, one of the end.
-std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
-                               const std::filesystem::path& study, const std::vector<double>& times,
-                               const GridMoments& moments, bool quiet) {
+std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario, const std::filesystem::path& study,
+                               const std::vector<double>& times, const GridMoments& moments, bool quiet) {
   const std::vector<std::size_t>& cells = moments.cells;
   if (!scenario.scene.mechanics)
     throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
   MomentTaker taker(scenario, times, cells, moments.colouring);
-  const auto run = simulate(scenario, Execution{},
-                            {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
+  const auto run =
+      simulate(scenario, Execution{}, {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
   if (hash != task.stateHash)
-    throw NondeterminismError(study.string() + ": run " + task.runId + " came to the state " +
-                                  task.stateHash + " when the study was made, and now comes to " + hash +
+    throw NondeterminismError(study.string() + ": run " + task.runId + " came to the state " + task.stateHash +
+                                  " when the study was made, and now comes to " + hash +
                                   "; was it made by another build?",
                               task.runId, task.stateHash, hash);
   const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
@@ -152,8 +149,7 @@ bool haveOneScale(const StudyResults& results, std::size_t seed, const std::file
 
 /// Whether the levels of the last axis stand beside each other: of the end alone, and of a full design.
 bool spreadsLastAxis(const StudyResults& results, const GridMoments& moments) {
-  if (moments.count != 1 || !moments.times.empty() || !moments.cells.empty() || results.axes.size() < 2)
-    return false;
+  if (moments.count != 1 || !moments.times.empty() || !moments.cells.empty() || results.axes.size() < 2) return false;
   std::size_t all = 1;
   for (const ResultAxis& axis : results.axes) all *= axis.labels.size();
   return all == results.conditions.size() && results.axes.back().labels.size() <= mostGridColumns;
@@ -166,11 +162,9 @@ std::size_t columnsOf(const StudyResults& results, const GridMoments& moments) {
 }
 
 /// The lines before a row: the labels of its levels, of the first `count` axes.
-std::vector<std::string> linesOf(const StudyResults& results, const ResultCondition& condition,
-                                 std::size_t count) {
+std::vector<std::string> linesOf(const StudyResults& results, const ResultCondition& condition, std::size_t count) {
   std::vector<std::string> lines;
-  for (std::size_t axis = 0; axis < count; ++axis)
-    lines.push_back(results.axes[axis].labels[condition.levels[axis]]);
+  for (std::size_t axis = 0; axis < count; ++axis) lines.push_back(results.axes[axis].labels[condition.levels[axis]]);
   if (lines.empty()) lines.push_back(results.nameOf(condition));
   return lines;
 }
@@ -182,20 +176,17 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments) 
                     rows = results.conditions.size() /
                            (spreadsLastAxis(results, moments) ? std::max<std::size_t>(1, columns) : 1);
   if (columns > mostGridColumns)
-    return fmt::format("{} moments are too many for one picture, which has room for {}", columns,
-                       mostGridColumns);
+    return fmt::format("{} moments are too many for one picture, which has room for {}", columns, mostGridColumns);
   if (rows > mostGridRows)
-    return fmt::format(
-        "{} conditions are too many for one picture, which has room for {} rows{}", results.conditions.size(),
-        mostGridRows,
-        columns > 1 && !spreadsLastAxis(results, moments) && whyTooMany(results, {1, {}, {}}).empty()
-            ? "; --moments 1 shows the end of each"
-            : "");
+    return fmt::format("{} conditions are too many for one picture, which has room for {} rows{}",
+                       results.conditions.size(), mostGridRows,
+                       columns > 1 && !spreadsLastAxis(results, moments) && whyTooMany(results, {1, {}, {}}).empty()
+                           ? "; --moments 1 shows the end of each"
+                           : "");
   return {};
 }
 
-std::optional<StoredPictures> storedPictures(const StudyResults& results,
-                                             const std::filesystem::path& study) {
+std::optional<StoredPictures> storedPictures(const StudyResults& results, const std::filesystem::path& study) {
   const StudyFolder folder(study.parent_path());
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
     StoredPictures stored{.seed = s, .files = {}};
@@ -210,8 +201,7 @@ std::optional<StoredPictures> storedPictures(const StudyResults& results,
 
 std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::filesystem::path& study,
                                    const GridMoments& moments, bool quiet) {
-  if (const std::string why = whyTooMany(results, moments); !why.empty())
-    throw UsageError("--pictures: " + why);
+  if (const std::string why = whyTooMany(results, moments); !why.empty()) throw UsageError("--pictures: " + why);
   const std::size_t columns = columnsOf(results, moments);
   const bool spread = spreadsLastAxis(results, moments),
              ends = moments.count == 1 && moments.times.empty() && moments.cells.empty();
@@ -224,8 +214,7 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
   if (times.empty() && moments.cells.empty() && !ends) {
     double end = 0;
     for (const ResultCondition& condition : results.conditions)
-      if (isDone(results, condition, seed))
-        end = std::max(end, endOf(study, results.tasks[condition.tasks[seed]]));
+      if (isDone(results, condition, seed)) end = std::max(end, endOf(study, results.tasks[condition.tasks[seed]]));
     for (std::size_t i = 0; i < columns; ++i)
       times.push_back(end * static_cast<double>(i) / static_cast<double>(columns - 1));
   }

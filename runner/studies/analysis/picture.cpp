@@ -56,10 +56,8 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure) {
 }
 
 Panel coursesOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{.title = titleOfMeasure(c.measureName(measure)) + " over time",
-              .strips = {},
-              .lines = {},
-              .xLabel = "time"};
+  Panel panel{
+      .title = titleOfMeasure(c.measureName(measure)) + " over time", .strips = {}, .lines = {}, .xLabel = "time"};
   for (const TimeCourse& course : c.courses) {
     if (course.measure != measure) continue;
     PanelLine line{seriesColour(colourLevel(c, course.condition)), {}};
@@ -82,9 +80,8 @@ SmallMultiples stripsOf(const StudyComparison& c) {
       "Points: runs, one a seed; bars: mean and its 95 % interval. Whole numbers: median, quartiles, range.";
   if (const auto axis = colourAxis(c); axis && c.results.axes.size() > 1)
     for (std::size_t l = 0; l < c.results.axes[*axis].labels.size(); ++l)
-      chart.words.legend.push_back({seriesColour(l),
-                                    c.results.axes[*axis].name + ": " + c.results.axes[*axis].labels[l],
-                                    seriesMarker(l)});
+      chart.words.legend.push_back(
+          {seriesColour(l), c.results.axes[*axis].name + ": " + c.results.axes[*axis].labels[l], seriesMarker(l)});
   for (const std::size_t m : c.measures) chart.panels.push_back(stripsOf(c, m));
   for (const std::size_t m : c.measures)
     if (std::ranges::any_of(c.courses, [&](const TimeCourse& course) { return course.measure == m; }))

@@ -21,8 +21,7 @@ std::string quoted(const std::string& name) {
 }
 
 [[noreturn]] void damaged(Database& db, const std::string& what) {
-  throw StoreError(db.file().string() + ": " + what +
-                   "; the file is damaged: make it again with morula study merge");
+  throw StoreError(db.file().string() + ": " + what + "; the file is damaged: make it again with morula study merge");
 }
 
 void readAxes(Database& db, StudyResults& results) {
@@ -59,12 +58,11 @@ std::map<std::int64_t, std::size_t> readConditions(Database& db, StudyResults& r
 /// Returns the number of each task by its id.
 std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results) {
   std::map<std::string, std::size_t> numbers;
-  Statement rows(
-      db,
-      "SELECT task_id, task.status, reason, run_id, run.state_hash, (SELECT count(*) FROM check_result c "
-      "WHERE c.run_id = task.run_id AND kind = 'sanity' AND NOT passed), coalesce(run.cells, 0) FROM task "
-      "LEFT JOIN run USING "
-      "(run_id) ORDER BY number, task_id");
+  Statement rows(db,
+                 "SELECT task_id, task.status, reason, run_id, run.state_hash, (SELECT count(*) FROM check_result c "
+                 "WHERE c.run_id = task.run_id AND kind = 'sanity' AND NOT passed), coalesce(run.cells, 0) FROM task "
+                 "LEFT JOIN run USING "
+                 "(run_id) ORDER BY number, task_id");
   for (rows.start(); rows.next();) {
     numbers[rows.text(0)] = results.tasks.size();
     results.tasks.push_back({rows.line(0), rows.line(1), rows.line(2), rows.line(3), rows.line(4),
@@ -108,24 +106,20 @@ void readMeasures(Database& db, const std::string& plan, StudyResults& results) 
   const std::size_t planned = results.measures.size();
   Statement rows(db, "SELECT DISTINCT measure FROM result ORDER BY measure");
   for (rows.start(); rows.next();)
-    if (const std::string name = rows.line(0);
-        std::ranges::find(results.measures, name) == results.measures.end())
+    if (const std::string name = rows.line(0); std::ranges::find(results.measures, name) == results.measures.end())
       results.measures.push_back(name);
-  std::stable_sort(
-      results.measures.begin() + static_cast<std::ptrdiff_t>(planned), results.measures.end(),
-      [](const std::string& a, const std::string& b) { return placeOfMeasure(a) < placeOfMeasure(b); });
+  std::stable_sort(results.measures.begin() + static_cast<std::ptrdiff_t>(planned), results.measures.end(),
+                   [](const std::string& a, const std::string& b) { return placeOfMeasure(a) < placeOfMeasure(b); });
 }
 
 void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, StudyResults& results) {
   std::map<std::string, std::size_t> measures;
   for (std::size_t m = 0; m < results.measures.size(); ++m) measures[results.measures[m]] = m;
-  Statement rows(
-      db,
-      "SELECT task_id, measure, time, value FROM task JOIN result USING (run_id) WHERE task.status = 'done' "
-      "ORDER BY task_id, measure, time");
+  Statement rows(db,
+                 "SELECT task_id, measure, time, value FROM task JOIN result USING (run_id) WHERE task.status = 'done' "
+                 "ORDER BY task_id, measure, time");
   for (rows.start(); rows.next();)
-    results.tasks[tasks.at(rows.text(0))].values[measures.at(rows.line(1))].push_back(
-        {rows.real(2), rows.real(3)});
+    results.tasks[tasks.at(rows.text(0))].values[measures.at(rows.line(1))].push_back({rows.real(2), rows.real(3)});
 }
 
 }  // namespace
@@ -167,11 +161,9 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
 StudyResults readStudyResults(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
   requireTables(db);
-  if (db.integer(
-          "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") < 2)
-    throw StoreError(
-        file.string() +
-        ": a database of runs, but of no study; give the study.db that morula study merge makes");
+  if (db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") < 2)
+    throw StoreError(file.string() +
+                     ": a database of runs, but of no study; give the study.db that morula study merge makes");
   StudyResults results;
   Statement study(db, "SELECT name, summary, plan FROM study");
   if (!study.start().next()) damaged(db, "the table study is empty");

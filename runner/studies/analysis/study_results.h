@@ -31,8 +31,7 @@ struct ResultAxis {
 struct ResultCondition {
   std::vector<std::size_t> levels;  // one for each axis
   bool usesSeed = true;
-  std::vector<std::size_t>
-      tasks;  // [seed] conditions and seeds that mean the same share them; noTask: not planned
+  std::vector<std::size_t> tasks;  // [seed] conditions and seeds that mean the same share them; noTask: not planned
 };
 inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
 

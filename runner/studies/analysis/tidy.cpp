@@ -33,8 +33,7 @@ std::string beginningOf(const Statement& row, int axes) {
 
 }  // namespace
 
-void writeTidy(const std::filesystem::path& file, TidyRows rows,
-               const std::function<void(std::string_view)>& write) {
+void writeTidy(const std::filesystem::path& file, TidyRows rows, const std::function<void(std::string_view)>& write) {
   const StudyResults study = readStudyResults(file);  // which says what is wrong with it
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
   std::string labels, header;
@@ -43,13 +42,12 @@ void writeTidy(const std::filesystem::path& file, TidyRows rows,
   const int axes = static_cast<int>(study.axes.size());
   if (rows == TidyRows::runs) {
     write(header + "seed,time,measure,value\n");
-    Statement values(db, "SELECT " + labels + "replicate.seed, result.time, measure, value" +
-                             runsOfConditions +
+    Statement values(db, "SELECT " + labels + "replicate.seed, result.time, measure, value" + runsOfConditions +
                              "result USING (run_id) WHERE task.status = 'done' "
                              "ORDER BY condition.condition_id, replicate.seed, measure, result.time");
     for (values.start(); values.next();)
-      write(beginningOf(values, axes) + csvField(values.line(axes + 2)) + "," +
-            exactText(values.finite(axes + 3)) + "\n");
+      write(beginningOf(values, axes) + csvField(values.line(axes + 2)) + "," + exactText(values.finite(axes + 3)) +
+            "\n");
     return;
   }
   const auto measures = measuresOfCells(db);
@@ -61,12 +59,11 @@ void writeTidy(const std::filesystem::path& file, TidyRows rows,
                           "cell_sample USING (run_id) WHERE task.status = 'done' "
                           "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
   for (cells.start(); cells.next();) {
-    const std::string beginning = beginningOf(cells, axes) + csvField(cells.line(axes + 2)) + "," +
-                                  csvField(cells.line(axes + 3)) + ",";
+    const std::string beginning =
+        beginningOf(cells, axes) + csvField(cells.line(axes + 2)) + "," + csvField(cells.line(axes + 3)) + ",";
     for (std::size_t m = 0; m < measures.size(); ++m) {
       const int column = axes + 4 + static_cast<int>(m);
-      if (!cells.isNull(column))
-        write(beginning + measures[m] + "," + exactText(cells.finite(column)) + "\n");
+      if (!cells.isNull(column)) write(beginning + measures[m] + "," + exactText(cells.finite(column)) + "\n");
     }
   }
 }

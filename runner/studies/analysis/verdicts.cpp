@@ -42,14 +42,12 @@ std::string pText(const std::optional<double>& p) {
 }
 
 bool anyShown(const StudyComparison& c, std::size_t measure) {
-  return std::ranges::any_of(c.pairs,
-                             [&](const PairComparison& p) { return p.measure == measure && isDifferent(p); });
+  return std::ranges::any_of(c.pairs, [&](const PairComparison& p) { return p.measure == measure && isDifferent(p); });
 }
 
 bool anyEffect(const StudyComparison& c, std::size_t measure) {
   return std::ranges::any_of(c.effects, [&](const MeasureEffects& e) {
-    return e.measure == measure &&
-           std::ranges::any_of(e.corrected, [](const auto& p) { return p.value_or(1) < 0.05; });
+    return e.measure == measure && std::ranges::any_of(e.corrected, [](const auto& p) { return p.value_or(1) < 0.05; });
   });
 }
 
@@ -80,8 +78,7 @@ std::string differs(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const double d = pair.paired.difference;
   const bool relative = pair.meanA > 0 && pair.meanB > 0 && std::abs(d) < pair.meanB;
-  const std::string size =
-      relative ? numberText(100 * std::abs(d) / pair.meanB, 2) + " %" : numberText(std::abs(d), 2);
+  const std::string size = relative ? numberText(100 * std::abs(d) / pair.meanB, 2) + " %" : numberText(std::abs(d), 2);
   return fmt::format("{}: {} {} under {} ({}) than under {} ({}){}", c.measureName(pair.measure), size,
                      d > 0 ? words.more : words.less, label(c, pair, pair.a), numberText(pair.meanA, 3),
                      label(c, pair, pair.b), numberText(pair.meanB, 3), place(c, pair));
@@ -89,16 +86,14 @@ std::string differs(const StudyComparison& c, const PairComparison& pair) {
 
 /// "every one of 10 pairs", "9 of 10 pairs".
 std::string inHowMany(const PairComparison& pair) {
-  const std::size_t n = pair.signs.pairs(),
-                    with = pair.paired.difference > 0 ? pair.signs.higher : pair.signs.lower;
+  const std::size_t n = pair.signs.pairs(), with = pair.paired.difference > 0 ? pair.signs.higher : pair.signs.lower;
   return with == n ? fmt::format("every one of {} pairs", n) : fmt::format("{} of {} pairs", with, n);
 }
 
 /// ", 95 % interval −0.1 to 0.2", ", in every pair".
 std::string intervalText(const char* level, const std::optional<Interval>& interval) {
   if (!interval) return ", in every pair";
-  return fmt::format(", {} interval {} to {}", level, numberText(interval->low, 2),
-                     numberText(interval->high, 2));
+  return fmt::format(", {} interval {} to {}", level, numberText(interval->low, 2), numberText(interval->high, 2));
 }
 
 /// "difference 0.05, 95 % interval 0.04 to 0.06, p = 0.0012 after Holm".
@@ -115,9 +110,8 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
   if (pair.sameRuns) return fmt::format("{}: {} are the same runs", name, between);
   switch (pair.known) {
     case Known::exact:
-      return pair.paired.difference == 0
-                 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
-                 : differs(c, pair) + ", exactly: seeds change neither";
+      return pair.paired.difference == 0 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
+                                         : differs(c, pair) + ", exactly: seeds change neither";
     case Known::oneSeed:
       return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
     case Known::estimated:
@@ -185,8 +179,7 @@ std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const P
     if (isDifferent(*p)) differ.push_back(label(c, *p, p->a) + " and " + label(c, *p, p->b));
   }
   if (differ.empty()) return "";
-  for (const auto& [level, value] : means)
-    words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
+  for (const auto& [level, value] : means) words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
   return join(words) + (pairs.size() == 1               ? ""
                         : differ.size() == pairs.size() ? ": every two differ"
                                                         : ": " + join(differ) + " differ");
@@ -202,8 +195,7 @@ std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const
   for (std::size_t l = 0; l < other.labels.size(); ++l) {
     std::vector<const PairComparison*> pairs;
     for (const PairComparison& p : c.split)
-      if (p.measure == interaction.of->measure && p.axis == axis && p.at[interaction.other] == l)
-        pairs.push_back(&p);
+      if (p.measure == interaction.of->measure && p.axis == axis && p.at[interaction.other] == l) pairs.push_back(&p);
     if (pairs.empty()) continue;
     const std::string text = levelsThatDiffer(c, pairs);
     if (text.empty()) {
@@ -219,9 +211,9 @@ std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const
     said.push_back({"no difference is shown" +
                         (most > 0 ? " (95 % intervals within ±" + numberText(most, 2) + ")" : std::string()),
                     silent});
-  std::string line = fmt::format("{}: what it does to {} depends on {} (interaction, {})",
-                                 c.results.axes[axis].name, c.measureName(interaction.of->measure),
-                                 other.name, effectText(*interaction.of, interaction.effect));
+  std::string line =
+      fmt::format("{}: what it does to {} depends on {} (interaction, {})", c.results.axes[axis].name,
+                  c.measureName(interaction.of->measure), other.name, effectText(*interaction.of, interaction.effect));
   for (std::size_t i = 0; i < said.size(); ++i)
     line += fmt::format("{} with {} {}: {}", i ? ";" : ":", other.name, join(said[i].second), said[i].first);
   return line;
@@ -240,8 +232,8 @@ std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effect
       pairs.push_back(&p);
   std::string which = levelsThatDiffer(c, pairs);
   if (which.empty()) which = join(means) + (pairs.size() > 1 ? ": no two of them are shown to differ" : "");
-  return fmt::format("{}: decides on {} ({}): {}", of.name, c.measureName(effects.measure),
-                     effectText(effects, axis), which);
+  return fmt::format("{}: decides on {} ({}): {}", of.name, c.measureName(effects.measure), effectText(effects, axis),
+                     which);
 }
 
 /// A line for each axis and measure that it decides on, and one for all others; not where a pair of levels says it all.
@@ -262,8 +254,7 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
         lines.push_back(effectVerdict(c, effects, a));
       } else if (p) {
         const auto& interval = effects.analysis.effects[a].partialInterval;
-        others.push_back(c.measureName(effects.measure) + " (η² " +
-                         shareText(effects.analysis.effects[a].share) +
+        others.push_back(c.measureName(effects.measure) + " (η² " + shareText(effects.analysis.effects[a].share) +
                          (interval ? ", partial η² at most " + numberText(interval->high, 2) : "") + ")");
         least = std::min(least, *p);
       }
@@ -279,8 +270,7 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
 void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdicts) {
   std::vector<std::string> following;
   for (const std::size_t m : c.measures)
-    if (const auto known = findMeasure(c.measureName(m));
-        known && known->followsNumber && !tellsNothing(c, m))
+    if (const auto known = findMeasure(c.measureName(m)); known && known->followsNumber && !tellsNothing(c, m))
       following.push_back(known->name);
   Spread numbers;
   for (const ResultCondition& condition : c.results.conditions) {
@@ -310,8 +300,8 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
     most = std::max(most, *ratio);
   }
   if (!best) return;
-  const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
-                                        label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
+  const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure), label(c, *best, best->a),
+                                        label(c, *best, best->b), place(c, *best));
   verdicts.push_back(
       fmt::format("common random numbers: the interval of a paired difference is {} of the unpaired one at "
                   "best ({}), {} at most",
@@ -344,8 +334,7 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
   for (const auto& [condition, seed, task] : troubledRuns(r)) {
     const std::string which = fmt::format("{}, seed {}", condition, seed);
     if (task.status == "done")
-      lines.push_back("not sane  " + which +
-                      ": its bodies ended in a state that cannot be; its values count");
+      lines.push_back("not sane  " + which + ": its bodies ended in a state that cannot be; its values count");
     else lines.push_back(task.status + "  " + which + (task.reason.empty() ? "" : ": " + task.reason));
   }
   for (const auto& names : namesOfSameRuns(r)) lines.push_back("the same runs  " + join(names, " = "));

@@ -57,8 +57,7 @@ MeanDifference compareUnpaired(std::span<const double> a, std::span<const double
   MeanDifference result = test(mean(a) - mean(b), std::sqrt(e), df);
   if (e > 0) return result;
   double ways = 1;  // to choose a's values among all
-  for (std::size_t i = 1; i <= a.size(); ++i)
-    ways *= static_cast<double>(b.size() + i) / static_cast<double>(i);
+  for (std::size_t i = 1; i <= a.size(); ++i) ways *= static_cast<double>(b.size() + i) / static_cast<double>(i);
   result.smallestP = 2 / ways;
   result.p = std::max(result.p, result.smallestP);
   return result;
@@ -82,8 +81,7 @@ EffectSizes effectSizes(std::span<const double> a, std::span<const double> b) {
 Signs signsOf(std::span<const double> a, std::span<const double> b) {
   MORULA_CHECK(a.size() == b.size(), "pairs");
   Signs signs;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    ++(a[i] > b[i] ? signs.higher : a[i] < b[i] ? signs.lower : signs.same);
+  for (std::size_t i = 0; i < a.size(); ++i) ++(a[i] > b[i] ? signs.higher : a[i] < b[i] ? signs.lower : signs.same);
   return signs;
 }
 

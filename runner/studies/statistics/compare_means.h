@@ -13,9 +13,9 @@ namespace morula {
 struct MeanDifference {
   double difference = 0;  // mean of a − mean of b
   double standardError = 0, degreesOfFreedom = 0;
-  double t = 0;          // difference / standardError; ±∞ where nothing varies and the means differ
-  double p = 1;          // two-sided; at least smallestP
-  double smallestP = 0;  // where values repeat: that of an exact test of as many (sign_flip.h)
+  double t = 0;                        // difference / standardError; ±∞ where nothing varies and the means differ
+  double p = 1;                        // two-sided; at least smallestP
+  double smallestP = 0;                // where values repeat: that of an exact test of as many (sign_flip.h)
   std::optional<Interval> interval{};  // at 95 %, Student's; absent where nothing varies
 };
 

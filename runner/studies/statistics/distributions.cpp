@@ -47,10 +47,9 @@ double logGamma(double a) {
   const double r = 1 / a, r2 = r * r;
   // B₂ₖ / (2k (2k − 1) a^(2k−1)); the next term is below 1e-19 for a ≥ 16.
   const double series =
-      r *
-      (1.0 / 12 +
-       r2 * (-1.0 / 360 +
-             r2 * (1.0 / 1260 + r2 * (-1.0 / 1680 + r2 * (1.0 / 1188 + r2 * (-691.0 / 360360 + r2 / 156))))));
+      r * (1.0 / 12 +
+           r2 * (-1.0 / 360 +
+                 r2 * (1.0 / 1260 + r2 * (-1.0 / 1680 + r2 * (1.0 / 1188 + r2 * (-691.0 / 360360 + r2 / 156))))));
   constexpr double halfLogOfTwoPi = 0.9189385332046727;
   return (a - 0.5) * naturalLog(a) - a + halfLogOfTwoPi + series - naturalLog(product);
 }
@@ -98,8 +97,7 @@ double noncentralFisherAbove(double f, double df1, double df2, double lambda) {
   }
   const double a = 0.5 * df2, b = 0.5 * df1, whole = df2 + df1 * f, x = df2 / whole, y = df1 * f / whole;
   double above = incompleteBeta(a, b, x, y);
-  double more =
-      exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
+  double more = exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
   double weight = exponential(-0.5 * lambda), left = 1, sum = 0;
   for (int j = 0; left > 1e-12 && j < 2000; ++j) {
     sum += weight * above, left -= weight;

@@ -22,9 +22,7 @@ Equivalence testEquivalence(const MeanDifference& d, double margin) {
     e.pBelow = d.difference < margin ? 0.5 * d.smallestP : 1;
     e.pBeyond = size > margin ? d.smallestP : 1;
   } else {
-    const auto above = [&](double distance) {
-      return studentAbove(distance / d.standardError, d.degreesOfFreedom);
-    };
+    const auto above = [&](double distance) { return studentAbove(distance / d.standardError, d.degreesOfFreedom); };
     e.pAbove = std::max(above(d.difference + margin), 0.5 * d.smallestP);
     e.pBelow = std::max(above(margin - d.difference), 0.5 * d.smallestP);
     // Of a true difference of +margin or −margin: so far from 0 on its own side, or on the other.

@@ -134,8 +134,7 @@ void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, dou
   e.epsilon = epsilonOf(deviations, contrasts.groups, e.degreesOfFreedom);
   e.p = fisherAbove(*e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
   e.partialInterval = partialIntervalOf(e, n);
-  if (repeats(contrasts.values, contrasts.groups))
-    e.p = std::max(*e.p, signFlipP(contrasts.values, contrasts.groups));
+  if (repeats(contrasts.values, contrasts.groups)) e.p = std::max(*e.p, signFlipP(contrasts.values, contrasts.groups));
 }
 
 }  // namespace
@@ -148,8 +147,7 @@ FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::spa
   for (const double x : values) analysis.squares += (x - whole) * (x - whole), size += x * x;
   for (std::size_t a = 0; a < design.levels.size(); ++a) analysis.effects.push_back({.factors = {a}});
   for (std::size_t a = 0; a < design.levels.size(); ++a)
-    for (std::size_t b = a + 1; b < design.levels.size(); ++b)
-      analysis.effects.push_back({.factors = {a, b}});
+    for (std::size_t b = a + 1; b < design.levels.size(); ++b) analysis.effects.push_back({.factors = {a, b}});
   for (FactorEffect& e : analysis.effects) {
     e.degreesOfFreedom = 1;
     for (const std::size_t f : e.factors) e.degreesOfFreedom *= static_cast<double>(design.levels[f] - 1);
@@ -162,8 +160,7 @@ std::vector<double> levelMeans(std::span<const std::size_t> levels, std::span<co
                                std::size_t factor) {
   const Design design(levels, values.size());
   std::vector<double> means(levels[factor]);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    means[design.level(i / design.replicates, factor)] += values[i];
+  for (std::size_t i = 0; i < values.size(); ++i) means[design.level(i / design.replicates, factor)] += values[i];
   for (double& m : means) m /= static_cast<double>(values.size() / means.size());
   return means;
 }

@@ -27,17 +27,16 @@ namespace morula {
 
 /// One factor's main effect, or the interaction of two.
 struct FactorEffect {
-  std::vector<std::size_t> factors;  // one, or two that interact
-  double squares = 0;                // sum of squares
-  double degreesOfFreedom = 0;       // d
-  double share = 0;                  // η² [1]: of the sum of squares about the whole mean
-  double errorSquares = 0;           // of how the effect differs from seed to seed
-  double errorDegreesOfFreedom = 0;  // d (n − 1)
-  double epsilon = 1;                // ε
-  std::optional<double> partial{};   // partial η²: squares / (squares + error); absent without error
+  std::vector<std::size_t> factors;           // one, or two that interact
+  double squares = 0;                         // sum of squares
+  double degreesOfFreedom = 0;                // d
+  double share = 0;                           // η² [1]: of the sum of squares about the whole mean
+  double errorSquares = 0;                    // of how the effect differs from seed to seed
+  double errorDegreesOfFreedom = 0;           // d (n − 1)
+  double epsilon = 1;                         // ε
+  std::optional<double> partial{};            // partial η²: squares / (squares + error); absent without error
   std::optional<Interval> partialInterval{};  // 95 %
-  std::optional<double> f{},
-      p{};  // absent where the effect does not differ between seeds; p as compare_means.h has it
+  std::optional<double> f{}, p{};  // absent where the effect does not differ between seeds; p as compare_means.h has it
 };
 
 struct FactorialAnalysis {
@@ -51,7 +50,6 @@ struct FactorialAnalysis {
 FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::span<const double> values);
 
 /// The mean of each level of one factor over all else.
-std::vector<double> levelMeans(std::span<const std::size_t> levels, std::span<const double> values,
-                               std::size_t factor);
+std::vector<double> levelMeans(std::span<const std::size_t> levels, std::span<const double> values, std::size_t factor);
 
 }  // namespace morula

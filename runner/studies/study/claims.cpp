@@ -36,12 +36,10 @@ class ClaimReader {
   /// Absent where something is wrong, which is told.
   std::optional<Claim> read() {
     const std::size_t before = problems_.size();
-    if (node_.kind != Node::Kind::map)
-      return scenario::refuse(node_, path_, claimAllowed, problems_), std::nullopt;
+    if (node_.kind != Node::Kind::map) return scenario::refuse(node_, path_, claimAllowed, problems_), std::nullopt;
     const bool ofMean = node_.find("at") || node_.find("mean");
-    const std::vector<std::string> keys =
-        ofMean ? std::vector<std::string>{"measure", "at", "mean", "within"}
-               : std::vector<std::string>{"measure", "a", "b", "says", "within"};
+    const std::vector<std::string> keys = ofMean ? std::vector<std::string>{"measure", "at", "mean", "within"}
+                                                 : std::vector<std::string>{"measure", "a", "b", "says", "within"};
     scenario::refuseUnknown(node_, path_, keys, problems_);
     claim_.place = node_.place;
     readMeasure();
@@ -78,15 +76,13 @@ class ClaimReader {
     const std::string path = path_ + "." + key;
     Levels levels(study_.axes.size());
     if (node.kind != Node::Kind::map)
-      return scenario::refuse(node, path, "a map of axes and labels, as {division: longest}", problems_),
-             levels;
+      return scenario::refuse(node, path, "a map of axes and labels, as {division: longest}", problems_), levels;
     std::vector<std::string> axes;
     for (const StudyAxis& axis : study_.axes) axes.push_back(axis.name);
     for (const auto& member : node.members) {
       const auto axis = std::ranges::find(axes, member.key) - axes.begin();
       if (std::size_t(axis) == axes.size()) {
-        problems_.add(member.place, path + "." + member.key, "the study has no such axis",
-                      nearOf(member.key, axes));
+        problems_.add(member.place, path + "." + member.key, "the study has no such axis", nearOf(member.key, axes));
         continue;
       }
       std::vector<std::string> labels;
@@ -117,8 +113,7 @@ class ClaimReader {
     if (number.ends_with('%')) number.pop_back();
     const auto size = scenario::parseReal(number);
     if (!size.wrong.empty() || !(size.value > 0))
-      problems_.add(node->place, path_ + ".within", describe(*node) + " is no margin",
-                    "needs " + marginAllowed);
+      problems_.add(node->place, path_ + ".within", describe(*node) + " is no margin", "needs " + marginAllowed);
     claim_.within = node->text;
   }
 
@@ -130,8 +125,7 @@ class ClaimReader {
       problems_.add(node_.place, path_ + ".at", "leaves open which condition is meant",
                     "needs a label of " + join(open, " and ") + ", too");
     if (const Node* node = needed("mean", "a number"))
-      claim_.mean =
-          scenario::readReal(*node, scenario::Range{}, path_ + ".mean", "a number", problems_).value_or(0);
+      claim_.mean = scenario::readReal(*node, scenario::Range{}, path_ + ".mean", "a number", problems_).value_or(0);
     readMargin();
   }
 
@@ -170,8 +164,7 @@ class ClaimReader {
     for (const auto& row : choices<Says>) names.push_back(row.name);
     const auto found = std::ranges::find(names, text);
     if (found != names.end()) claim_.says = choices<Says>[std::size_t(found - names.begin())].value;
-    else
-      problems_.add(node.place, path_ + ".says", describe(node) + " is not known here", nearOf(text, names));
+    else problems_.add(node.place, path_ + ".says", describe(node) + " is not known here", nearOf(text, names));
   }
 
   const Study& study_;
@@ -198,33 +191,30 @@ Key checkKey() {
                 {"required", std::move(required)},
                 {"additionalProperties", false}};
   };
-  const Json
-      pair = object(
-          {{"measure", text}, {"a", labels}, {"b", labels}, {"says", {{"enum", says}}}, {"within", within}},
-          {"measure", "a", "b", "says"}),
-      mean = object({{"measure", text}, {"at", labels}, {"mean", {{"type", "number"}}}, {"within", within}},
-                    {"measure", "mean", "within"});
-  return {
-      "check",
-      "a list of " + claimAllowed,
-      "Claims that `morula study check` holds against the results, each by what `morula study compare` says. "
-      "Of a pair, "
-      "says is what a is beside b: lower or higher (a difference is shown), equivalent (within a margin, "
-      "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name "
-      "labels of the "
-      "same axes and differ in one; of the other axes they name all, or none: then it is the mean over them. "
-      "Or of a condition, which `at` names: its mean, give or take `within`",
-      "no claims",
-      {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
-      [](Study&, const Node&, Problems&) {}};  // readClaims, when all axes are known
+  const Json pair = object(
+                 {{"measure", text}, {"a", labels}, {"b", labels}, {"says", {{"enum", says}}}, {"within", within}},
+                 {"measure", "a", "b", "says"}),
+             mean = object({{"measure", text}, {"at", labels}, {"mean", {{"type", "number"}}}, {"within", within}},
+                           {"measure", "mean", "within"});
+  return {"check",
+          "a list of " + claimAllowed,
+          "Claims that `morula study check` holds against the results, each by what `morula study compare` says. "
+          "Of a pair, "
+          "says is what a is beside b: lower or higher (a difference is shown), equivalent (within a margin, "
+          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name "
+          "labels of the "
+          "same axes and differ in one; of the other axes they name all, or none: then it is the mean over them. "
+          "Or of a condition, which `at` names: its mean, give or take `within`",
+          "no claims",
+          {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
+          [](Study&, const Node&, Problems&) {}};  // readClaims, when all axes are known
 }
 
 void readClaims(const Node& root, Study& study, Problems& problems) {
   const auto* check = root.find("check");
   if (!check || !scenario::expectEntries(check->value, "check", checkKey().allowed, problems)) return;
   for (std::size_t i = 0; i < check->value.items.size(); ++i)
-    if (auto claim =
-            ClaimReader(study, check->value.items[i], "check[" + std::to_string(i) + "]", problems).read())
+    if (auto claim = ClaimReader(study, check->value.items[i], "check[" + std::to_string(i) + "]", problems).read())
       study.claims.push_back(std::move(*claim));
 }
 

@@ -23,15 +23,14 @@ std::string whereText(const Study& study, const std::vector<Condition>& conditio
     for (std::size_t level = 0; level < study.axes[axis].levels.size(); ++level) {
       const Level& one = study.axes[axis].levels[level];
       const auto isOfLevel = [&](const Condition& c) { return c.levels[axis] == level; };
-      if (std::ranges::all_of(conditions,
-                              [&](const Condition& c) { return isOfLevel(c) == has.contains(c.number); }))
+      if (std::ranges::all_of(conditions, [&](const Condition& c) { return isOfLevel(c) == has.contains(c.number); }))
         return standsIn(one, line) ? "" : " (under " + study.axes[axis].name + ": " + one.label + ")";
     }
   const auto first = std::ranges::find(conditions, *has.begin(), &Condition::number);
   const std::string name = conditionName(study, first->labels);
   if (has.size() == 1) return " (under " + name + ")";
-  return " (in " + std::to_string(has.size()) + " of " + std::to_string(conditions.size()) +
-         " conditions, the first " + name + ")";
+  return " (in " + std::to_string(has.size()) + " of " + std::to_string(conditions.size()) + " conditions, the first " +
+         name + ")";
 }
 
 }  // namespace
@@ -47,8 +46,7 @@ void ConditionMistakes::add(std::size_t condition, const std::string& lines) {
 
 void ConditionMistakes::tell(const Study& study, const std::vector<Condition>& conditions,
                              scenario::Problems& problems) const {
-  for (const auto& [line, has] : lines_)
-    problems.addForeign({}, line + whereText(study, conditions, line, has));
+  for (const auto& [line, has] : lines_) problems.addForeign({}, line + whereText(study, conditions, line, has));
 }
 
 std::string conditionName(const Study& study, const std::vector<std::string>& labels) {

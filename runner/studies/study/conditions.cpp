@@ -63,17 +63,14 @@ void takeOver(Scenario& scenario, const Study& study) {
 
 void checkMeasures(const Study& study, const Condition& condition, ConditionMistakes& mistakes) {
   for (std::size_t i = 0; i < study.measures.size(); ++i) {
-    const auto place = [&] {
-      return scenario::placeText(study.file, study.measurePlaces[i]) + ": measures: ";
-    };
+    const auto place = [&] { return scenario::placeText(study.file, study.measurePlaces[i]) + ": measures: "; };
     const AskedMeasure m = *findMeasure(study.measures[i]);
     if (const auto unknown = unknownSubstance(m, condition.scenario.scene.dna.substances); !unknown.empty())
       mistakes.add(condition.number, place() + m.name + ": " + unknown);
     if (const std::string lacking = lackingFor(m.needs, condition.scenario); !lacking.empty())
       mistakes.add(condition.number, place() + m.name + " would find nothing to measure; needs " + lacking);
     if (m.row == "contact_duration" && study.when.moments != Moments::every)
-      mistakes.add(condition.number,
-                   place() + m.name + " counts from sample to sample; needs when: {every: T}");
+      mistakes.add(condition.number, place() + m.name + " counts from sample to sample; needs when: {every: T}");
   }
 }
 
@@ -134,9 +131,8 @@ void finish(Condition& condition, const Study& study) {
   condition.meaning = hasher.digest();
 }
 
-std::vector<Condition> loadConditions(const Study& study, Problems& problems,
-                                      std::vector<std::string>& warnings, const Execution& execution,
-                                      std::size_t most) {
+std::vector<Condition> loadConditions(const Study& study, Problems& problems, std::vector<std::string>& warnings,
+                                      const Execution& execution, std::size_t most) {
   const auto bases = readBases(study, problems);
   std::vector<Condition> conditions;
   ConditionMistakes mistakes;

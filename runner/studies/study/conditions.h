@@ -25,8 +25,7 @@ void finish(Condition& condition, const Study& study);
 /// All of them, or the first `most`. What is wrong with one of them becomes a problem, and it may then be missing.
 /// `warnings`: of the scenarios, each once.
 std::vector<Condition> loadConditions(const Study& study, scenario::Problems& problems,
-                                      std::vector<std::string>& warnings, const Execution& execution,
-                                      std::size_t most);
+                                      std::vector<std::string>& warnings, const Execution& execution, std::size_t most);
 
 /// Labels, levels and base of the condition of this number.
 Condition conditionOf(const Study& study, std::size_t number);

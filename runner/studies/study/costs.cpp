@@ -118,11 +118,9 @@ std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& opt
     try {
       const auto settled = settledInstead(condition->scenario);
       if (!settled) continue;
-      if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps))
-        cost.settled = run->seconds;
+      if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps)) cost.settled = run->seconds;
       else cost.refused = "it stops at its beginning";
-    } catch (
-        const InputError& error) {  // its first line without the place, which is none of the scenario's file
+    } catch (const InputError& error) {  // its first line without the place, which is none of the scenario's file
       const std::string text = error.what();
       const auto key = text.find(": ") + 2;
       cost.refused = text.substr(key, text.find('\n') - key);

@@ -32,8 +32,8 @@ std::string flow(const Node& node) {
       return "[" + text + "]";
     case Node::Kind::map:
       for (const auto& member : node.members)
-        text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : jsonQuoted(member.key)) +
-                ": " + flow(member.value);
+        text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : jsonQuoted(member.key)) + ": " +
+                flow(member.value);
       return "{" + text + "}";
     default:
       return "null";
@@ -44,8 +44,7 @@ std::string flow(const Node& node) {
 
 std::string overrideText(const Node& node) {
   // Alone, a text without quotes reaches to the end, whatever it holds, unless it begins as something else does.
-  if (node.isPlain() && !node.text.empty() &&
-      std::string_view("[{\"'").find(node.text[0]) == std::string_view::npos)
+  if (node.isPlain() && !node.text.empty() && std::string_view("[{\"'").find(node.text[0]) == std::string_view::npos)
     return node.text;
   return flow(node);
 }

@@ -22,10 +22,7 @@ std::string taskId(const Study& study, const Condition& condition, std::uint64_t
   hasher.field("measures").add(std::uint64_t{study.measures.size()});
   for (const std::string& name : study.measures) hasher.add(name);
   hasher.field("when").add(nameOf(study.when.moments)).add(study.when.every);
-  hasher.field("keep")
-      .add(nameOf(study.keep.hashes))
-      .add(nameOf(study.keep.samples))
-      .add(nameOf(study.keep.pictures));
+  hasher.field("keep").add(nameOf(study.keep.hashes)).add(nameOf(study.keep.samples)).add(nameOf(study.keep.pictures));
   return hasher.digest().text().substr(0, 16);
 }
 
@@ -54,8 +51,7 @@ std::string planId(const Plan& plan) {
     hasher.field("axis").add(axis.name).add(std::uint64_t{axis.levels.size()});
     for (const Level& level : axis.levels) {
       hasher.field("level").add(level.label).add(std::uint64_t{level.overrides.size()});
-      for (const Override& change : level.overrides)
-        hasher.add(change.path).add(change.value).add(change.removes);
+      for (const Override& change : level.overrides) hasher.add(change.path).add(change.value).add(change.removes);
     }
   }
   addLimits(hasher, plan.study.limits);
@@ -72,8 +68,7 @@ Plan makePlan(const Study& study, const PlanOptions& options) {
   Plan plan;
   plan.study = study;
   scenario::Problems problems(study.file);
-  plan.conditions =
-      study::loadConditions(study, problems, plan.warnings, options.execution, study::mostConditions);
+  plan.conditions = study::loadConditions(study, problems, plan.warnings, options.execution, study::mostConditions);
   problems.throwIfAny();
   for (Condition& condition : plan.conditions) study::finish(condition, study);
   if (options.predict) {

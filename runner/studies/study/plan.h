@@ -26,8 +26,7 @@ struct Condition {
 
 /// One distinct run.
 struct Task {
-  std::string
-      id;  // 16 hex digits: of the condition's meaning, the seed if it is used, measures, when and keep
+  std::string id;  // 16 hex digits: of the condition's meaning, the seed if it is used, measures, when and keep
   std::size_t condition = 0;  // of the first replicate that needs it
   std::uint64_t seed = 0;     // of that replicate
   friend bool operator==(const Task&, const Task&) = default;
@@ -63,10 +62,9 @@ struct Plan {
   std::vector<Task> tasks;            // in the order of the replicates that need them first
   std::vector<Replicate> replicates;  // by condition, then in the order of the seeds
   std::string id;                     // 32 hex digits: of all that decides what is run, kept and compared
-  std::vector<std::string>
-      warnings;                // of the scenarios: what works, but may not be meant. No part of the file.
-  std::vector<RunCost> costs;  // one for each condition; empty: not predicted. No part of the id.
-  std::vector<SettledCost> settled;  // at most one for each base. No part of the file.
+  std::vector<std::string> warnings;  // of the scenarios: what works, but may not be meant. No part of the file.
+  std::vector<RunCost> costs;         // one for each condition; empty: not predicted. No part of the id.
+  std::vector<SettledCost> settled;   // at most one for each base. No part of the file.
 };
 
 struct PlanOptions {

@@ -62,8 +62,8 @@ void listFields(T& limits, auto&& field) {
 /// `measurePlaces`, `allowOutside` and `claims` are of a study file that is read.
 template <IsA<Study> T>
 void listFields(T& study, auto&& field) {
-  auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, measurePlaces,
-         allowOutside, claims] = study;
+  auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, measurePlaces, allowOutside,
+         claims] = study;
   field({"file"}, file);
   field({"name"}, name);
   field({"summary"}, summary);
@@ -124,8 +124,7 @@ Json membersOf(const Plan& plan) {
   Json conditions = Json::array(), replicates = Json::array();
   for (const Condition& c : plan.conditions) {
     Json named = Json::array();
-    for (const NamedFile& file : c.scenario.files)
-      named.push_back(files.add(file.role, file.path, file.content));
+    for (const NamedFile& file : c.scenario.files) named.push_back(files.add(file.role, file.path, file.content));
     conditions.push_back({{"labels", c.labels},
                           {"scenario", files.add("scenario", c.scenario.file, c.scenario.bytes)},
                           {"files", std::move(named)},
@@ -167,8 +166,7 @@ Study studyOf(const Json& json) {
 
 NamedFile fileOf(const Json& files, const Json& number) {
   const Json& file = files.at(wholeFrom<std::size_t>(number));
-  return {file.at("role").get<std::string>(), file.at("path").get<std::string>(),
-          file.at("text").get<std::string>()};
+  return {file.at("role").get<std::string>(), file.at("path").get<std::string>(), file.at("text").get<std::string>()};
 }
 
 Plan planOf(const Json& json) {
@@ -177,13 +175,11 @@ Plan planOf(const Json& json) {
   const Json &conditions = json.at("conditions"), &files = json.at("files");
   if (conditions.size() != study::countConditions(plan.study)) throw FileError("it lacks conditions");
   for (const Json& c : conditions) {
-    Condition& condition =
-        plan.conditions.emplace_back(study::conditionOf(plan.study, plan.conditions.size()));
+    Condition& condition = plan.conditions.emplace_back(study::conditionOf(plan.study, plan.conditions.size()));
     const NamedFile base = fileOf(files, c.at("scenario"));
     std::vector<NamedFile> named;
     for (const Json& number : c.at("files")) named.push_back(fileOf(files, number));
-    condition.scenario =
-        study::readConditionScenario(plan.study, condition, base.content, base.path, "", named);
+    condition.scenario = study::readConditionScenario(plan.study, condition, base.content, base.path, "", named);
     condition.scenario.warnings.clear();
     study::finish(condition, plan.study);
     if (condition.meaning.text() != c.at("meaning").get<std::string>())
@@ -217,8 +213,7 @@ Plan readPlan(const std::string& text, const std::string& file) {
     throw fail("is a plan of another version of Morula", "run it with that, or plan again in a new folder");
   const auto end = text.rfind("  \"hash\": ");
   if (end == text.npos || !json.contains("hash") || json["hash"] != hashOf(text.substr(0, end)))
-    throw fail("is damaged: it was changed since it was made",
-               "restore it from a copy, or plan again in a new folder");
+    throw fail("is damaged: it was changed since it was made", "restore it from a copy, or plan again in a new folder");
   json.erase("hash");
   const std::string again = "plan again in a new folder, or use the build that made it";
   try {

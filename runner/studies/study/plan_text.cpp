@@ -50,8 +50,8 @@ std::string costText(const Plan& plan) {
   std::string text = fmt::format(
       "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on "
       "disk\n",
-      timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest,
-      bytesText(total->memory), bytesText(total->disk));
+      timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest, bytesText(total->memory),
+      bytesText(total->disk));
   if (tried < plan.conditions.size())
     text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
                         counted(tried, "condition"));
@@ -88,10 +88,10 @@ std::string powerText(const Study& study) {
   };
   std::size_t enough = study.seeds.size();
   while (corrected(enough) >= 0.05) ++enough;
-  std::string text = fmt::format(
-      "  {}: of values that repeat, as counts do, no p is below {}, {} after Holm over {} comparisons",
-      counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
-      numberText(corrected(study.seeds.size()), 2), comparisons);
+  std::string text =
+      fmt::format("  {}: of values that repeat, as counts do, no p is below {}, {} after Holm over {} comparisons",
+                  counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
+                  numberText(corrected(study.seeds.size()), 2), comparisons);
   if (enough > study.seeds.size())
     text += fmt::format("; one such difference alone is shown with {} seeds or more", enough);
   return text + "\n";
@@ -119,8 +119,7 @@ std::string describe(const Plan& plan) {
     for (const Level& level : axis.levels) labels.push_back(level.label);
     text += fmt::format("  {}: {}\n", axis.name, join(labels));
   }
-  text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures),
-                      whenText(s.when));
+  text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures), whenText(s.when));
   text += fmt::format("  {} × {} = {}: {}, each run once\n", counted(plan.conditions.size(), "condition"),
                       counted(s.seeds.size(), "seed"), counted(plan.replicates.size(), "replicate"),
                       counted(plan.tasks.size(), "distinct scene"));
@@ -130,8 +129,8 @@ std::string describe(const Plan& plan) {
         "(`variation` would make seeds count)\n{}",
         counted(without.size(), "condition"), listOf(plan, without));
   for (const auto& group : conditionsThatShare(plan))
-    text += fmt::format("  {} that mean the same and share their runs:\n{}",
-                        counted(group.size(), "condition"), listOf(plan, group));
+    text += fmt::format("  {} that mean the same and share their runs:\n{}", counted(group.size(), "condition"),
+                        listOf(plan, group));
   return text + powerText(s) + costText(plan) + "  plan " + plan.id + "\n";
 }
 

@@ -37,18 +37,17 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
     problems.add(place, "vary", "makes more than " + std::to_string(study::mostConditions) + " conditions",
                  "vary fewer axes at a time, or fewer levels");
   else if (conditions * study.seeds.size() > study::mostReplicates)
-    problems.add(place, "vary",
-                 "makes " + std::to_string(conditions) + " conditions of " +
-                     std::to_string(study.seeds.size()) + " seeds each",
-                 "at most " + std::to_string(study::mostReplicates) + " runs: give fewer seeds or levels");
+    problems.add(
+        place, "vary",
+        "makes " + std::to_string(conditions) + " conditions of " + std::to_string(study.seeds.size()) + " seeds each",
+        "at most " + std::to_string(study::mostReplicates) + " runs: give fewer seeds or levels");
 }
 
 /// What can be seen of the scenarios although the study file has mistakes.
 void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problems& problems) {
   constexpr std::size_t enough = 200;  // conditions
   if (study.bases.empty()) return;
-  std::erase_if(study.axes,
-                [&](const StudyAxis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
+  std::erase_if(study.axes, [&](const StudyAxis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
   if (study.seeds.empty()) study.seeds = {1};
   std::vector<std::string> warnings;
   study::loadConditions(study, problems, warnings, {}, enough);

@@ -27,8 +27,8 @@ struct StudyAxis {
 
 /// A scenario that the study varies.
 struct Base {
-  std::string label;  // of the axis `base`, if there are several: given, or the file's name without ".yaml"
-  std::string file;   // from the study's folder
+  std::string label;      // of the axis `base`, if there are several: given, or the file's name without ".yaml"
+  std::string file;       // from the study's folder
   scenario::Place place;  // where the study file names it
 };
 
@@ -47,10 +47,10 @@ inline constexpr auto choices<SamplesKept> =
 
 enum class PicturesKept { none, firstSeed, all };
 template <>
-inline constexpr auto choices<PicturesKept> = std::to_array<Choice<PicturesKept>>(
-    {{PicturesKept::none, "none", "no picture"},
-     {PicturesKept::firstSeed, "first-seed", "one a condition, of its first seed"},
-     {PicturesKept::all, "all", "one of each run"}});
+inline constexpr auto choices<PicturesKept> =
+    std::to_array<Choice<PicturesKept>>({{PicturesKept::none, "none", "no picture"},
+                                         {PicturesKept::firstSeed, "first-seed", "one a condition, of its first seed"},
+                                         {PicturesKept::all, "all", "one of each run"}});
 
 /// When measures are taken: always at the end, and before it at these times.
 enum class Moments { end, eachDivision, every };
@@ -90,12 +90,11 @@ inline constexpr auto choices<Says> =
 
 /// A sentence on the results that must go on holding.
 struct Claim {
-  std::string measure;      // as AskedMeasure::name
-  Says says = Says::lower;  // mean: of a condition, not of a pair
-  std::vector<std::optional<std::size_t>> a,
-      b = {};               // [axis] the level; absent: the mean over all. Of a condition: a
-  double mean = 0;          // [unit of the measure] of a condition
-  std::string within = {};  // the margin, "0.01" or "5%"; "" where none is needed
+  std::string measure;                                // as AskedMeasure::name
+  Says says = Says::lower;                            // mean: of a condition, not of a pair
+  std::vector<std::optional<std::size_t>> a, b = {};  // [axis] the level; absent: the mean over all. Of a condition: a
+  double mean = 0;                                    // [unit of the measure] of a condition
+  std::string within = {};                            // the margin, "0.01" or "5%"; "" where none is needed
   scenario::Place place = {};
 };
 

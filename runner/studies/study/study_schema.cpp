@@ -23,8 +23,7 @@ std::string studySchema() {
         value.update({{"properties", Json::object()}, {"additionalProperties", false}, {"minProperties", 1}});
       schema["properties"][key.path] = std::move(value);
     } else {
-      schema["properties"][key.path.substr(0, dot)]["properties"][key.path.substr(dot + 1)] =
-          std::move(value);
+      schema["properties"][key.path.substr(0, dot)]["properties"][key.path.substr(dot + 1)] = std::move(value);
     }
     if (key.absent.empty()) schema["required"].push_back(key.path);
   }
@@ -39,8 +38,7 @@ std::string studyKeysAsMarkdown() {
       "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const study::Key& key : study::keys())
     text += "| `" + key.path + "` | " + markdownCell(key.allowed) + " | " +
-            markdownCell(key.absent.empty() ? "**required**" : key.absent) + " | " +
-            markdownCell(key.meaning) + " |\n";
+            markdownCell(key.absent.empty() ? "**required**" : key.absent) + " | " + markdownCell(key.meaning) + " |\n";
   return text;
 }
 

@@ -98,8 +98,7 @@ Key cpuPerRun() {
           "no limit",
           scenario::numberSchema(scenario::positive),
           [allowed](Study& study, const Node& node, Problems& problems) {
-            study.limits.cpu =
-                scenario::readReal(node, scenario::positive, "limits.cpu-per-run", allowed, problems);
+            study.limits.cpu = scenario::readReal(node, scenario::positive, "limits.cpu-per-run", allowed, problems);
           }};
 }
 
@@ -146,8 +145,7 @@ void readMap(const std::string& parent, const Node& node, Study& study, Problems
   if (node.kind == Node::Kind::broken) return;
   if (node.kind != Node::Kind::map) {
     if (parent.empty())
-      problems.add(node.place, "",
-                   "the file is " + (node.kind == Node::Kind::null ? "empty" : describe(node)),
+      problems.add(node.place, "", "the file is " + (node.kind == Node::Kind::null ? "empty" : describe(node)),
                    "a study is a map that begins with 'morula-study: 1'");
     else scenario::refuse(node, parent, "a map", problems);
     return;
@@ -162,8 +160,7 @@ void readMap(const std::string& parent, const Node& node, Study& study, Problems
   for (const Key& key : keys()) {
     if (parentOf(key.path) != parent) continue;
     const auto* member = node.find(lastOf(key.path));
-    if (!member && key.absent.empty())
-      problems.add(node.place, key.path, "is missing", "needs " + key.allowed);
+    if (!member && key.absent.empty()) problems.add(node.place, key.path, "is missing", "needs " + key.allowed);
     if (!member) continue;
     if (key.read) key.read(study, member->value, problems);
     else readMap(key.path, member->value, study, problems);

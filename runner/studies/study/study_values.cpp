@@ -57,8 +57,7 @@ std::vector<std::uint64_t> readSeedRange(const Node& node, Problems& problems) {
     return std::vector<std::uint64_t>{};
   };
   if (node.kind == Node::Kind::scalar && !node.isPlain()) return complain(describe(node) + " is in quotes");
-  if (!node.isPlain())
-    return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
+  if (!node.isPlain()) return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
   const auto dots = node.text.find("..");
   const auto first = scenario::parseNatural(node.text.substr(0, dots));
   const auto last = dots == node.text.npos ? first : scenario::parseNatural(node.text.substr(dots + 2));
@@ -135,8 +134,7 @@ void readWhen(Study& study, const Node& node, Problems& problems) {
 void readMeasures(Study& study, const Node& node, Problems& problems) {
   if (node.kind != Node::Kind::map) return readMeasureNames(study, node, "measures", problems);
   scenario::refuseUnknown(node, "measures", {"names", "when"}, problems);
-  if (const auto* names = node.find("names"))
-    readMeasureNames(study, names->value, "measures.names", problems);
+  if (const auto* names = node.find("names")) readMeasureNames(study, names->value, "measures.names", problems);
   else problems.add(node.place, "measures.names", "is missing", "needs " + measuresAllowed);
   if (const auto* when = node.find("when")) readWhen(study, when->value, problems);
 }
@@ -147,23 +145,21 @@ bool isLabel(const std::string& text) {
   const auto isAlphanumeric = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
-  return !text.empty() && text.size() <= 50 && isAlphanumeric(text[0]) &&
-         std::ranges::all_of(text, [&](char c) {
-           return isAlphanumeric(c) || std::string_view("._+-").find(c) != std::string_view::npos;
-         });
+  return !text.empty() && text.size() <= 50 && isAlphanumeric(text[0]) && std::ranges::all_of(text, [&](char c) {
+    return isAlphanumeric(c) || std::string_view("._+-").find(c) != std::string_view::npos;
+  });
 }
 
 Key baseKey() {
   const Json file{{"type", "string"}, {"minLength", 1}};
-  return {
-      "base",
-      baseAllowed,
-      "The scenarios, from the study's folder. Several are an axis of their own, base, the first",
-      "",
-      {{"oneOf", Json::array({file,
-                              {{"type", "array"}, {"items", file}, {"minItems", 1}},
-                              {{"type", "object"}, {"additionalProperties", file}, {"minProperties", 1}}})}},
-      readBase};
+  return {"base",
+          baseAllowed,
+          "The scenarios, from the study's folder. Several are an axis of their own, base, the first",
+          "",
+          {{"oneOf", Json::array({file,
+                                  {{"type", "array"}, {"items", file}, {"minItems", 1}},
+                                  {{"type", "object"}, {"additionalProperties", file}, {"minProperties", 1}}})}},
+          readBase};
 }
 
 Key seedsKey() {
@@ -180,36 +176,34 @@ Key seedsKey() {
 
 Key measuresKey() {
   const Json names = scenario::measuresSchema(allMeasures());
-  const Json when{
-      {"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
-                             {{"type", "object"},
-                              {"properties", {{"every", scenario::numberSchema(scenario::positive)}}},
-                              {"required", Json::array({"every"})},
-                              {"additionalProperties", false}}})}};
-  return {
-      "measures",
-      measuresAllowed,
-      "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that "
-      "live; of pairs, "
-      "in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a "
-      "path of daughters from "
-      "the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* "
-      "for all that begin so), "
-      "elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, "
-      "AA* to BB*; of "
-      "the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the "
-      "last state; "
-      "each-division: also of "
-      "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
-      "units of time. "
-      "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
-      "",
-      {{"oneOf", Json::array({names,
-                              {{"type", "object"},
-                               {"properties", {{"names", names}, {"when", when}}},
-                               {"required", Json::array({"names"})},
-                               {"additionalProperties", false}}})}},
-      readMeasures};
+  const Json when{{"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
+                                         {{"type", "object"},
+                                          {"properties", {{"every", scenario::numberSchema(scenario::positive)}}},
+                                          {"required", Json::array({"every"})},
+                                          {"additionalProperties", false}}})}};
+  return {"measures",
+          measuresAllowed,
+          "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that "
+          "live; of pairs, "
+          "in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a "
+          "path of daughters from "
+          "the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* "
+          "for all that begin so), "
+          "elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, "
+          "AA* to BB*; of "
+          "the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the "
+          "last state; "
+          "each-division: also of "
+          "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
+          "units of time. "
+          "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
+          "",
+          {{"oneOf", Json::array({names,
+                                  {{"type", "object"},
+                                   {"properties", {{"names", names}, {"when", when}}},
+                                   {"required", Json::array({"names"})},
+                                   {"additionalProperties", false}}})}},
+          readMeasures};
 }
 
 }  // namespace morula::study

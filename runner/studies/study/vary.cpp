@@ -21,9 +21,9 @@ const std::string varyAllowed =
 const std::string levelAllowed = "a map of scenario keys; {} for the scenario as it is";
 
 /// Names of columns and values that results have of their own.
-const std::vector<std::string> reserved{
-    "base",  "condition_id", "uses_seed", "distinct_runs", "run_id", "task_id", "seed", "measure", "time",
-    "value", "labels",       "n",         "distinct",      "mean",   "low",     "high", "number"};
+const std::vector<std::string> reserved{"base",     "condition_id", "uses_seed", "distinct_runs", "run_id", "task_id",
+                                        "seed",     "measure",      "time",      "value",         "labels", "n",
+                                        "distinct", "mean",         "low",       "high",          "number"};
 
 /// What a study says itself, and where.
 const std::map<std::string, std::string> saidElsewhere{
@@ -35,9 +35,7 @@ const std::map<std::string, std::string> saidElsewhere{
 
 bool isAxisName(const std::string& text) { return isLabel(text) && text.find_first_of(".+") == text.npos; }
 
-bool isPath(const std::string& key) {
-  return key.front() != '.' && key.back() != '.' && key.find("..") == key.npos;
-}
+bool isPath(const std::string& key) { return key.front() != '.' && key.back() != '.' && key.find("..") == key.npos; }
 
 std::string placeOf(const Node& node, const Problems& problems) {
   return scenario::placeText(problems.file(), node.place);
@@ -45,17 +43,14 @@ std::string placeOf(const Node& node, const Problems& problems) {
 
 void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
   const std::string path = "vary." + axis.name + "." + member.key;
-  if (!isLabel(member.key))
-    return problems.add(member.place, path, "'" + member.key + "' is no label", labelNeeds);
-  if (member.value.kind != Node::Kind::map)
-    return scenario::refuse(member.value, path, levelAllowed, problems);
+  if (!isLabel(member.key)) return problems.add(member.place, path, "'" + member.key + "' is no label", labelNeeds);
+  if (member.value.kind != Node::Kind::map) return scenario::refuse(member.value, path, levelAllowed, problems);
   Level level{member.key, {}};
   for (const Member& change : member.value.members) {
     if (change.key.empty() || change.value.kind == Node::Kind::broken) continue;
     const std::string at = path + "." + change.key;
     if (!isPath(change.key)) {
-      problems.add(change.place, at, "is no scenario key",
-                   "needs names with dots between them, as division.plane");
+      problems.add(change.place, at, "is no scenario key", "needs names with dots between them, as division.plane");
       continue;
     }
     const std::string top = change.key.substr(0, change.key.find('.'));
@@ -74,18 +69,14 @@ void readAxis(Study& study, const Member& member, Problems& problems) {
   if (!isAxisName(member.key))
     return problems.add(member.place, path, "'" + member.key + "' is no name of an axis",
                         "needs letters, digits, '-' and '_', a letter or digit first, at most 50 of them");
-  if (std::ranges::any_of(reserved,
-                          [&](const std::string& word) { return equalButForCase(word, member.key); }))
-    return problems.add(member.place, path, "results have a column of this name already",
-                        "call the axis otherwise");
+  if (std::ranges::any_of(reserved, [&](const std::string& word) { return equalButForCase(word, member.key); }))
+    return problems.add(member.place, path, "results have a column of this name already", "call the axis otherwise");
   for (const StudyAxis& other : study.axes)
     if (equalButForCase(other.name, member.key))
-      return problems.add(member.place, path, "is called as " + other.name + " but for case",
-                          "call one otherwise");
+      return problems.add(member.place, path, "is called as " + other.name + " but for case", "call one otherwise");
   StudyAxis axis{member.key, {}};
   if (member.value.kind != Node::Kind::map)
-    return scenario::refuse(member.value, path, "a map of labels, as {longest: {division.plane: longest}}",
-                            problems);
+    return scenario::refuse(member.value, path, "a map of labels, as {longest: {division.plane: longest}}", problems);
   if (member.value.members.empty())
     return problems.add(member.value.place, path, "is empty",
                         "needs a map of labels, as {longest: {division.plane: longest}}");
@@ -105,8 +96,7 @@ void readVary(Study& study, const Node& node, Problems& problems) {
 }  // namespace
 
 Key varyKey() {
-  const Json level{{"type", "object"},
-                   {"description", "Scenario keys and their values; null takes a part away"}};
+  const Json level{{"type", "object"}, {"description", "Scenario keys and their values; null takes a part away"}};
   const Json axis{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
   return {"vary",
           varyAllowed,
@@ -144,10 +134,10 @@ std::set<std::string> checkAxes(const Study& study, Problems& problems) {
         for (const Use& use : list)
           for (const Use& other : found->second) {
             if (use.axis == other.axis || (whole == path && use.axis < other.axis)) continue;
-            problems.addForeign({}, use.change->place + ": " + path + ": " +
-                                        (whole == path ? "is set by axis "
-                                                       : "lies within " + whole + ", which is set by axis ") +
-                                        other.axis->name + ", too; let one axis set both");
+            problems.addForeign(
+                {}, use.change->place + ": " + path + ": " +
+                        (whole == path ? "is set by axis " : "lies within " + whole + ", which is set by axis ") +
+                        other.axis->name + ", too; let one axis set both");
             wrong.insert(use.axis->name);
           }
       if (end == path.npos) break;

@@ -70,8 +70,7 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
                      fmt::format("\n#SBATCH --array=1-{}\n", shares) +
                      "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n";
   if (const auto megabytes = megabytesFor(plan)) text += fmt::format("#SBATCH --mem={}M\n", *megabytes);
-  if (const auto seconds = secondsFor(plan, shares))
-    text += fmt::format("#SBATCH --time={}\n", minutes(*seconds));
+  if (const auto seconds = secondsFor(plan, shares)) text += fmt::format("#SBATCH --time={}\n", minutes(*seconds));
   text += "#SBATCH --output=" + shellWord(slurmFile(folder) + "/slurm-%A_%a.log") + "\n";
   text += "#SBATCH --requeue\n";
   text += fmt::format(
@@ -96,8 +95,7 @@ std::string snakemake(const PlannedStudy& study, std::size_t shares) {
       "# MORULA: the program, if it is not in PATH.\n"
       "import os\n\n"
       "FOLDER = {}\nMORULA = os.environ.get(\"MORULA\", \"morula\")\n",
-      plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares,
-      pythonText(folderOf(study)));
+      plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares, pythonText(folderOf(study)));
   text += "TASKS = [\n";
   for (const Task& task : plan.tasks) text += "    \"" + task.id + "\",\n";
   text += "]\n\n\n";
@@ -126,8 +124,7 @@ std::string snakemake(const PlannedStudy& study, std::size_t shares) {
 
 std::string parallel(const PlannedStudy& study, std::size_t shares) {
   const std::string folder = folderOf(study), word = shellWord(folder);
-  const std::string job =
-      fmt::format("\"$MORULA\" study run {} --shard {{}}/{} --quiet >/dev/null", word, shares);
+  const std::string job = fmt::format("\"$MORULA\" study run {} --shard {{}}/{} --quiet >/dev/null", word, shares);
   return fmt::format(
       "#!/bin/sh\n"
       "# The study {}: {} runs in {} jobs, as many at a time as there are processors; `sh FILE --jobs 4`: "
@@ -166,8 +163,7 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   if (options.site == Site::slurm) return slurm(study, shares);
   if (options.site == Site::snakemake) return snakemake(study, shares);
   // On one machine a job costs little: enough of them that all processors end at about the same time.
-  return parallel(study,
-                  options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
+  return parallel(study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
 }
 
 std::filesystem::path siteFile(const PlannedStudy& study, Site site) {
@@ -177,8 +173,7 @@ std::filesystem::path siteFile(const PlannedStudy& study, Site site) {
 
 std::string howToStart(const PlannedStudy& study, Site site, const std::filesystem::path& file) {
   const std::string name = shellWord(file.string());
-  if (site == Site::slurm)
-    return "sbatch " + name + "; afterwards: morula study merge " + shellWord(folderOf(study));
+  if (site == Site::slurm) return "sbatch " + name + "; afterwards: morula study merge " + shellWord(folderOf(study));
   return site == Site::snakemake ? "snakemake --snakefile " + name + " --cores 8" : "sh " + name;
 }
 

@@ -198,26 +198,20 @@ std::string some(const List& list, const Line& line) {
 
 }  // namespace
 
-MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options) {
-  return Merge(study, options).run();
-}
+MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options) { return Merge(study, options).run(); }
 
 std::string describe(const MergeReport& r, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, r.tasks,
-                                 r.done, r.failed.size(), r.missing.size());
-  for (const FailedTask& f : r.failed)
-    text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
+  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, r.tasks, r.done,
+                                 r.failed.size(), r.missing.size());
+  for (const FailedTask& f : r.failed) text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
   text += some(r.insane, [&](std::size_t task) {
-    return "  not sane " + nameOfTask(plan, task) +
-           ": its bodies ended in a state that cannot be (check_result)\n";
+    return "  not sane " + nameOfTask(plan, task) + ": its bodies ended in a state that cannot be (check_result)\n";
   });
   text += some(r.missing, [&](std::size_t task) { return "  missing  " + nameOfTask(plan, task) + "\n"; });
-  text += some(r.damaged,
-               [](const RefusedFile& f) { return "  left out " + f.file.string() + ": " + f.why + "\n"; });
-  text += some(r.foreign, [](const fs::path& f) {
-    return "  left out " + f.string() + ": the plan has no such task\n";
-  });
+  text += some(r.damaged, [](const RefusedFile& f) { return "  left out " + f.file.string() + ": " + f.why + "\n"; });
+  text +=
+      some(r.foreign, [](const fs::path& f) { return "  left out " + f.string() + ": the plan has no such task\n"; });
   for (const Nondeterminism& n : r.differing)
     text += fmt::format(
         "  NONDETERMINISM {}: the same scenario, seed and build gave two results: {} in {}, {} in {}. This "
@@ -247,8 +241,7 @@ Json toJson(const MergeReport& r, const PlannedStudy& study) {
     for (const std::size_t task : *list) json[name].push_back(one(task));
   }
   json["left_out"] = Json::array();
-  for (const RefusedFile& f : r.damaged)
-    json["left_out"].push_back({{"file", f.file.string()}, {"why", f.why}});
+  for (const RefusedFile& f : r.damaged) json["left_out"].push_back({{"file", f.file.string()}, {"why", f.why}});
   for (const fs::path& f : r.foreign)
     json["left_out"].push_back({{"file", f.string()}, {"why", "the plan has no such task"}});
   json["nondeterminism"] = Json::array();

@@ -40,8 +40,7 @@ class StudyRun {
   StudyRun(const PlannedStudy& study, const RunStudyOptions& options)
       : study_(study), options_(options), settings_(options.settings) {
     double& limit = settings_.execution.memoryLimit;
-    if (const auto& most = study.plan.study.limits.memory)
-      limit = std::min(limit, static_cast<double>(*most));
+    if (const auto& most = study.plan.study.limits.memory) limit = std::min(limit, static_cast<double>(*most));
   }
 
   RunStudyReport run() {
@@ -69,17 +68,15 @@ class StudyRun {
     std::unique_ptr<Forked> process;
   };
 
-  std::filesystem::path fileOf(std::size_t task) const {
-    return study_.folder.task(study_.plan.tasks[task].id);
-  }
+  std::filesystem::path fileOf(std::size_t task) const { return study_.folder.task(study_.plan.tasks[task].id); }
 
   bool isThere(std::size_t task) {
     const auto file = fileOf(task);
     if (!fileExists(file) || !looksWhole(file)) return false;
     if (!ownBuild_) requireOwnBuild(file), ownBuild_ = true;
     if (!options_.retryFailed) return true;
-    const bool drawn = !keepsPicture(study_.plan, task) ||
-                       study_.folder.storedPicture(study_.plan.tasks[task].id).has_value();
+    const bool drawn =
+        !keepsPicture(study_.plan, task) || study_.folder.storedPicture(study_.plan.tasks[task].id).has_value();
     return drawn && TaskFile(file).task().status == "done";
   }
 
@@ -108,8 +105,7 @@ class StudyRun {
         for (Running& r : running_) r.process->stop(SIGTERM);  // which their runs notice
       }
       if (report_.signal && running_.empty()) break;
-      while (!report_.signal && next < open.size() &&
-             running_.size() < static_cast<std::size_t>(options_.jobs))
+      while (!report_.signal && next < open.size() && running_.size() < static_cast<std::size_t>(options_.jobs))
         begin(open[next++]);
       std::vector<Forked*> processes;
       for (const Running& r : running_) processes.push_back(r.process.get());
@@ -141,10 +137,9 @@ class StudyRun {
       return fail(task, end, FailureKind::cpuLimit,
                   fmt::format("more than {:g} s of CPU time (limits.cpu-per-run)", *limits.cpu));
     if (end.signal == 0 && answer.code == outOfMemory)
-      return fail(
-          task, end, FailureKind::memoryLimit,
-          "there is no more memory" +
-              (limits.memory ? fmt::format(" within {} bytes (limits.memory-per-run)", *limits.memory) : ""));
+      return fail(task, end, FailureKind::memoryLimit,
+                  "there is no more memory" +
+                      (limits.memory ? fmt::format(" within {} bytes (limits.memory-per-run)", *limits.memory) : ""));
     if (isCrash(end.signal)) return fail(task, end, FailureKind::crash, signalName(end.signal));
     if (end.signal == 0 && answer.code < 128)
       return fail(task, end, FailureKind::crash,
@@ -202,13 +197,11 @@ std::string describe(const RunStudyReport& r, const PlannedStudy& study) {
       fmt::format("{}: {} of {} runs have a result: {} computed now, {} there before; {} of CPU time in {}\n",
                   study.plan.study.name, r.already + r.computed, r.asked, r.computed, r.already,
                   formatDuration(r.cpuSeconds), formatDuration(r.seconds));
-  for (const FailedTask& f : r.failed)
-    text += "  failed   " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
+  for (const FailedTask& f : r.failed) text += "  failed   " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
   for (const FailedTask& f : r.undrawn)
     text += "  no picture " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
   for (const FailedTask& f : r.stopped)
-    text +=
-        "  no result  " + nameOfTask(study.plan, f.task) + ": " + f.reason + "; the next run does it again\n";
+    text += "  no result  " + nameOfTask(study.plan, f.task) + ": " + f.reason + "; the next run does it again\n";
   if (r.left) text += fmt::format("  {} runs were not begun; the same command goes on\n", r.left);
   return text;
 }

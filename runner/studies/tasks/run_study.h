@@ -12,8 +12,7 @@ namespace morula {
 struct RunStudyOptions {
   std::vector<std::size_t> tasks;  // which, by number
   int jobs = 1;
-  bool retryFailed =
-      false;  // tasks whose result is a failure, or whose picture is missing, are computed once more
+  bool retryFailed = false;  // tasks whose result is a failure, or whose picture is missing, are computed once more
   TaskSettings settings;
   bool quiet = false;
 };
@@ -27,11 +26,11 @@ struct FailedTask {
 struct RunStudyReport {
   std::size_t asked = 0, already = 0, computed = 0;  // computed: with those that failed
   std::vector<FailedTask> failed;                    // of those that were computed now, by number
-  std::vector<FailedTask> stopped;     // from outside: they have no result, and will be run again
-  std::vector<FailedTask> undrawn;     // they have a result, and no picture: there was no memory for it
-  std::size_t left = 0;                // not begun, because a signal came
-  int signal = 0;                      // that stopped all of it
-  double seconds = 0, cpuSeconds = 0;  // [s]
+  std::vector<FailedTask> stopped;                   // from outside: they have no result, and will be run again
+  std::vector<FailedTask> undrawn;                   // they have a result, and no picture: there was no memory for it
+  std::size_t left = 0;                              // not begun, because a signal came
+  int signal = 0;                                    // that stopped all of it
+  double seconds = 0, cpuSeconds = 0;                // [s]
 
   bool isComplete() const { return already + computed == asked; }
 };

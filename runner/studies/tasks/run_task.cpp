@@ -38,26 +38,20 @@ std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample
 /// that hold at the end, where their history is the largest table of all.
 void drop(RunResults& results, const Study& study) {
   if (study.keep.samples == SamplesKept::all) return;
-  if (results.samples.size() > 2)
-    results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
+  if (results.samples.size() > 2) results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
   std::erase_if(results.connections, [](const ConnectionRecord& c) { return c.released >= 0; });
 }
 
-FailureKind kindOf(Want want) {
-  return want == Want::memory ? FailureKind::memoryLimit : FailureKind::numerical;
-}
+FailureKind kindOf(Want want) { return want == Want::memory ? FailureKind::memoryLimit : FailureKind::numerical; }
 
 /// Of a run that has nothing to show.
 RunEnd failedEnd(const std::string& why) {
   return {.status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
 }
 
-std::string reasonOf(FailureKind kind, const std::string& why) {
-  return std::string(name(kind)) + ": " + why;
-}
+std::string reasonOf(FailureKind kind, const std::string& why) { return std::string(name(kind)) + ": " + why; }
 
-TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenario,
-                      const TaskSettings& settings) {
+TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenario, const TaskSettings& settings) {
   const Task& planned = plan.tasks[task];
   TaskOutcome outcome;
   outcome.task.id = planned.id;
@@ -77,8 +71,7 @@ TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenar
 
 constexpr int pictureSize = 400;  // [pixel] many of them, to be looked at side by side
 
-void draw(const World& world, const Scenario& scenario, const std::string& title,
-          const std::filesystem::path& file) {
+void draw(const World& world, const Scenario& scenario, const std::string& title, const std::filesystem::path& file) {
   if (!world.bodies) {
     TreePicture tree = lineagePictureOf(world, scenario);
     tree.title = title;
@@ -120,8 +113,7 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
   };
   CheckedRun checked = simulateChecked(
       scenario, settings.execution,
-      {.record = recordingOf(plan, scenario), .sink = study.keep.samples == SamplesKept::all ? nullptr : let},
-      false);
+      {.record = recordingOf(plan, scenario), .sink = study.keep.samples == SamplesKept::all ? nullptr : let}, false);
   Simulation& run = checked.run;
   if (run.end.status == RunStatus::killed) return run.signal;
   outcome.end = run.end;
@@ -134,11 +126,11 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
     measure(measuredSamples(study, results.samples), results.stateTexts);
     results.checks = std::move(checked.sanity);
     if (keepsPicture(plan, task))
-      notDrawn = drawIfPossible(
-          run.world, scenario,
-          join(plan.conditions[plan.tasks[task].condition].labels) +
-              fmt::format("{}seed {}", plan.study.axes.empty() ? "" : ", ", plan.tasks[task].seed),
-          folder.picture(plan, task));
+      notDrawn =
+          drawIfPossible(run.world, scenario,
+                         join(plan.conditions[plan.tasks[task].condition].labels) +
+                             fmt::format("{}seed {}", plan.study.axes.empty() ? "" : ", ", plan.tasks[task].seed),
+                         folder.picture(plan, task));
   }
   results.samples.insert(results.samples.begin(), before.samples.begin(), before.samples.end());
   results.chain.insert(results.chain.begin(), before.chain.begin(), before.chain.end());
@@ -151,8 +143,8 @@ void write(TaskOutcome outcome, const std::filesystem::path& file) {
   overwriteFile(file, taskFileBytes(std::move(outcome)));
 }
 
-void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& folder,
-                     const TaskSettings& settings, ForkedAnswer& answer) {
+void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,
+                     ForkedAnswer& answer) {
   const Scenario scenario = scenarioOf(plan, plan.tasks[task]);
   TaskOutcome outcome = outcomeOf(plan, task, scenario, settings);
   const auto fail = [&](const std::string& why, Want want) {
@@ -179,17 +171,16 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
 
 }  // namespace
 
-ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder,
-                     const TaskSettings& settings) {
+ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings) {
   endOutOfMemoryWith(outOfMemory);
   ForkedAnswer answer;
   try {
     computeAndWrite(plan, task, folder, settings, answer);
   } catch (const std::bad_alloc&) {
     answer = {outOfMemory, "there is no more memory"};
-  } catch (const FileError& error) {
-    answer = {cannotWrite, error.what()};
-  } catch (const std::exception& error) { answer = {brokeDown, error.what()}; }
+  } catch (const FileError& error) { answer = {cannotWrite, error.what()}; } catch (const std::exception& error) {
+    answer = {brokeDown, error.what()};
+  }
   return answer;
 }
 

@@ -20,8 +20,7 @@ enum TaskCode : int { cannotWrite = 6, brokeDown = 70, outOfMemory = 71, undrawn
 
 /// Computes the task and writes its picture, if the study keeps one of it, and its file; the answer's text is then why the run
 /// failed, "" if it did not. Does not throw.
-ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder,
-                     const TaskSettings& settings);
+ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings);
 
 /// Writes the file of a task whose process ended without one: its result is the failure.
 void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,

@@ -14,8 +14,7 @@ Shard parseShard(const std::string& text) {
   const auto number = scenario::parseNatural(text.substr(0, slash)),
              of = scenario::parseNatural(text.substr(slash + 1));
   constexpr std::uint64_t most = 1'000'000;
-  if (!number.wrong.empty() || !of.wrong.empty() || number.value < 1 || number.value > of.value ||
-      of.value > most)
+  if (!number.wrong.empty() || !of.wrong.empty() || number.value < 1 || number.value > of.value || of.value > most)
     refuse();
   return {static_cast<std::size_t>(number.value), static_cast<std::size_t>(of.value)};
 }

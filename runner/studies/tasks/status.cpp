@@ -31,8 +31,7 @@ class Look {
     for (std::size_t task = 0; task < status_.tasks; ++task) lookAt(task);
     status_.bytes = bytesBelow(study_.folder.path());
     status_.secondsLeft = secondsLeft();
-    status_.isMerged =
-        status_.isComplete() && status_.unreadable.empty() && fileExists(study_.folder.merged());
+    status_.isMerged = status_.isComplete() && status_.unreadable.empty() && fileExists(study_.folder.merged());
     return std::move(status_);
   }
 
@@ -78,22 +77,18 @@ StudyStatus statusOf(const PlannedStudy& study) { return Look(study).run(); }
 std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   const Plan& plan = study.plan;
   constexpr std::size_t most = 20;
-  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, s.tasks,
-                                 s.done, s.failed.size(), s.missing.size());
-  for (const FailedTask& f : s.failed)
-    text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
+  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, s.tasks, s.done,
+                                 s.failed.size(), s.missing.size());
+  for (const FailedTask& f : s.failed) text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
   for (const FailedTask& f : s.unreadable)
-    text +=
-        "  damaged  " + nameOfTask(plan, f.task) + ": " + f.reason + "; `morula study run` does it again\n";
+    text += "  damaged  " + nameOfTask(plan, f.task) + ": " + f.reason + "; `morula study run` does it again\n";
   for (std::size_t i = 0; i < std::min(most, s.missing.size()); ++i)
     text += "  missing  " + nameOfTask(plan, s.missing[i]) + "\n";
   if (s.missing.size() > most) text += fmt::format("  … and {} more\n", s.missing.size() - most);
   text += fmt::format("  took     {} of CPU time\n", formatDuration(s.cpuSeconds));
   if (!s.missing.empty())
-    text +=
-        "  left     " +
-        (s.secondsLeft ? formatDuration(*s.secondsLeft) + " of CPU time" : std::string("nothing is known")) +
-        "\n";
+    text += "  left     " +
+            (s.secondsLeft ? formatDuration(*s.secondsLeft) + " of CPU time" : std::string("nothing is known")) + "\n";
   text += "  disk     " + bytesText(static_cast<double>(s.bytes)) + "\n";
   if (s.isMerged) text += "  results  " + study.folder.merged().string() + "\n";
   else if (s.isComplete())

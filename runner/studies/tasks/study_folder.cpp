@@ -16,13 +16,11 @@ namespace {
 PlannedStudy openFolder(const StudyChoice& choice) {
   StudyFolder folder(choice.what);
   if (!choice.to.empty())
-    throw FileError("'" + choice.what + "' is a folder, so its results lie in it; leave out --out " +
-                    choice.to);
+    throw FileError("'" + choice.what + "' is a folder, so its results lie in it; leave out --out " + choice.to);
   if (!fileExists(planFile(folder.path())))
-    throw FileError(
-        "'" + choice.what +
-        "' is no study's folder: it holds no plan.json; give a study file, which `morula study plan` "
-        "makes one of");
+    throw FileError("'" + choice.what +
+                    "' is no study's folder: it holds no plan.json; give a study file, which `morula study plan` "
+                    "makes one of");
   Plan plan = loadPlan(folder.path());
   return {folder, std::move(plan), false};
 }
@@ -34,12 +32,11 @@ std::size_t countResults(const Plan& plan, const StudyFolder& folder) {
 }
 
 [[noreturn]] void refuseOtherPlan(const Study& study, const Plan& now, const StudyFolder& folder) {
-  throw FileError(
-      "'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
-      "', which was made from it before; study run --update plans it anew (" +
-      std::to_string(countResults(now, folder)) + " of its " + std::to_string(now.tasks.size()) +
-      " results are there and stay), --resume goes on with the plan that is there, --out gives the "
-      "changed study a folder of its own");
+  throw FileError("'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
+                  "', which was made from it before; study run --update plans it anew (" +
+                  std::to_string(countResults(now, folder)) + " of its " + std::to_string(now.tasks.size()) +
+                  " results are there and stay), --resume goes on with the plan that is there, --out gives the "
+                  "changed study a folder of its own");
 }
 
 constexpr std::size_t mostLetters = 40;  // of a level in a name
@@ -83,8 +80,8 @@ std::optional<std::filesystem::path> StudyFolder::storedPicture(const std::strin
 void requireOwnBuild(const std::filesystem::path& file) {
   const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
   if (theirs == ours) return;
-  throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs +
-                  ", this is " + ours + "); go on with that build, or give a new folder with --out");
+  throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs + ", this is " +
+                  ours + "); go on with that build, or give a new folder with --out");
 }
 
 PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {

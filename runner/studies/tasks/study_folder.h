@@ -36,8 +36,8 @@ struct StudyChoice {
   std::string what;  // a study file, or a study's folder
   std::string to;    // the folder; "": results/studies/NAME, or `what` itself if it is one
   bool allowOutside = false;
-  bool resume = false;  // go on with the folder's plan, whatever the file says by now
-  bool update = false;  // plan anew what the file says by now; results that the new plan needs, too, stay
+  bool resume = false;       // go on with the folder's plan, whatever the file says by now
+  bool update = false;       // plan anew what the file says by now; results that the new plan needs, too, stay
   bool mustBeThere = false;  // throws FileError where the folder has no plan
 };
 

@@ -53,8 +53,7 @@ std::optional<std::string> valueAt(const Json& resolved, const std::string& path
   return value->is_string() ? value->get<std::string>() : jsonText(*value);
 }
 
-StudyTables::ConditionRow rowOf(const Plan& plan, const Condition& condition,
-                                const std::vector<std::string>& keys) {
+StudyTables::ConditionRow rowOf(const Plan& plan, const Condition& condition, const std::vector<std::string>& keys) {
   StudyTables::ConditionRow row{
       .labels = condition.labels, .usesSeed = condition.usesSeed, .distinctRuns = 0, .keyValues = {}};
   const Json resolved = parseJson(condition.scenario.resolved);
@@ -88,10 +87,8 @@ StudyTables tablesOf(const Plan& plan) {
   }
   const std::vector<std::string> keys = changedKeys(study);
   tables.keys = asColumns(keys, {"condition_id"});
-  for (const Condition& condition : plan.conditions)
-    tables.conditions.push_back(rowOf(plan, condition, keys));
-  for (const Replicate& r : plan.replicates)
-    tables.replicates.push_back({r.condition, r.seed, plan.tasks[r.task].id});
+  for (const Condition& condition : plan.conditions) tables.conditions.push_back(rowOf(plan, condition, keys));
+  for (const Replicate& r : plan.replicates) tables.replicates.push_back({r.condition, r.seed, plan.tasks[r.task].id});
   return tables;
 }
 

@@ -1,10 +1,11 @@
 // Runs a scene, tells of it at each division, and prints the hash that `morula run` prints.
 //
 //   morula validate SCENARIO.yaml --scene a.scene && example a.scene
+#include <morula/morula.h>
+
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <morula/morula.h>
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
@@ -17,10 +18,12 @@ int main(int argc, char** argv) try {
   for (std::size_t cells = 0; !organism.finished(); organism.step()) {
     if (organism.cells() == cells) continue;
     cells = organism.cells();
-    std::cout << "time " << organism.now() << ": " << cells << " cells, volume " << organism.measure("volume").value_or(0) << '\n';
+    std::cout << "time " << organism.now() << ": " << cells << " cells, volume "
+              << organism.measure("volume").value_or(0) << '\n';
   }
   for (std::size_t i = 0; i < organism.cells(); ++i)
-    std::cout << organism.path(i) << ": " << organism.substances(i) << ", " << organism.vertices(i).size() / 3 << " vertices\n";
+    std::cout << organism.path(i) << ": " << organism.substances(i) << ", " << organism.vertices(i).size() / 3
+              << " vertices\n";
   std::cout << organism.steps() << " steps, state hash " << organism.hash() << '\n';
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

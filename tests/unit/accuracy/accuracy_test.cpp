@@ -111,15 +111,13 @@ TEST_CASE("Orders and speeds follow from rows; what failed, parted or is not res
   CHECK(thatHold(report, 0.05).front()->series == "fast");
   CHECK(thatHold(report, 1e-12).empty());
   const auto list = thatHold(report, 0.05);
-  CHECK(std::is_sorted(list.begin(), list.end(), [](const AccuracyRow* a, const AccuracyRow* b) {
-    return a->cpuSeconds < b->cpuSeconds;
-  }));
+  CHECK(std::is_sorted(list.begin(), list.end(),
+                       [](const AccuracyRow* a, const AccuracyRow* b) { return a->cpuSeconds < b->cpuSeconds; }));
   report.reference.left.error = 0.02;  // counts on top: 0.03975 + 0.02 > 0.05
   CHECK(thatHold(report, 0.05).front()->cpuSeconds == 80);
 }
 
-TEST_CASE(
-    "Rivals are as exact as the scene is, between two runs or beyond; Bullet's best is held against ours") {
+TEST_CASE("Rivals are as exact as the scene is, between two runs or beyond; Bullet's best is held against ours") {
   const auto row = [](const char* engine, const char* series, double error, double seconds) {
     AccuracyRow r;
     r.engine = engine, r.series = series, r.error = error, r.resolved = true, r.cpuSeconds = seconds;
@@ -128,8 +126,7 @@ TEST_CASE(
   const AccuracyRow own = row("morula", "as it is", 0.01, 8);
   // Through 1 s at 0.1 and 100 s at 0.001: 10 s at 0.01. A run of 4 s at 0.002 is more exact than asked for.
   std::vector<AccuracyRow> rows{row("morula", "slow", 0.1, 1), row("morula", "slow", 0.001, 100),
-                                row("bullet-b1", "bullet b1", 0.1, 30),
-                                row("bullet-b1", "bullet b1", 0.001, 3000),
+                                row("bullet-b1", "bullet b1", 0.1, 30), row("bullet-b1", "bullet b1", 0.001, 3000),
                                 row("bullet-b2", "bullet b2", 0.2, 1)};
   REQUIRE(findRival(own, rows));
   CHECK(findRival(own, rows)->series == "slow");
@@ -212,8 +209,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
 
 TEST_CASE("A scene without bodies has no error, and says so") {
   const auto read = reader("morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n");
-  CHECK_THROWS_WITH(measureAccuracy(read, {}),
-                    ContainsSubstring("physics") && ContainsSubstring("test.yaml"));
+  CHECK_THROWS_WITH(measureAccuracy(read, {}), ContainsSubstring("physics") && ContainsSubstring("test.yaml"));
 }
 
 TEST_CASE("Cells that touch are compared only up to where chaos begins, unless one insists") {

@@ -22,14 +22,12 @@ TEST_CASE("Bullet's margins and iterations are searched where they count") {
 TEST_CASE("Bullet's time steps: eight times ours down to the shortest, and the longest stable one too") {
   const std::vector<double> times{1, 2};
   CHECK(bulletTimeSteps(0.125, 0, 2, times) == std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625, 0.03125});
-  CHECK(bulletTimeSteps(0.125, 0.1, 0, times) ==
-        std::vector<double>{1, 0.5, 0.25, 0.125});  // shorter than ours
+  CHECK(bulletTimeSteps(0.125, 0.1, 0, times) == std::vector<double>{1, 0.5, 0.25, 0.125});  // shorter than ours
   const auto steps = bulletTimeSteps(0.125, 1.0 / 6, 0, times);
   REQUIRE(steps.size() == 5);
   CHECK(steps[3] == static_cast<float>(1.0 / 6));  // as Bullet takes it
 }
 
 TEST_CASE("A run is beaten by one that is as exact and faster; one without an error is") {
-  CHECK(unbeaten({0.1, 0.01, 0.1, {}, 0.05}, {1, 5, 2, 0.1, 6}) ==
-        std::vector<bool>{true, true, false, false, false});
+  CHECK(unbeaten({0.1, 0.01, 0.1, {}, 0.05}, {1, 5, 2, 0.1, 6}) == std::vector<bool>{true, true, false, false, false});
 }

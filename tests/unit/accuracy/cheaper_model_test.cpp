@@ -56,8 +56,7 @@ TEST_CASE("Shape matching in a shell's place breathes and swings as fast") {
     matched.cell.model = CellModel::shapeMatching;
     matched.shapeMatching = matchShell(shell, mesh);
     // A slope over a step of 1e-6 is off by about as much.
-    CHECK(squaredFrequency(matched, mesh, {1, 1, 1}) ==
-          Approx(squaredFrequency(shell, mesh, {1, 1, 1})).epsilon(1e-5));
+    CHECK(squaredFrequency(matched, mesh, {1, 1, 1}) == Approx(squaredFrequency(shell, mesh, {1, 1, 1})).epsilon(1e-5));
     // An icosphere is as stiff in all directions: of its symmetry no other form of second degree is left.
     for (const Vector& e : {Vector{1, -0.5, -0.5}, Vector{-0.5, -0.5, 1}, Vector{1, -1, 0}})
       CHECK(squaredFrequency(matched, mesh, e) == Approx(squaredFrequency(shell, mesh, e)).epsilon(1e-5));
@@ -94,8 +93,7 @@ TEST_CASE("Two cells in a shell as shells, matched shapes and spheres: each has 
   CHECK(matched->vertexSteps == 2 * 42 * matched->steps);
 }
 
-TEST_CASE(
-    "A lone sphere in no medium bears any time step: the longest that is tried is that between two looks") {
+TEST_CASE("A lone sphere in no medium bears any time step: the longest that is tried is that between two looks") {
   const std::string lone =
       "morula: 1\nname: lone\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics:\n"
       "  mesh: {icosphere: 1}\n  drag: 0\n";

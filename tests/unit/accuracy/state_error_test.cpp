@@ -23,8 +23,7 @@ ComparedCell cell(const char* path, const Mesh& mesh) { return comparedCell(Cell
 TEST_CASE("Centroid, volume and surface are each the worst over the cells, in egg radii or relative") {
   const Mesh cube = scenes::cube();
   const Shapes reference{1, {cell("A", cube), cell("B", shifted(cube, {5, 0, 0}))}};
-  Shapes other{
-      1, {cell("A", shifted(cube, {0, 0.3, 0.4})), cell("B", shifted(scenes::scaled(cube, 1.1), {5, 0, 0}))}};
+  Shapes other{1, {cell("A", shifted(cube, {0, 0.3, 0.4})), cell("B", shifted(scenes::scaled(cube, 1.1), {5, 0, 0}))}};
   const StateError error = compareShapes(other, reference, 2);
   CHECK(error.centroid == Approx(0.25).epsilon(1e-12));
   CHECK(error.volume == Approx(0.331).epsilon(1e-12));

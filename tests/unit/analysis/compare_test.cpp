@@ -40,9 +40,8 @@ MadeStudy policies() {
   study.values = [](const std::vector<int>& levels, int seed) {
     const double z = noise(seed, 11), own = noise(seed, std::uint64_t(20 + levels[1]));
     const bool random = levels[0] == 1;
-    return std::map<std::string, double>{
-        {"clone_radius", random ? 1 / 0.955 * (1 + 0.005 * z + 0.001 * own) : 1},
-        {"sister_contact", random && seed == 3 ? 0.994 : 1}};
+    return std::map<std::string, double>{{"clone_radius", random ? 1 / 0.955 * (1 + 0.005 * z + 0.001 * own) : 1},
+                                         {"sister_contact", random && seed == 3 ? 0.994 : 1}};
   };
   return study;
 }
@@ -65,21 +64,18 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   for (const auto& line : verdicts) UNSCOPED_INFO(line);
   CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
     return line.starts_with("clone_radius: 4.5 % tighter under longest (") &&
-           line.find("), every one of 10 pairs: difference -0.") != line.npos &&
-           line.ends_with(" after Holm");
+           line.find("), every one of 10 pairs: difference -0.") != line.npos && line.ends_with(" after Holm");
   }));
   CHECK(says(verdicts, "sister_contact is 0.994 to 1 everywhere: it tells nothing"));
   CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
-    return line.starts_with("clone_radius: no difference is shown between none (") &&
-           line.ends_with(", n = 10");
+    return line.starts_with("clone_radius: no difference is shown between none (") && line.ends_with(", n = 10");
   }));
   CHECK(verdicts[0].starts_with("division: decides on clone_radius (η² "));  // the axes come first
-  CHECK(verdicts[1].starts_with(
-      "connections: no effect is shown on clone_radius (η² "));  // sister_contact tells nothing
+  CHECK(
+      verdicts[1].starts_with("connections: no effect is shown on clone_radius (η² "));  // sister_contact tells nothing
   CHECK(verdicts.size() == 6);
   CHECK_THAT(verdicts[4], ContainsSubstring("no difference is shown"));  // behind what is known
-  CHECK_THAT(verdicts.back(),
-             ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
+  CHECK_THAT(verdicts.back(), ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
 }
 
 TEST_CASE("Conditions that differ most come first, and those without values last") {
@@ -109,8 +105,7 @@ TEST_CASE("A condition whose seeds change nothing has one run, is named, and has
   }
   CHECK(with == 4);
   CHECK(without == 4);
-  CHECK_THAT(textOf(describe(c)),
-             ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
+  CHECK_THAT(textOf(describe(c)), ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
 }
 
 TEST_CASE("Pairs are of one seed, in the mean over the other axes, and the same numbers as by hand") {
@@ -138,8 +133,7 @@ TEST_CASE("Pairs are of one seed, in the mean over the other axes, and the same 
 }
 
 TEST_CASE("Within: the levels are compared at each level of the other axis, too") {
-  const auto c =
-      compared(policies(), {.by = {}, .measures = {"clone-radius"}, .margins = {}, .within = true});
+  const auto c = compared(policies(), {.by = {}, .measures = {"clone-radius"}, .margins = {}, .within = true});
   CHECK(c.pairs.size() == 6);
   CHECK(c.pairs[1].at[1] == 0);
   CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
@@ -208,9 +202,9 @@ TEST_CASE("Main effects and interaction are those of the design") {
   MadeStudy study;
   study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y"}}};
   study.values = [](const std::vector<int>& l, int seed) {
-    return std::map<std::string, double>{
-        {"volume", 10 + l[0] + 2 * l[1] + (l[0] == 2 && l[1] == 1 ? 1.5 : 0) + noise(seed, 5) +
-                       0.1 * noise(seed, std::uint64_t(30 + 2 * l[0] + l[1]))}};
+    return std::map<std::string, double>{{"volume", 10 + l[0] + 2 * l[1] + (l[0] == 2 && l[1] == 1 ? 1.5 : 0) +
+                                                        noise(seed, 5) +
+                                                        0.1 * noise(seed, std::uint64_t(30 + 2 * l[0] + l[1]))}};
   };
   const auto c = compared(study);
   REQUIRE(c.effects.size() == 1);
@@ -236,14 +230,12 @@ TEST_CASE("Main effects and interaction are those of the design") {
   CHECK(toJson(c)["split"].size() == 9);
 }
 
-TEST_CASE(
-    "Where what one axis does depends on another, levels with no difference are told together with a bound") {
+TEST_CASE("Where what one axis does depends on another, levels with no difference are told together with a bound") {
   MadeStudy study;
   study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y", "z"}}};
   study.values = [](const std::vector<int>& l, int seed) {
-    return std::map<std::string, double>{
-        {"volume", 10 + (l[1] == 1 && l[0] == 2 ? 3 : 0) + noise(seed, 5) +
-                       0.1 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]))}};
+    return std::map<std::string, double>{{"volume", 10 + (l[1] == 1 && l[0] == 2 ? 3 : 0) + noise(seed, 5) +
+                                                        0.1 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]))}};
   };
   const auto verdicts = verdictsOf(compared(study));
   for (const auto& line : verdicts) UNSCOPED_INFO(line);
@@ -261,8 +253,7 @@ TEST_CASE(
   study.cells = [](const std::vector<int>& l) { return 60 + l[0]; };
   study.values = [](const std::vector<int>& l, int seed) {
     const double z = noise(seed, 5) + 0.3 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]));
-    return std::map<std::string, double>{{"clone_radius", 10 + (l[0] == 2 ? 1 : 0) + z},
-                                         {"clone_spread", 1 + 0.1 * z}};
+    return std::map<std::string, double>{{"clone_radius", 10 + (l[0] == 2 ? 1 : 0) + z}, {"clone_spread", 1 + 0.1 * z}};
   };
   const auto verdicts = verdictsOf(compared(study));
   for (const auto& line : verdicts) UNSCOPED_INFO(line);
@@ -276,10 +267,9 @@ TEST_CASE(
   CHECK_THAT(line("b: no effect is shown on "), ContainsSubstring("clone_radius (η² below 0.001") &&
                                                     ContainsSubstring(", partial η² at most 0.") &&
                                                     ContainsSubstring("clone_spread (η² "));
-  CHECK(
-      says(verdicts,
-           "numbers of cells differ between conditions, 60 to 62 in the mean, and clone_radius changes with "
-           "them, however cells lie"));
+  CHECK(says(verdicts,
+             "numbers of cells differ between conditions, 60 to 62 in the mean, and clone_radius changes with "
+             "them, however cells lie"));
   study.cells = [](const std::vector<int>&) { return 64; };
   for (const auto& sentence : verdictsOf(compared(study))) CHECK(!sentence.starts_with("numbers of cells"));
 }
@@ -293,8 +283,7 @@ TEST_CASE("A difference that is shown and within the margin is one sentence") {
     if (line.find("tighter under longest") != line.npos)
       CHECK_THAT(line, ContainsSubstring("; small as it is, equivalent within ±0.1, 90 % interval "));
     else
-      CHECK_THAT(line, ContainsSubstring("no difference is shown") &&
-                           ContainsSubstring("; equivalent within ±0.1, "));
+      CHECK_THAT(line, ContainsSubstring("no difference is shown") && ContainsSubstring("; equivalent within ±0.1, "));
   }
   CHECK(sentences == 2);
 }
@@ -338,8 +327,7 @@ TEST_CASE("Other output says the same numbers") {
   CHECK(json["pairs"][0]["difference"].get<double>() == c.pairs[0].paired.difference);
   CHECK(json["verdicts"].size() == 6);
   const std::string csv = toCsv(c);
-  CHECK(std::ranges::count(csv, '\n') ==
-        1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
+  CHECK(std::ranges::count(csv, '\n') == 1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
   CHECK(
       csv.starts_with("kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,"
                       "high,p,p_holm,effect,g,higher,lower,"
@@ -358,8 +346,7 @@ TEST_CASE(
     return all;
   };
   const auto beside = compared(study);
-  CHECK(pairOf(beside, "clone_radius", "division").corrected ==
-        pairOf(alone, "clone_radius", "division").corrected);
+  CHECK(pairOf(beside, "clone_radius", "division").corrected == pairOf(alone, "clone_radius", "division").corrected);
   CHECK(!pairOf(beside, "sister_contact", "division").corrected);
   CHECK(says(verdictsOf(beside), "sister_contact is 1 everywhere: it tells nothing"));
 }
@@ -377,8 +364,7 @@ TEST_CASE("What the study has not is refused, with what was probably meant") {
              ContainsSubstring("it has sister_contact, clone_radius"));
   for (const char* wrong : {"", "0", "-1", "abc", "5%%", "inf", "clone_radius=", "radius=0.1"})
     CHECK_THAT(message({.by = {}, .measures = {}, .margins = {wrong}}), ContainsSubstring("--equivalent: "));
-  CHECK_THAT(message({.by = {}, .measures = {}, .margins = {"0.1", "0.2"}}),
-             ContainsSubstring("two margins"));
+  CHECK_THAT(message({.by = {}, .measures = {}, .margins = {"0.1", "0.2"}}), ContainsSubstring("two margins"));
 }
 
 TEST_CASE("A database that is no study's is refused") {
@@ -393,9 +379,7 @@ TEST_CASE("A database that is no study's is refused") {
 
 TEST_CASE("A study without axes has conditions and no pairs") {
   MadeStudy study;
-  study.values = [](const std::vector<int>&, int seed) {
-    return std::map<std::string, double>{{"cells", 30. + seed}};
-  };
+  study.values = [](const std::vector<int>&, int seed) { return std::map<std::string, double>{{"cells", 30. + seed}}; };
   const auto c = compared(study);
   CHECK(c.conditions.size() == 1);
   CHECK(c.conditions[0].mean == 35.5);

@@ -57,16 +57,15 @@ void insertTask(Database& db, const MadeStudy& study, const std::string& task, c
   const std::string trouble = study.trouble ? study.trouble(levels, seed) : "";
   const auto run = trouble == "missing" ? std::nullopt : std::optional(task + "-run");
   Statement(db, "INSERT INTO task VALUES (?, (SELECT count(*) FROM task), 0, ?, ?, ?, ?, NULL)")
-      .run(task, seed, trouble.empty() ? "done" : trouble,
-           trouble == "failed" ? "numerical failure: too fast" : "", run);
+      .run(task, seed, trouble.empty() ? "done" : trouble, trouble == "failed" ? "numerical failure: too fast" : "",
+           run);
   if (!run) return;
   insertRun(db, *run, trouble.empty() ? "state of " + task : "");
   if (study.cells) Statement(db, "UPDATE run SET cells = ? WHERE run_id = ?").run(study.cells(levels), *run);
   if (!trouble.empty()) return;
   for (const auto& [measure, value] : study.values(levels, seed))
     for (const double t : study.times)
-      Statement(db, "INSERT INTO result VALUES (?, ?, ?, ?)")
-          .run(*run, measure, t, value * t / study.times.back());
+      Statement(db, "INSERT INTO result VALUES (?, ?, ?, ?)").run(*run, measure, t, value * t / study.times.back());
 }
 
 }  // namespace
@@ -82,8 +81,7 @@ void writeStudy(const MadeStudy& study, const std::filesystem::path& file) {
   for (int condition = 0;; ++condition) {
     const bool seedless = study.seedless && study.seedless(levels);
     std::string columns, shown = std::to_string(condition);
-    for (std::size_t a = 0; a < levels.size(); ++a)
-      shown += ", '" + study.axes[a].labels[std::size_t(levels[a])] + "'";
+    for (std::size_t a = 0; a < levels.size(); ++a) shown += ", '" + study.axes[a].labels[std::size_t(levels[a])] + "'";
     db.execute("INSERT INTO condition VALUES (" + shown + ", " +
                (seedless ? "0, 1)" : "1, " + std::to_string(study.seeds) + ")"));
     const auto meant = study.sameAs ? study.sameAs(levels) : levels;

@@ -14,8 +14,7 @@ TEST_CASE("The arc tangent is the library's to within a few ulp") {
   CHECK(arcTangent(1e-200) == Approx(1e-200).epsilon(1e-15));
 }
 
-TEST_CASE(
-    "The angle of two lines goes from 0 to 90, whichever way they point, and is exact where it is small") {
+TEST_CASE("The angle of two lines goes from 0 to 90, whichever way they point, and is exact where it is small") {
   const Vector x{1, 0, 0};
   for (double degrees : {0.0, 1e-7, 0.5, 30.0, 45.0, 60.0, 89.999, 90.0}) {
     const double a = degrees * 0.017453292519943295;

@@ -11,8 +11,7 @@ using namespace morula;
 namespace {
 
 const std::vector<std::uint64_t> numbers{0, 1, ~std::uint64_t{0}};
-const std::vector<double> reals{
-    0., -0., 1. / 3, INFINITY, -INFINITY, std::numeric_limits<double>::denorm_min(), 1e308};
+const std::vector<double> reals{0., -0., 1. / 3, INFINITY, -INFINITY, std::numeric_limits<double>::denorm_min(), 1e308};
 const std::vector<std::string> texts{"", "a b", std::string("\0\xff", 2)};
 
 std::string written() {
@@ -81,8 +80,7 @@ TEST_CASE("NaN is neither written nor read") {
   std::string bytes = out.bytes();
   bytes[bytes.size() - 1] = '\x7f';
   bytes[bytes.size() - 2] = '\xff';
-  CHECK_THROWS_WITH(FieldReader(bytes, "test").reals("x"),
-                    ContainsSubstring("'x' holds what is not a number"));
+  CHECK_THROWS_WITH(FieldReader(bytes, "test").reals("x"), ContainsSubstring("'x' holds what is not a number"));
 }
 
 TEST_CASE("A count beyond the end takes no memory") {
@@ -90,6 +88,5 @@ TEST_CASE("A count beyond the end takes no memory") {
   out.add("x", std::vector<double>{1.0});
   std::string bytes = out.bytes();
   bytes[8 + 1 + 1 + 7] = '\x7f';  // the count's highest byte
-  CHECK_THROWS_WITH(FieldReader(bytes, "test").reals("x"),
-                    ContainsSubstring("more values than there are bytes"));
+  CHECK_THROWS_WITH(FieldReader(bytes, "test").reals("x"), ContainsSubstring("more values than there are bytes"));
 }

@@ -15,8 +15,7 @@ namespace {
 std::vector<std::uint64_t> checkWords(std::size_t bytes) {
   std::vector<std::uint64_t> words(bytes / 8, 0);
   std::uint64_t state = 0x9E3779B1u;
-  for (std::size_t i = 0; i < bytes; ++i, state *= 0x9E3779B185EBCA8Du)
-    words[i / 8] |= (state >> 56) << 8 * (i % 8);
+  for (std::size_t i = 0; i < bytes; ++i, state *= 0x9E3779B185EBCA8Du) words[i / 8] |= (state >> 56) << 8 * (i % 8);
   return words;
 }
 

@@ -24,8 +24,7 @@ TEST_CASE("The cube root is right to one unit in the last place, over all normal
   double worst = 0;
   for (int exponent = -1022; exponent <= 1023; ++exponent)
     for (int i = 0; i < 50; ++i) {
-      const double mantissa =
-          1 + randomUnit({1, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
+      const double mantissa = 1 + randomUnit({1, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
       const double a = std::ldexp(mantissa, exponent);
       CAPTURE(a);
       const double error = errorOfCubeRoot(a);
@@ -37,8 +36,7 @@ TEST_CASE("The cube root is right to one unit in the last place, over all normal
 
 TEST_CASE("The cube root at the ends of the range and beside powers of two") {
   const double max = std::numeric_limits<double>::max(), min = std::numeric_limits<double>::min();
-  for (double a :
-       {max, min, 1e-300, 1e300, 1e-100, 1e100, std::nextafter(min, 1.0), std::nextafter(max, 1.0)})
+  for (double a : {max, min, 1e-300, 1e300, 1e-100, 1e100, std::nextafter(min, 1.0), std::nextafter(max, 1.0)})
     CHECK(errorOfCubeRoot(a) <= 1);
   for (int exponent = -1021; exponent <= 1023; ++exponent) {
     const double a = std::ldexp(1.0, exponent);
@@ -73,8 +71,7 @@ TEST_CASE("The natural logarithm, over all numbers above 0") {
   double worst = 0;
   for (int exponent = -1074; exponent <= 1023; ++exponent)
     for (int i = 0; i < 20; ++i) {
-      const double mantissa =
-          1 + randomUnit({2, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
+      const double mantissa = 1 + randomUnit({2, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
       const double a = std::ldexp(mantissa, exponent);
       const long double truth = std::log(static_cast<long double>(a));
       worst = std::max(worst, static_cast<double>(std::abs(naturalLog(a) - truth) / (1 + std::abs(truth))));
@@ -82,8 +79,7 @@ TEST_CASE("The natural logarithm, over all numbers above 0") {
   CHECK(worst < 4e-16);
   CHECK(worst > 0);
   CHECK(naturalLog(1) == 0);
-  for (const double near :
-       {1 - 0x1p-53, 1 + 0x1p-52, 0.7071067811865475, 0.7071067811865476, 1.414213562373095})
+  for (const double near : {1 - 0x1p-53, 1 + 0x1p-52, 0.7071067811865475, 0.7071067811865476, 1.414213562373095})
     CHECK(naturalLog(near) == Approx(std::log(near)).epsilon(1e-14));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CHECK(naturalLog(0) == -infinity);

@@ -59,17 +59,11 @@ TEST_CASE("The library is Philox4x32-10: the published known answers") {
 }
 
 TEST_CASE("A draw is Philox of its number, cycle and purpose, keyed by the digest of seed and cell") {
-  for (const char* path :
-       {"", "A", "ABBA", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBA"})
+  for (const char* path : {"", "A", "ABBA", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBA"})
     for (std::uint64_t seed : {0ull, 1ull, 20080617ull, ~0ull}) {
       const Draw draw{seed, CellPath::parse(path), 5, Purpose::divisionPlane};
-      const Hash key = Hasher()
-                           .field("draw")
-                           .add(seed)
-                           .add(draw.cell.high())
-                           .add(draw.cell.low())
-                           .add(draw.cell.depth())
-                           .digest();
+      const Hash key =
+          Hasher().field("draw").add(seed).add(draw.cell.high()).add(draw.cell.low()).add(draw.cell.depth()).digest();
       CHECK(randomWords(draw, 7) == philox({7, 5, 1, static_cast<std::uint32_t>(key.high)},
                                            static_cast<std::uint32_t>(key.low),
                                            static_cast<std::uint32_t>(key.low >> 32)));
@@ -86,11 +80,10 @@ TEST_CASE("Every part of a draw counts") {
   const Draw base{1, CellPath::parse("AB"), 2, Purpose::test};
   std::set<Words> seen = {randomWords(base, 0)};
   CHECK(seen.insert(randomWords(base, 1)).second);
-  for (Draw other :
-       {Draw{2, base.cell, 2, Purpose::test}, Draw{1ull << 40 | 1, base.cell, 2, Purpose::test},
-        Draw{1, CellPath::parse("ABA"), 2, Purpose::test}, Draw{1, CellPath::parse("A"), 2, Purpose::test},
-        Draw{1, CellPath::parse("BA"), 2, Purpose::test}, Draw{1, base.cell, 3, Purpose::test},
-        Draw{1, base.cell, 2, Purpose::perturbation}, Draw{1, base.cell, 2, Purpose::divisionPlane}})
+  for (Draw other : {Draw{2, base.cell, 2, Purpose::test}, Draw{1ull << 40 | 1, base.cell, 2, Purpose::test},
+                     Draw{1, CellPath::parse("ABA"), 2, Purpose::test}, Draw{1, CellPath::parse("A"), 2, Purpose::test},
+                     Draw{1, CellPath::parse("BA"), 2, Purpose::test}, Draw{1, base.cell, 3, Purpose::test},
+                     Draw{1, base.cell, 2, Purpose::perturbation}, Draw{1, base.cell, 2, Purpose::divisionPlane}})
     CHECK(seen.insert(randomWords(other, 0)).second);
 }
 
@@ -204,6 +197,5 @@ TEST_CASE("A normal deviate belongs to its draw and number") {
   const Draw draw{20080617, CellPath::parse("ABBA"), 3, Purpose::test};
   CHECK(randomNormal(draw) == randomNormal(draw, 0));
   std::set<double> seen;
-  for (std::uint32_t number = 0; number < 100; ++number)
-    CHECK(seen.insert(randomNormal(draw, number)).second);
+  for (std::uint32_t number = 0; number < 100; ++number) CHECK(seen.insert(randomNormal(draw, number)).second);
 }

@@ -33,8 +33,7 @@ TEST_CASE("Scalar, vector and triple products") {
   // Small whole numbers are exact, so the identities hold to the bit: the cross product is perpendicular to
   // both, changes its sign with the order, and [Lagrange] |a × b|² = |a|² |b|² − (a · b)².
   for (int i = 0; i < 1000; ++i) {
-    const Vector a{i % 10 - 4.0, i / 10 % 10 - 5.0, i / 100 - 3.0},
-        b{i * 7 % 11 - 5.0, i * 3 % 13 - 6.0, i % 5 - 2.0};
+    const Vector a{i % 10 - 4.0, i / 10 % 10 - 5.0, i / 100 - 3.0}, b{i * 7 % 11 - 5.0, i * 3 % 13 - 6.0, i % 5 - 2.0};
     const Vector n = cross(a, b);
     REQUIRE(dot(n, a) == 0);
     REQUIRE(dot(n, b) == 0);

@@ -32,10 +32,9 @@ int countPixels(const Drawing& drawing, Colour colour) {
 }  // namespace
 
 TEST_CASE("Ratios are formed of the rows that are there, and held against their promises") {
-  std::vector<BenchRow> rows{
-      row("morula", Stage::step, 64, 40),    row("morula", Stage::step, 128, 44),
-      row("morula", Stage::step, 256, 66),   row("bullet-b1", Stage::step, 64, 2000, ""),
-      row("morula", Stage::internal, 64, 8), row("scalar", Stage::internal, 64, 45, "")};
+  std::vector<BenchRow> rows{row("morula", Stage::step, 64, 40),    row("morula", Stage::step, 128, 44),
+                             row("morula", Stage::step, 256, 66),   row("bullet-b1", Stage::step, 64, 2000, ""),
+                             row("morula", Stage::internal, 64, 8), row("scalar", Stage::internal, 64, 45, "")};
   rows[4].shareOfPeak = 0.75, rows[4].shareWithRoots = 0.9;
   rows.push_back(row("morula", Stage::step, 512, 60));
   rows.back().wallClock = true;

@@ -14,9 +14,8 @@ using namespace morula;
 
 namespace {
 
-std::string complaintAbout(const std::string& text, const std::string& file = "f", int line = 1,
-                           int column = 1, const std::string& path = "",
-                           const DnaSurroundings* surroundings = nullptr) {
+std::string complaintAbout(const std::string& text, const std::string& file = "f", int line = 1, int column = 1,
+                           const std::string& path = "", const DnaSurroundings* surroundings = nullptr) {
   try {
     parseDna(text, file, line, column, path, surroundings);
   } catch (const InputError& error) { return error.what(); }
@@ -44,8 +43,7 @@ std::vector<std::string> written(const Dna& dna) {
 
 TEST_CASE("the thesis' DNA is read as printed") {
   const Dna dna = parseDna(uniqueFour, "unique-four.dna");
-  CHECK(dna.substances ==
-        std::vector<std::string>{"A", "B", "a0", "a1", "a2", "a3", "a4", "a5", "a6", "a7", "divide"});
+  CHECK(dna.substances == std::vector<std::string>{"A", "B", "a0", "a1", "a2", "a3", "a4", "a5", "a6", "a7", "divide"});
   CHECK(dna.start == std::vector<SubstanceId>{2});
   CHECK(dna.source == uniqueFour);
   CHECK(written(dna) == std::vector<std::string>{"g1(a1|a0)", "g2(divide|a0)", "g3(a2|A a1)", "g4(a3|B a1)",
@@ -69,8 +67,7 @@ TEST_CASE("white space, comments and line ends do not matter") {
   CHECK(written(parseDna("\n  START :\ta0  \n\n\t g1 ( a1 | a0 , A ) \n   ", "f")) == plain);
   CHECK(written(parseDna("START: a0\r\n\r\ng1(a1|a0, A)\r\n", "f")) == plain);
   CHECK(written(parseDna("\xEF\xBB\xBFSTART: a0\ng1(a1|a0, A)\n", "f")) == plain);
-  CHECK(written(parseDna("# g2(a|\nSTART: a0 # ) why\n  # indented\ng1(a1|a0, A)# at once\n#\n", "f")) ==
-        plain);
+  CHECK(written(parseDna("# g2(a|\nSTART: a0 # ) why\n  # indented\ng1(a1|a0, A)# at once\n#\n", "f")) == plain);
 }
 
 TEST_CASE("a line with a range is one line for each of its numbers") {
@@ -89,16 +86,15 @@ TEST_CASE("a line with a range is one line for each of its numbers") {
   CHECK(one.substances == other.substances);
   CHECK(one.start == other.start);
   CHECK(written(one) == written(other));
-  for (std::size_t i = 0; i < one.genes.size(); ++i)
-    CHECK(one.genes[i].repressors == other.genes[i].repressors);
+  for (std::size_t i = 0; i < one.genes.size(); ++i) CHECK(one.genes[i].repressors == other.genes[i].repressors);
 }
 
 TEST_CASE("a lineage that a range counts is the one of its genes written out") {
   std::string plain;
   for (int n = 0; n < 40; ++n) {
     const std::string from = std::to_string(n), to = std::to_string(n + 1);
-    plain += "on" + from + "(n" + to + "|n" + from + ", A)\nout" + from + "(skin|n" + from + ", B)\n" + "d" +
-             from + "(divide|n" + from + ", A)\n";
+    plain += "on" + from + "(n" + to + "|n" + from + ", A)\nout" + from + "(skin|n" + from + ", B)\n" + "d" + from +
+             "(divide|n" + from + ", A)\n";
   }
   const std::string egg = "START: egg\nfirst(n0|egg)\nd(divide|egg)\nkeep(skin|skin)\n";
   Organism counted(egg +
@@ -127,8 +123,7 @@ TEST_CASE("ranges write so many names, and a thousand mistakes of one are one co
 
 TEST_CASE("substances are found by name") {
   const Dna dna = parseDna(uniqueFour, "f");
-  for (SubstanceId id = 0; id < dna.substances.size(); ++id)
-    CHECK(findSubstance(dna, dna.substances[id]) == id);
+  for (SubstanceId id = 0; id < dna.substances.size(); ++id) CHECK(findSubstance(dna, dna.substances[id]) == id);
   CHECK_FALSE(findSubstance(dna, "a8"));
   CHECK_FALSE(findSubstance(dna, ""));
   CHECK_FALSE(findSubstance(dna, "zebra"));

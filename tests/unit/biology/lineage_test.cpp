@@ -15,9 +15,8 @@ LineageEntry entry(const char* path, Fate fate) {
 
 // In order of birth: B divided before A did, and AB died.
 Lineage smallLineage() {
-  return {{entry("", Fate::divided), entry("A", Fate::divided), entry("B", Fate::divided),
-           entry("BA", Fate::alive), entry("BB", Fate::alive), entry("AA", Fate::alive),
-           entry("AB", Fate::died)}};
+  return {{entry("", Fate::divided), entry("A", Fate::divided), entry("B", Fate::divided), entry("BA", Fate::alive),
+           entry("BB", Fate::alive), entry("AA", Fate::alive), entry("AB", Fate::died)}};
 }
 
 }  // namespace

@@ -67,8 +67,7 @@ Case randomCase(std::uint64_t seed) {
     std::set<std::string> inputs;
     for (unsigned n = 1 + dice.below(3); n > 0; --n) inputs.insert(any());
     if (kind == 3) inputs.insert("A"), inputs.insert(any()), inputs.insert(any());  // death is rare
-    if (const unsigned asymmetry = dice.below(4); asymmetry < 2 && kind != 3)
-      inputs.insert(asymmetry ? "A" : "B");
+    if (const unsigned asymmetry = dice.below(4); asymmetry < 2 && kind != 3) inputs.insert(asymmetry ? "A" : "B");
     std::set<std::string> repressors;
     for (unsigned n = dice.below(6) / 3 * dice.below(3); n > 0; --n) {
       const std::string repressor = dice.below(8) ? any() : dice.below(2) ? "A" : "B";

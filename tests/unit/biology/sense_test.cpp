@@ -235,8 +235,7 @@ TEST_CASE("Genes run on what is sensed now, not on what was; the next state show
 }
 
 TEST_CASE("What was sensed goes on being sensed until the number has passed the other bound; daughters too") {
-  const std::vector<SenseParameters> all{
-      sensing("pressed", SenseKind::volume, {.below = 0.9, .until = 0.95})};
+  const std::vector<SenseParameters> all{sensing("pressed", SenseKind::volume, {.below = 0.9, .until = 0.95})};
   const auto unit = makeLogicalDna(dnaThatSenses("START: a\ng1(a|a)\ng2(b|pressed)\n", {"pressed"}), {}, all);
   KnownCell cell;
   cell.state = unit->startState();
@@ -256,10 +255,10 @@ TEST_CASE("Cells count that hold a substance, or one with a beginning, as their 
   const std::vector<SenseParameters> all{sensing("many", SenseKind::neighbours, {.atLeast = 1}, "AB*"),
                                          sensing("one", SenseKind::neighbours, {.atLeast = 1}, "AB"),
                                          sensing("any", SenseKind::neighbours, {.atLeast = 1})};
-  const auto unit = makeLogicalDna(
-      dnaThatSenses("START: a, AB, ABa, B2\ng1(a|a)\ng2(x|many, one, any)\ng3(x|AB, ABa, B2)\n",
-                    {"many", "one", "any"}),
-      {}, all);
+  const auto unit =
+      makeLogicalDna(dnaThatSenses("START: a, AB, ABa, B2\ng1(a|a)\ng2(x|many, one, any)\ng3(x|AB, ABa, B2)\n",
+                                   {"many", "one", "any"}),
+                     {}, all);
   KnownCell cell, other;
   cell.state = unit->startState();
   cell.touching = {{&other, 1}};
@@ -274,8 +273,7 @@ TEST_CASE("Cells count that hold a substance, or one with a beginning, as their 
   CHECK(sensed("AB") == "a x");
 }
 
-TEST_CASE(
-    "A DNA without senses never looks; one that reads no such substance is refused; 64 senses are the most") {
+TEST_CASE("A DNA without senses never looks; one that reads no such substance is refused; 64 senses are the most") {
   struct Blind final : CellContext {
     std::span<const Neighbour> neighbours() const override { throw std::runtime_error("looked"); }
   } blind;
@@ -296,8 +294,7 @@ TEST_CASE("A newborn's first cycle is as long as what she becomes says; later on
   cycle.perSubstance = {{"egg", 8}};
   cycle.atBirth = {{"AB", 3.5}, {"P*", 4}, {"P1x", 3}};
   const auto unit = makeLogicalDna(
-      parseDna("START: egg\ng1(AB|egg, A)\ng2(P1|egg, B)\ng3(AB|AB)\ng4(P1x|P1, B)\ng5(x|egg)\n", "f"),
-      cycle);
+      parseDna("START: egg\ng1(AB|egg, A)\ng2(P1|egg, B)\ng3(AB|AB)\ng4(P1x|P1, B)\ng5(x|egg)\n", "f"), cycle);
   const auto length = [&](const char* state) { return unit->cycleLength(unit->stateOf(state)); };
   CHECK(length("egg") == 8);
   CHECK(length("A egg") == 3.5);

@@ -66,7 +66,8 @@ TEST_CASE("Energy: a membrane that is twice as long holds ½k·l² of every edge
   b.volume[0] = b.volume[1] = 0;
   const MeshTemplate& mesh = b.mesh;
   double squares = 0;
-  for (int e = 0; e < mesh.edgeCount(); ++e) squares += mesh.springWeights.at(e) * mesh.restLengths[e] * mesh.restLengths[e];
+  for (int e = 0; e < mesh.edgeCount(); ++e)
+    squares += mesh.springWeights.at(e) * mesh.restLengths[e] * mesh.restLengths[e];
   for (int vertex = 0; vertex < b.vertexCount(); ++vertex)
     b.write(b.position, 0, vertex, 2.0 * mesh.mesh.vertices[vertex]);
   CHECK(measureEnergy(b).total() == Approx(0.5 * b.parameters.membrane.stiffness * squares));

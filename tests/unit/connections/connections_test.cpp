@@ -65,8 +65,7 @@ TEST_CASE("Partners come in order of their paths, and a cell that dies loses the
 
 TEST_CASE("The active list is sorted by pair, in whatever order connections were made") {
   Connections forward, backward;
-  const std::vector<std::pair<const char*, const char*>> pairs{
-      {"A", "BA"}, {"A", "BB"}, {"BA", "BB"}, {"AA", "B"}};
+  const std::vector<std::pair<const char*, const char*>> pairs{{"A", "BA"}, {"A", "BB"}, {"BA", "BB"}, {"AA", "B"}};
   for (const auto& [a, b] : pairs) connect(forward, cell(a), cell(b), 0);
   for (auto p = pairs.rbegin(); p != pairs.rend(); ++p) connect(backward, cell(p->second), cell(p->first), 0);
   REQUIRE(forward.active.size() == backward.active.size());

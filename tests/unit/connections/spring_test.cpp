@@ -60,8 +60,7 @@ TEST_CASE("Turning two cells turns the spring's force") {
 TEST_CASE(
     "A spring's length at rest goes by the radii at rest, whatever the volumes are, and its force is its "
     "energy's slope") {
-  for (double volume : {0.1, 1.0, 5.0})
-    CHECK(stretched({3, 1.2}, {2.8, 0, 0}, 0.5, volume).forces[0].x == Approx(3));
+  for (double volume : {0.1, 1.0, 5.0}) CHECK(stretched({3, 1.2}, {2.8, 0, 0}, 0.5, volume).forces[0].x == Approx(3));
   for (double distance : {1.3, 1.8, 2.8}) {
     const auto energyAt = [](double d) { return stretched({3, 1.2}, {d, 0, 0}, 0.5).energy; };
     const double slope = (energyAt(distance + 1e-5) - energyAt(distance - 1e-5)) / 2e-5;

@@ -14,8 +14,7 @@ const double longest = std::sqrt(normalScaleSquared);  // ν
 
 std::vector<SnapshotRow> rowsOf(const Crowd& crowd) {
   std::vector<SnapshotRow> rows;
-  for (const RowMemory& row : crowd.contacts.rows)
-    rows.push_back(readRow(row, crowd.lab.bodies.parameters.precision));
+  for (const RowMemory& row : crowd.contacts.rows) rows.push_back(readRow(row, crowd.lab.bodies.parameters.precision));
   return rows;
 }
 
@@ -129,8 +128,7 @@ TEST_CASE("No pair that is left out can act, whatever moves, turns and speeds up
 
 TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that fly, spin and are shaken") {
   const Mesh ball = makeIcosphere(2);
-  for (const ContactParameters& law :
-       {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.2, 0.3}}) {
+  for (const ContactParameters& law : {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.2, 0.3}}) {
     int different = 0, choices = 0, evaluations = 0;
     double entries = 0, all = 0;
     for (std::uint32_t key = 0; key < 6; ++key) {
@@ -144,8 +142,7 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
           const double size = key < 2 ? 1e-3 : 2e-4;
           const Vector along = noiseVector(2, k), spin = 3 * noiseVector(3, k), middle = b.vertex(slot, 0);
           for (int v = 0; v < b.vertexCount(); ++v) {
-            const Vector way =
-                along + cross(spin, b.vertex(slot, v) - middle) + 0.3 * noiseVector(4 + v, k + 1000 * i);
+            const Vector way = along + cross(spin, b.vertex(slot, v) - middle) + 0.3 * noiseVector(4 + v, k + 1000 * i);
             crowd.lab.setPosition(slot, v, b.vertex(slot, v) + size * way);
             crowd.lab.setVelocity(slot, v, (i % 20 == 7 ? 300 : 30) * size * way);
           }
@@ -155,8 +152,7 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
         Contacts whole = crowd.contacts;
         buildNeighbourList(whole.list, b, whole.radius, 1);
         b.acceleration.assign(b.acceleration.size(), 0);
-        for (int block = 0; block < b.blockCount(); ++block)
-          addContactForces(whole, b, block, crowd.lawTimeStep);
+        for (int block = 0; block < b.blockCount(); ++block) addContactForces(whole, b, block, crowd.lawTimeStep);
         if (i == 0) {
           const auto slices = chosenOf(whole);
           for (std::size_t g = 0; g + 1 < slices.size(); ++g)

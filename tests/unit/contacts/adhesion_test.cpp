@@ -24,8 +24,7 @@ ContactParameters sticky(double work, double friction = 0, double radius = 1) {
 
 /// [length²] At rest, of each of the cell's vertices in the mean, from the mesh alone.
 double restArea(const Bodies& b, int slot) {
-  return measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces) * b.restScale[slot] * b.restScale[slot] /
-         b.vertexCount();
+  return measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces) * b.restScale[slot] * b.restScale[slot] / b.vertexCount();
 }
 
 /// [force·length] Between all cells.
@@ -50,8 +49,7 @@ constexpr double halfThickness = 0.6;  // beyond the reach of what lies on its o
 Mesh cushion(const Vector& e, const Vector& f) {
   Mesh m;
   const auto along = [&](int i, const Vector& other) {  // from the middle, in steps
-    const double row = norm(cross(e, f)) / norm(other),
-                 sloping = 1 - halfThickness * halfThickness / (row * row);
+    const double row = norm(cross(e, f)) / norm(other), sloping = 1 - halfThickness * halfThickness / (row * row);
     const double inwards = 1 - std::sqrt(sloping);
     return (i == 0 ? inwards : i == across ? across - inwards : i) - across / 2.0;
   };
@@ -122,8 +120,7 @@ double energyOfBalls(const Mesh& ball, double gap, double size = 1, double other
   double surface = 0;  // where it stands, within the corners
   const Rings rings(ball);
   for (std::size_t v = 0; v < ball.vertices.size(); ++v)
-    surface +=
-        norm(rings.see(ball.vertices, static_cast<int>(v), 1).y) / static_cast<double>(ball.vertices.size());
+    surface += norm(rings.see(ball.vertices, static_cast<int>(v), 1).y) / static_cast<double>(ball.vertices.size());
   constexpr std::uint32_t turns = 24;
   double sum = 0;
   for (std::uint32_t key = 0; key < turns; ++key) {
@@ -176,8 +173,7 @@ TEST_CASE("Balls hold what spheres do by Derjaguin") {
     CAPTURE(level, reach);
     CHECK(energyOfBalls(ball, 0) == Approx(expected(0.5, reach)).epsilon(tolerance));
     CHECK(energyOfBalls(ball, 0, 0.5, 0.5) == Approx(expected(0.25, reach / 2)).epsilon(tolerance));
-    CHECK(energyOfBalls(ball, 0, 1, 0.5) ==
-          Approx(expected(1.0 / 3, reach * std::sqrt(2.0 / 5))).epsilon(tolerance));
+    CHECK(energyOfBalls(ball, 0, 1, 0.5) == Approx(expected(1.0 / 3, reach * std::sqrt(2.0 / 5))).epsilon(tolerance));
   }
 }
 
@@ -227,8 +223,8 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
     // With s of flat meshes face to face, whose normals are as long as G = 6a has them.
     const double g = 6 * restArea(crowd.lab.bodies, 0) / (c.radius[0] * c.radius[0]);
     const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4);
-    error.see(std::abs(s - 24 / pi * work * restArea(crowd.lab.bodies, i) * restArea(crowd.lab.bodies, j) *
-                               mean / (m * m * (3 - m) / 4)));
+    error.see(std::abs(s - 24 / pi * work * restArea(crowd.lab.bodies, i) * restArea(crowd.lab.bodies, j) * mean /
+                               (m * m * (3 - m) / 4)));
   }
   CHECK(same);
   CHECK(error < 1e-12);

@@ -28,8 +28,7 @@ TEST_CASE("Balls side by side touch, balls apart do not") {
   CHECK(touching[0].b == 1);
 }
 
-TEST_CASE(
-    "Two balls cut flat that press each other touch over force over pressure: over the disc of the cut") {
+TEST_CASE("Two balls cut flat that press each other touch over force over pressure: over the disc of the cut") {
   for (int level : {2, 3, 4}) {
     const Mesh ball = makeIcosphere(level);
     const double reach = meanEdge(ball);
@@ -44,8 +43,7 @@ TEST_CASE(
       const double force = forceOn(limpOnes, 1).x, disc = std::numbers::pi * (1 - height * height);
       const double pressure = force / disc;
       const auto areaAt = [&](double share) {  // of that pressure
-        for (Body* b : {&left, &right})
-          b->pressureConstant = share * pressure * measureVolume(b->position, ball.faces);
+        for (Body* b : {&left, &right}) b->pressureConstant = share * pressure * measureVolume(b->position, ball.faces);
         const auto pairs = areas({left, right}, ball);
         REQUIRE(pairs.size() == 1);
         return pairs[0].area;
@@ -105,9 +103,7 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
   for (const SeenVertex& i : oracle.all) {
     double around = 0;
     for (const auto& [v, j, k] : oracle.rings.faces[i.v])
-      around +=
-          norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) /
-          6;
+      around += norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) / 6;
     for (int other = 0; other < b.count; ++other) {
       double pressing = 0;
       for (const SeenVertex& j : oracle.all) {
@@ -121,8 +117,8 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
     }
   }
   std::erase_if(areas, [&](const auto& pair) {
-    const double radius = b.parameters.cell.radius *
-                          std::min(b.restScale[pair.first.first], b.restScale[pair.first.second]);
+    const double radius =
+        b.parameters.cell.radius * std::min(b.restScale[pair.first.first], b.restScale[pair.first.second]);
     return pair.second < 0.005 * 4 * std::numbers::pi * radius * radius;
   });
   return areas;
@@ -138,8 +134,7 @@ TEST_CASE("Areas are those of the definition, vertex by vertex, with friction an
   for (const ContactParameters& law : {plain, sticky})
     for (std::uint32_t key = 0; key < 4; ++key) {
       auto cells = heap(ball, 9, 1.85, 0, key);
-      for (std::size_t c = 0; c < cells.size(); ++c)
-        cells[c].pressureConstant = 0.5 * static_cast<double>(c % 3);
+      for (std::size_t c = 0; c < cells.size(); ++c) cells[c].pressureConstant = 0.5 * static_cast<double>(c % 3);
       Crowd crowd(limp(), law, ball, cells);
       const auto expected = bruteForce(crowd.lab.bodies, law);
       const auto areas = measureContactAreas(crowd.contacts, crowd.lab.bodies);

@@ -11,8 +11,8 @@ struct Crowd {
   Lab lab;
   Contacts contacts;
 
-  Crowd(const PhysicsParameters& p, const ContactParameters& c, const Mesh& mesh,
-        const std::vector<Body>& cells, Isa isa = Isa::scalar)
+  Crowd(const PhysicsParameters& p, const ContactParameters& c, const Mesh& mesh, const std::vector<Body>& cells,
+        Isa isa = Isa::scalar)
       : lab(p, mesh, cells, isa), contacts(makeContacts(c, isa, {}, p.precision)) {
     resetContacts(contacts, lab.bodies);
     step(0);
@@ -64,8 +64,7 @@ inline PhysicsParameters limp() {
 
 /// Crumpled balls of different sizes, in motion, piled up in cubes of 3 × 3 × 3 with their centres `spacing`
 /// apart: they touch from 2 downwards.
-inline std::vector<Body> heap(const Mesh& ball, int count, double spacing, double speed,
-                              std::uint32_t key = 0) {
+inline std::vector<Body> heap(const Mesh& ball, int count, double spacing, double speed, std::uint32_t key = 0) {
   std::vector<Body> cells;
   for (int i = 0; i < count; ++i) {
     const std::uint32_t k = 100 * key + static_cast<std::uint32_t>(i);

@@ -21,8 +21,7 @@ double dissipated(const ContactParameters& law, const Mesh& mesh, const std::vec
 }
 
 /// Two balls that overlap a little, both turned at random, the right one moving.
-Crowd rubbing(const ContactParameters& law, const Vector& velocity, std::uint32_t key = 0,
-              double timeStep = 0x1p-30) {
+Crowd rubbing(const ContactParameters& law, const Vector& velocity, std::uint32_t key = 0, double timeStep = 0x1p-30) {
   const Mesh ball = makeIcosphere(3);
   const Body left = turnedBody(ball, key);
   Body right = turnedBody(ball, key + 1000, 1, {1.97, 0, 0});
@@ -47,8 +46,7 @@ TEST_CASE("Damping and friction take energy from cells in a heap, and never give
         for (std::uint32_t c = 0; c < cells.size(); ++c)
           for (std::size_t v = 0; v < cells[c].position.size(); ++v)
             cells[c].velocity[v] +=
-                noiseVector(c, 40 + key) +
-                cross(noiseVector(c, 90 + key), cells[c].position[v] - cells[c].position[0]);
+                noiseVector(c, 40 + key) + cross(noiseVector(c, 90 + key), cells[c].position[v] - cells[c].position[0]);
         CAPTURE(level, law.damping, law.friction, key);
         CHECK(dissipated(law, ball, cells) > 0);
         for (Body& cell : cells)
@@ -97,8 +95,8 @@ TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   }
   CHECK(rubbed == Approx(0.3 * pressed).epsilon(0.05));
 
-  const double without = onRight(0, 1).y, fast = onRight(0.3, 1).y - without,
-               faster = onRight(0.3, 5).y - without, slow = onRight(0.3, 1e-4).y - without;
+  const double without = onRight(0, 1).y, fast = onRight(0.3, 1).y - without, faster = onRight(0.3, 5).y - without,
+               slow = onRight(0.3, 1e-4).y - without;
   CHECK(fast < 0);
   CHECK(faster == Approx(fast).epsilon(1e-6));       // beyond the slip speed it does not grow
   CHECK(slow == Approx(fast * 0.01).epsilon(1e-2));  // below it fades linearly
@@ -109,7 +107,6 @@ TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   const double gentle = onRight(0.3, slip, 0, longStep).y - without;
   CHECK(gentle < 0);
   CHECK(-gentle < 0.5 * -slow);
-  CHECK(-gentle * longStep < slip);  // the right ball's mass is 1
-  CHECK(onRight(0.3, 10000, 0, longStep).y - without ==
-        Approx(fast).epsilon(1e-6));  // what slips fast is not touched
+  CHECK(-gentle * longStep < slip);                                                   // the right ball's mass is 1
+  CHECK(onRight(0.3, 10000, 0, longStep).y - without == Approx(fast).epsilon(1e-6));  // what slips fast is not touched
 }

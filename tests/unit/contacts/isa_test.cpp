@@ -29,11 +29,9 @@ TEST_CASE("All instruction sets move touching cells alike, at every step") {
             crowd.step(0x1p-9);
             for (int slot = 0; slot < count; ++slot) {
               const Body a = takeBody(crowds[0].lab.bodies, slot), b = takeBody(crowd.lab.bodies, slot);
-              if (!(a.position == b.position && a.velocity == b.velocity) && firstDifference < 0)
-                firstDifference = i;
+              if (!(a.position == b.position && a.velocity == b.velocity) && firstDifference < 0) firstDifference = i;
             }
-            if (!(crowd.contacts.rebuilds == crowds[0].contacts.rebuilds) && firstDifference < 0)
-              firstDifference = i;
+            if (!(crowd.contacts.rebuilds == crowds[0].contacts.rebuilds) && firstDifference < 0) firstDifference = i;
           }
         CAPTURE(mesh.vertices.size(), static_cast<int>(law.law), law.friction, count);
         CHECK(firstDifference == -1);

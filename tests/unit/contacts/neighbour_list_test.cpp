@@ -33,8 +33,7 @@ ListsByVertex bruteForce(const Bodies& b, const AlignedVector<double>& radius, d
 ListsByVertex listsByVertex(const NeighbourList& list, const Bodies& b) {
   ListsByVertex lists;
   for (int s = 0; s < b.count; ++s)
-    for (int v = 0; v < b.vertexCount(); ++v)
-      lists[numberOf(b, s, v)] = neighboursOf(list, numberOf(b, s, v));
+    for (int v = 0; v < b.vertexCount(); ++v) lists[numberOf(b, s, v)] = neighboursOf(list, numberOf(b, s, v));
   return lists;
 }
 
@@ -46,8 +45,7 @@ std::size_t pairsIn(const ListsByVertex& lists) {
 
 }  // namespace
 
-TEST_CASE(
-    "The list holds the pairs within reach and no others, for cells of different sizes, heaped or strewn") {
+TEST_CASE("The list holds the pairs within reach and no others, for cells of different sizes, heaped or strewn") {
   const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas())
     for (int count : {1, 2, 7, 8, 9, 17})
@@ -90,13 +88,12 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
     Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
     Bodies& b = crowd.lab.bodies;
     const auto rebuilds = crowd.contacts.rebuilds;
-    crowd.lab.setPosition(slot, 41,
-                          b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin,
-                                                      0});  // the rest hangs on its ring
+    crowd.lab.setPosition(
+        slot, 41,
+        b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin, 0});  // the rest hangs on its ring
     crowd.evaluateForces();
     CHECK(crowd.contacts.rebuilds == rebuilds + 1);
-    CHECK((listsByVertex(crowd.contacts.list, b) ==
-           bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+    CHECK((listsByVertex(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
   }
 }
 
@@ -112,8 +109,7 @@ TEST_CASE("Random moves, step after step: the list is right each time it is new"
     if (crowd.contacts.rebuilds == rebuilds) continue;
     rebuilds = crowd.contacts.rebuilds;
     ++renewed;
-    CHECK((listsByVertex(crowd.contacts.list, b) ==
-           bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+    CHECK((listsByVertex(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
   }
   CHECK(renewed > 5);
   CHECK(renewed < 100);
@@ -124,9 +120,8 @@ TEST_CASE("Forces do not depend on when the list was built: the same bits if it 
   PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
-  for (const ContactParameters& law :
-       {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.05, 0.3},
-        ContactParameters{ContactLaw::thesis}}) {
+  for (const ContactParameters& law : {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.05, 0.3},
+                                       ContactParameters{ContactLaw::thesis}}) {
     auto cells = heap(ball, 9, 1.8, 0.5);
     for (Body& b : cells) b.pressureConstant = 4 * b.mass;
     Crowd lazy(p, law, ball, cells), eager(p, law, ball, cells);

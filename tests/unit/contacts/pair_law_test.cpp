@@ -54,16 +54,14 @@ std::vector<Body> heapOf(const Mesh& mesh, int count, double spacing, double cru
 
 }  // namespace
 
-TEST_CASE(
-    "Contact forces are those of the equations over all pairs of vertices, for every variant of the law") {
+TEST_CASE("Contact forces are those of the equations over all pairs of vertices, for every variant of the law") {
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (int count : {2, 3, 9}) {
         Crowd crowd(limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1));
         crowd.evaluateForces();
         double largest;
-        const double error =
-            errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
+        const double error = errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
         CAPTURE(name, mesh.vertices.size(), count, largest);
         CHECK(largest > 0.1);
         CHECK(error < 1e-8);
@@ -83,14 +81,12 @@ TEST_CASE(
   };
   Worst worst;
   std::uint32_t touching = 0;
-  for (const auto& [mesh, spacing, states, every] : {Kind{makeIcosphere(1), 1.8, 500, 5},
-                                                     {makeIcosphere(2), 1.9, 100, 17},
-                                                     {ring, 0.8, 200, 5},
-                                                     {box, 1.0, 200, 1}})
+  for (const auto& [mesh, spacing, states, every] :
+       {Kind{makeIcosphere(1), 1.8, 500, 5}, {makeIcosphere(2), 1.9, 100, 17}, {ring, 0.8, 200, 5}, {box, 1.0, 200, 1}})
     for (std::uint32_t key = 0; key < states; ++key) {
       const ContactParameters& law = key % 3 == 0 ? plain : key % 3 == 1 ? holding : wide;
-      auto cells = heapOf(mesh, 2 + static_cast<int>(key % 2), spacing + 0.3 * noise(2, key),
-                          key % 7 == 0 ? 0.2 : 0.03, key);
+      auto cells =
+          heapOf(mesh, 2 + static_cast<int>(key % 2), spacing + 0.3 * noise(2, key), key % 7 == 0 ? 0.2 : 0.03, key);
       const double size = key % 5 == 0 ? 0.6 : 1;  // the first one is much smaller now and then
       for (Point& x : cells[0].position) x = size * x;
       cells[0].restScale *= size;
@@ -118,8 +114,7 @@ TEST_CASE("In single precision forces are the same but for its rounding") {
     Crowd crowd(p, law, ball, heap(ball, 9, 1.6, 0.5));
     crowd.evaluateForces();
     double largest;
-    const double error =
-        errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
+    const double error = errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
     CAPTURE(name, largest);
     CHECK(error < 2e-5);
   }
@@ -211,8 +206,8 @@ TEST_CASE(
         crowd.lab.setPosition(1, static_cast<int>(v), right.position[v] - Vector{i * 5e-4, 0, 0});
       crowd.evaluateForces();
       for (std::size_t k = 0; k < before.size(); ++k) {
-        const Vector now = crowd.lab.force(static_cast<int>(k / ball.vertices.size()),
-                                           static_cast<int>(k % ball.vertices.size()));
+        const Vector now =
+            crowd.lab.force(static_cast<int>(k / ball.vertices.size()), static_cast<int>(k % ball.vertices.size()));
         jump.see(norm(now - before[k]));
         largest.see(norm(now));
         before[k] = now;
@@ -271,8 +266,7 @@ TEST_CASE("Vertices at one place, or with parallel normals, do not make a force 
     same.evaluateForces();
     CHECK(largestForce(same) < 1e3);
     for (int slot : {1, 2})
-      for (int v = 0; v < folded.lab.bodies.vertexCount(); ++v)
-        folded.lab.setPosition(slot, v, needle.position[v]);
+      for (int v = 0; v < folded.lab.bodies.vertexCount(); ++v) folded.lab.setPosition(slot, v, needle.position[v]);
     folded.evaluateContacts();  // gas of no volume has no pressure
     CHECK(largestForce(folded) < 1e3);
   }

@@ -85,13 +85,12 @@ struct PairOracle {
     const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth * u;
     const double m = 1 - dot(i.normal, j.normal), t = std::min(2 * m, 1.0), s = t * t * (3 - 2 * t);
     const double hard = 1 + 12 * bulk + 600 * bulk * bulk;
-    const double byDepth =
-        std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
-    const double held = holds(i, j),
-                 barrier = law.stiffness * depth * depth;
-    const double byNearness = -near * s * barrier * u * (2 + 18 * bulk + 800 * bulk * bulk) + m * m * (3 - m) / 4 * held / 2 * fade * fade;
-    const double byNormals =
-        12 * t * (1 - t) * u * u * barrier / 2 * (1 + 6 * bulk + 200 * bulk * bulk) - 0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
+    const double byDepth = std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
+    const double held = holds(i, j), barrier = law.stiffness * depth * depth;
+    const double byNearness =
+        -near * s * barrier * u * (2 + 18 * bulk + 800 * bulk * bulk) + m * m * (3 - m) / 4 * held / 2 * fade * fade;
+    const double byNormals = 12 * t * (1 - t) * u * u * barrier / 2 * (1 + 6 * bulk + 200 * bulk * bulk) -
+                             0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
     Push p{byDepth * h - 2 * k * byNearness * a, byNormals * j.normal - byDepth / 2 * a};
     if (law.friction > 0 && dot(a, a) > 0) {
       const double slip = std::sqrt(std::max(0.0, dot(v, v) - dot(v, h) * dot(v, h)));
@@ -132,8 +131,7 @@ struct PairOracle {
     std::vector<Point> x = takeBody(b, slot).position;
     const SeenVertex& first = all[std::size_t(slot) * b.vertexCount()];
     std::vector<double> held(b.count, 0.0);
-    for (int other = 0; other < b.count; ++other)
-      held[other] = holds(first, all[std::size_t(other) * b.vertexCount()]);
+    for (int other = 0; other < b.count; ++other) held[other] = holds(first, all[std::size_t(other) * b.vertexCount()]);
     return byDifferences(
         x, v, step,
         [&](int w, const SeenSurface& s) {
@@ -150,8 +148,7 @@ struct PairOracle {
  private:
   /// ∂/∂x of vertex v of the sum of `worth` over all vertices whose surface hangs on it.
   template <class Worth>
-  Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth,
-                       double inverseRadiusSquared) const {
+  Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth, double inverseRadiusSquared) const {
     const auto sum = [&] {
       double s = worth(v, rings.see(x, v, inverseRadiusSquared));
       for (int w : rings.neighbours[v]) s += worth(w, rings.see(x, w, inverseRadiusSquared));

@@ -108,8 +108,7 @@ TEST_CASE("Random crowds of cells of like sizes, dense to strewn") {
 TEST_CASE("Radii that differ by a factor of forty") {
   const Mesh ball = makeIcosphere(1);
   auto cells = heap(ball, 12, 1.7, 0);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i].restScale = i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.4 : 2;
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i].restScale = i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.4 : 2;
   check(cells, ball, 1000);
 }
 
@@ -123,8 +122,7 @@ TEST_CASE("Other meshes: few vertices, many, and one with a hole") {
 TEST_CASE("Cells at one place: vertices coincide, and everything is everybody's neighbour") {
   const Mesh ball = makeIcosphere(1);
   check(std::vector<Body>(9, shakenBody(ball, 0, 0)), ball, 9 * 42 * 8);
-  std::vector<Body> points(
-      9, shakenBody(ball, 0, 0));  // each cell in one point: lists longer than a short sort bears
+  std::vector<Body> points(9, shakenBody(ball, 0, 0));  // each cell in one point: lists longer than a short sort bears
   for (Body& b : points)
     for (Point& x : b.position) x = {1, 2, 3};
   check(points, ball, 9 * 42 * 8 * 42);
@@ -156,11 +154,9 @@ TEST_CASE("Huge coordinates, where the distance of two numbers is a fair part of
   }
 }
 
-TEST_CASE(
-    "Vertices that are nowhere, or whose squares overflow, have no neighbours and do no harm to others") {
+TEST_CASE("Vertices that are nowhere, or whose squares overflow, have no neighbours and do no harm to others") {
   const Mesh ball = makeIcosphere(1);
-  for (double lost :
-       {std::numeric_limits<double>::quiet_NaN(), double(INFINITY), -double(INFINITY), 1e200, -1e308}) {
+  for (double lost : {std::numeric_limits<double>::quiet_NaN(), double(INFINITY), -double(INFINITY), 1e200, -1e308}) {
     auto cells = heap(ball, 9, 1.8, 0);
     cells[0].position[0].x = -lost;
     cells[4].position[17] = {lost, lost, lost};
@@ -203,8 +199,7 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
   const Crowd probe(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
   const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
   std::vector<NeighbourList> lists;
-  for (ContactSearch search : valuesOf<ContactSearch>())
-    lists.push_back(makeNeighbourList(search, bestIsa()));
+  for (ContactSearch search : valuesOf<ContactSearch>()) lists.push_back(makeNeighbourList(search, bestIsa()));
   int wrong = 0;
   for (double hair : {-1e-12, 1e-12})
     for (std::uint32_t key = 0; key < 1000; ++key) {
@@ -239,8 +234,7 @@ TEST_CASE("Cells on the move: trees that are refitted stay right, and are not bu
   for (Body& b : cells) b.pressureConstant = 4 * b.mass;
   Crowd crowd(p, {}, ball, cells);
   std::vector<NeighbourList> lists;
-  for (ContactSearch search : valuesOf<ContactSearch>())
-    lists.push_back(makeNeighbourList(search, bestIsa()));
+  for (ContactSearch search : valuesOf<ContactSearch>()) lists.push_back(makeNeighbourList(search, bestIsa()));
   int different = 0;
   for (int i = 0; i < 150; ++i) {
     crowd.step(0x1p-8);

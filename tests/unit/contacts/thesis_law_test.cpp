@@ -51,8 +51,7 @@ TEST_CASE("Contact forces are eq. 4.8 over all pairs of vertices, by brute force
         if (norm(way) > 0) {
           const Vector out = way / norm(way);
           const double m = lab.bodies.vertexMass[i.slot];
-          expected +=
-              0.5 * m * (norm(way) / (dt * dt) - dot(i.velocity, out) / dt - dot(other[k], out) / m) * out;
+          expected += 0.5 * m * (norm(way) / (dt * dt) - dot(i.velocity, out) / dt - dot(other[k], out) / m) * out;
         }
         error.see(norm(lab.force(i.slot, i.v) - expected));
         largest.see(norm(expected));
@@ -75,8 +74,7 @@ TEST_CASE("Its stiffness grows with the inverse square of the time step") {
   CHECK(push(dt / 2) == Approx(4 * push(dt)).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "Nothing acts back on the other cell: it does not keep momentum, and that is why it is not the default") {
+TEST_CASE("Nothing acts back on the other cell: it does not keep momentum, and that is why it is not the default") {
   const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
   crowd.evaluateForces();

@@ -55,8 +55,7 @@ TEST_CASE("alternating: who turns the cell and its mother's axis turns the plane
   for (Point& x : turned) x = turn(x);
   const Vector before = policy->findCut(daughter(brickVertices(), axis)).normal;
   const Vector after = policy->findCut(daughter(turned, turn(axis))).normal;
-  CHECK(norm(cross(turn(before), after)) <
-        1e-12);  // the same line; which of its directions is a rule of its own
+  CHECK(norm(cross(turn(before), after)) < 1e-12);  // the same line; which of its directions is a rule of its own
 }
 
 TEST_CASE("alternating: a first axis without length is an error") {

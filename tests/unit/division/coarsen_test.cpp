@@ -89,10 +89,9 @@ TEST_CASE("However a cut slants, volume is kept, and area to 1 %") {
     for (const Body& before : {cut.daughters.a, cut.daughters.b}) {
       const Body after = coarsen(b, before);
       const Faces faces = b.meshAt(after.meshLevel).mesh.faces;
-      volume.see(std::abs(
-          measureVolume(after.position, faces) / measureVolume(before.position, b.mesh.mesh.faces) - 1));
-      area.see(
-          std::abs(measureArea(after.position, faces) / measureArea(before.position, b.mesh.mesh.faces) - 1));
+      volume.see(
+          std::abs(measureVolume(after.position, faces) / measureVolume(before.position, b.mesh.mesh.faces) - 1));
+      area.see(std::abs(measureArea(after.position, faces) / measureArea(before.position, b.mesh.mesh.faces) - 1));
       coarser += after.meshLevel;
       ++all;
     }

@@ -45,8 +45,7 @@ TEST_CASE("Gas pressure and density at birth are the mother's where no volume is
   for (const Body* daughter : {&cut.daughters.a, &cut.daughters.b}) {
     CHECK(daughter->pressureConstant / volumeOf(*daughter, mesh) ==
           Approx(mother.pressureConstant / volumeOf(mother, mesh)).epsilon(1e-13));
-    CHECK(daughter->mass / volumeOf(*daughter, mesh) ==
-          Approx(mother.mass / volumeOf(mother, mesh)).epsilon(1e-13));
+    CHECK(daughter->mass / volumeOf(*daughter, mesh) == Approx(mother.mass / volumeOf(mother, mesh)).epsilon(1e-13));
   }
 }
 
@@ -61,8 +60,7 @@ TEST_CASE("Volumes, masses, gas and momentum add up to the mother's, whatever th
       const auto& [a, b] = cut.daughters;
       const double volume = volumeOf(a, mesh) + volumeOf(b, mesh);
       // A slanted cut through a long body overhangs and is unfolded, which takes a little of its volume.
-      if (projectionFolds(mother, mesh, normal) == 0)
-        CHECK(volume == Approx(volumeOf(mother, mesh)).epsilon(1e-13));
+      if (projectionFolds(mother, mesh, normal) == 0) CHECK(volume == Approx(volumeOf(mother, mesh)).epsilon(1e-13));
       else CHECK(volume == Approx(volumeOf(mother, mesh)).epsilon(0.05));
       CHECK(a.mass + b.mass == Approx(3).epsilon(1e-15));
       CHECK(a.pressureConstant + b.pressureConstant == Approx(5).epsilon(1e-15));
@@ -80,8 +78,7 @@ TEST_CASE("A tenth of the volume is enough for a daughter, and less is not") {
   const Body mother = moving(mesh);
   for (const double sign : {1.0, -1.0}) {
     const auto cutAt = [&](double height) {
-      return cutBody(mother, mesh.faces, {.point = {0, 0, height}, .normal = {0, 0, sign}, .share = {}}, 1.26)
-          .failure;
+      return cutBody(mother, mesh.faces, {.point = {0, 0, height}, .normal = {0, 0, sign}, .share = {}}, 1.26).failure;
     };
     CHECK(cutAt(1) == "");
     CHECK(cutAt(9) == "");
@@ -93,11 +90,9 @@ TEST_CASE("A tenth of the volume is enough for a daughter, and less is not") {
 TEST_CASE("Of a sphere each daughter gets half") {
   const Mesh mesh = makeIcosphere(2);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const CutResult cut =
-        cutBody(moving(mesh), mesh.faces,
-                throughMean(moving(mesh), randomDirection({seed, {}, 0, Purpose::test})), 1.26);
-    CHECK(volumeOf(cut.daughters.a, mesh) ==
-          Approx(measureVolume(mesh.vertices, mesh.faces) / 2).epsilon(1e-13));
+    const CutResult cut = cutBody(moving(mesh), mesh.faces,
+                                  throughMean(moving(mesh), randomDirection({seed, {}, 0, Purpose::test})), 1.26);
+    CHECK(volumeOf(cut.daughters.a, mesh) == Approx(measureVolume(mesh.vertices, mesh.faces) / 2).epsilon(1e-13));
     CHECK(cut.daughters.a.mass == Approx(1.5).epsilon(1e-13));
   }
 }
@@ -161,8 +156,7 @@ TEST_CASE("Membrane: two halves share `production` times their mother's area ali
   const Body mother = moving(mesh);
   for (double production : {1.0, 1.26, 1.5}) {
     const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, {1, 0, 0}), production);
-    const double a = cut.daughters.a.restScale / mother.restScale,
-                 b = cut.daughters.b.restScale / mother.restScale;
+    const double a = cut.daughters.a.restScale / mother.restScale, b = cut.daughters.b.restScale / mother.restScale;
     CHECK(a * a + b * b == Approx(production).epsilon(1e-14));
     CHECK(a == Approx(b).epsilon(1e-13));
   }
@@ -193,9 +187,7 @@ TEST_CASE("A body that would have next to no volume on one side does not divide,
   CHECK(cutBody(nail, mesh.faces, throughMean(nail, {0, 1, 0}), 1.26).failure == "");
 
   const Mesh insideOut = zoo::inverted(mesh);
-  CHECK(
-      cutBody(moving(insideOut), insideOut.faces, throughMean(moving(insideOut), {1, 0, 0}), 1.26).failure !=
-      "");
+  CHECK(cutBody(moving(insideOut), insideOut.faces, throughMean(moving(insideOut), {1, 0, 0}), 1.26).failure != "");
   Body broken = moving(mesh);
   broken.position[3].x = std::nan("");
   CHECK(cutBody(broken, mesh.faces, throughMean(broken, {1, 0, 0}), 1.26).failure != "");

@@ -80,8 +80,7 @@ TEST_CASE("rounding does not decide which daughter is A, not even of a round cel
       const Vector normal = axisOf({}, mother);
       for (std::uint32_t i = 0; i < 20; ++i) {
         Body again = mother;
-        for (std::uint32_t k = 0; k < again.position.size(); ++k)
-          again.position[k] += 1e-15 * noiseVector(k, i);
+        for (std::uint32_t k = 0; k < again.position.size(); ++k) again.position[k] += 1e-15 * noiseVector(k, i);
         CHECK(norm(axisOf({}, again) - normal) < 1e-5);
       }
     }

@@ -119,9 +119,8 @@ TEST_CASE("polarity: it turns to the contact, or away from it, and stays so; wit
 
 TEST_CASE("shell-axis: the longest semi-axis; of equal ones the first") {
   KnownCell cell("A", brick());
-  const std::pair<Vector, Vector> cases[] = {{{3, 2, 1}, {1, 0, 0}}, {{1, 2, 1}, {0, 1, 0}},
-                                             {{1, 2, 3}, {0, 0, 1}}, {{2, 2, 1}, {1, 0, 0}},
-                                             {{1, 2, 2}, {0, 1, 0}}, {{2, 1, 2}, {1, 0, 0}}};
+  const std::pair<Vector, Vector> cases[] = {{{3, 2, 1}, {1, 0, 0}}, {{1, 2, 1}, {0, 1, 0}}, {{1, 2, 3}, {0, 0, 1}},
+                                             {{2, 2, 1}, {1, 0, 0}}, {{1, 2, 2}, {0, 1, 0}}, {{2, 1, 2}, {1, 0, 0}}};
   for (const auto& [semiAxes, axis] : cases) {
     cell.semiAxes = semiAxes;
     CHECK(normalOf(plain(DivisionPlane::shellAxis), cell) == axis);
@@ -139,14 +138,12 @@ TEST_CASE("perpendicular: away from the organism's centre, or along the shell's 
   CHECK(norm(normalOf(plain(DivisionPlane::perpendicular), cell) - slope / norm(slope)) < 1e-14);
 }
 
-TEST_CASE(
-    "perpendicular in a shell that is a mesh: along the normal of its nearest face, except in the middle") {
+TEST_CASE("perpendicular in a shell that is a mesh: along the normal of its nearest face, except in the middle") {
   KnownCell cell("A", brick({3, 4, 0})), middle("A", brick({0, 0, 0}));
   cell.middle = cell.physical()->getShape().centre;  // which does not matter then
   cell.faceNormal = middle.faceNormal = Vector{0, 0.6, -0.8};
   CHECK(normalOf(plain(DivisionPlane::perpendicular), cell) == Vector{0, 0.6, -0.8});
-  CHECK(normalOf(plain(DivisionPlane::perpendicular), middle) ==
-        normalOf(plain(DivisionPlane::longest), middle));
+  CHECK(normalOf(plain(DivisionPlane::perpendicular), middle) == normalOf(plain(DivisionPlane::longest), middle));
 }
 
 TEST_CASE("parallel: along the surface, the largest extent there") {
@@ -181,8 +178,8 @@ TEST_CASE("planes turn and are mirrored with what they go by, and the order of n
   const auto mirror = [](const Vector& x) { return Vector{x.x, -x.y, x.z}; };
   const auto same = [](const Vector& x) { return x; };
   const Body lump = shakenBody(makeIcosphere(1), 0.2, 0, 5);
-  const auto normalIn = [&](const PlaneChoice& given, const std::function<Vector(const Vector&)>& image,
-                            bool mirrored, bool reversed) {
+  const auto normalIn = [&](const PlaneChoice& given, const std::function<Vector(const Vector&)>& image, bool mirrored,
+                            bool reversed) {
     const auto imageOf = [&](const Point& at, double stretch) {
       Mesh mesh{lump.position, makeIcosphere(1).faces};
       for (Point& x : mesh.vertices) x = image(Vector{stretch * x.x, x.y, x.z} + at);

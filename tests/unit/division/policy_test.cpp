@@ -51,9 +51,7 @@ TEST_CASE("A random plane is keyed by seed and path, and by nothing else") {
   const Vector once = normalOf(p, 1, "AB");
   CHECK(norm(once) == Approx(1).epsilon(1e-15));
   CHECK(normalOf(p, 1, "AB") == once);
-  CHECK(makeDivisionPolicy(p, 1)
-            ->findCut(KnownCell("AB", shakenBody(makeIcosphere(0), 1, 1).position))
-            .normal == once);
+  CHECK(makeDivisionPolicy(p, 1)->findCut(KnownCell("AB", shakenBody(makeIcosphere(0), 1, 1).position)).normal == once);
   CHECK_FALSE(normalOf(p, 2, "AB") == once);
   CHECK_FALSE(normalOf(p, 1, "BA") == once);
   CHECK_FALSE(normalOf(p, 1, "A") == once);

@@ -31,8 +31,8 @@ std::vector<Point> ellipsoid(double a, double b, double c, const Frame& frame) {
 /// The points in another order, which rounds the sums otherwise.
 std::vector<Point> shuffled(std::vector<Point> points, std::uint32_t key) {
   for (std::size_t i = points.size(); i > 1; --i) {
-    const auto j = static_cast<std::size_t>((noise(static_cast<std::uint32_t>(i), key) + 1) / 2 *
-                                            static_cast<double>(i));
+    const auto j =
+        static_cast<std::size_t>((noise(static_cast<std::uint32_t>(i), key) + 1) / 2 * static_cast<double>(i));
     std::swap(points[i - 1], points[j]);
   }
   return points;
@@ -107,8 +107,7 @@ TEST_CASE("The ratio of the two largest extents is that of an ellipsoid's axes, 
     CHECK(extentRatio(ellipsoid(3, 2, 1, frame)) == Approx(1.5).epsilon(1e-12));
     CHECK(extentRatio(ellipsoid(1, 4, 2, frame)) == Approx(2).epsilon(1e-12));
     CHECK(extentRatio(ellipsoid(1.01, 1, 1, frame)) == Approx(1.01).epsilon(1e-12));
-    CHECK(extentRatio(ellipsoid(2, 2, 1, frame)) ==
-          Approx(1).epsilon(1e-12));  // a disc has no longest extent
+    CHECK(extentRatio(ellipsoid(2, 2, 1, frame)) == Approx(1).epsilon(1e-12));  // a disc has no longest extent
     CHECK(extentRatio(ellipsoid(1, 1, 1, frame)) == Approx(1).epsilon(1e-12));
     CHECK(extentRatio(ellipsoid(1, 1, 1, frame)) >= 1);
   }
@@ -119,8 +118,7 @@ TEST_CASE("The extents of a box's corners are half its edges, the largest first,
     const Frame frame(seed);
     std::vector<Point> corners;
     for (int i = 0; i < 8; ++i)
-      corners.push_back(frame(Vector{i & 1 ? 2. : -2., i & 2 ? 0.5 : -0.5, i & 4 ? 3. : -3.}) +
-                        Vector{1, 2, 3});
+      corners.push_back(frame(Vector{i & 1 ? 2. : -2., i & 2 ? 0.5 : -0.5, i & 4 ? 3. : -3.}) + Vector{1, 2, 3});
     const Vector extents = principalExtents(corners);
     CHECK(extents.x == Approx(3).epsilon(1e-12));
     CHECK(extents.y == Approx(2).epsilon(1e-12));

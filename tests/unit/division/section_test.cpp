@@ -16,8 +16,7 @@ namespace {
 Mesh box(double a, double b, double c) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i) mesh.vertices.push_back({a * (i & 1), b * (i >> 1 & 1), c * (i >> 2 & 1)});
-  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& [i, j, k, l] : quads) mesh.faces.push_back({i, j, k}), mesh.faces.push_back({i, k, l});
   return mesh;
 }
@@ -60,8 +59,7 @@ TEST_CASE("section: of a box along its sides, across its diagonal and through it
   CHECK(sectionArea(brick, middle, {0, 0, -1}) == Approx(2).epsilon(1e-14));
   CHECK(sectionArea(brick, {0.1, 1.9, 2.9}, {0, 0, 1}) == Approx(2).epsilon(1e-14));
   // A plane that holds two opposite edges of length 3: √(1² + 2²) · 3.
-  CHECK(sectionArea(brick, middle, Vector{2, -1, 0} / std::sqrt(5.0)) ==
-        Approx(3 * std::sqrt(5.0)).epsilon(1e-12));
+  CHECK(sectionArea(brick, middle, Vector{2, -1, 0} / std::sqrt(5.0)) == Approx(3 * std::sqrt(5.0)).epsilon(1e-12));
   // The regular hexagon of a unit cube: sides √½, area 3√3/2 · ½.
   CHECK(sectionArea(box(1, 1, 1), {0.5, 0.5, 0.5}, Vector{1, 1, 1} / std::sqrt(3.0)) ==
         Approx(0.75 * std::sqrt(3.0)).epsilon(1e-14));
@@ -117,8 +115,7 @@ TEST_CASE("section: a lump that is turned or mirrored has its smallest section t
   Mesh mirrored = mesh;
   for (Point& x : mirrored.vertices) x.y = -x.y;
   for (Face& f : mirrored.faces) std::swap(f[1], f[2]);
-  CHECK(between(smallestSection(mirrored, measureCentroid(mirrored.vertices)),
-                {before.x, -before.y, before.z}) < 1e-3);
+  CHECK(between(smallestSection(mirrored, measureCentroid(mirrored.vertices)), {before.x, -before.y, before.z}) < 1e-3);
 }
 
 TEST_CASE("section: of equally small ones a rule decides, and not rounding") {

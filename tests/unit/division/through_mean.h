@@ -4,8 +4,6 @@
 namespace morula {
 
 /// The plane with this unit normal through the mean of a body's vertices.
-inline Cut throughMean(const Body& body, const Vector& normal) {
-  return {measureCentroid(body.position), normal};
-}
+inline Cut throughMean(const Body& body, const Vector& normal) { return {measureCentroid(body.position), normal}; }
 
 }  // namespace morula

@@ -60,8 +60,7 @@ TEST_CASE("The angle of a tilt belongs to the draw, whatever the axis") {
                                  {0, 0, -1}, {0, -1, 0}, {0.6, 0, -0.8}, {0.36, 0.48, -0.8}};
   for (int i = 0; i < 50; ++i) {
     const double cosine = dot(tiltAxis(axes[0], 15, drawOf(i)), axes[0]);
-    for (const Vector& axis : axes)
-      CHECK(dot(tiltAxis(axis, 15, drawOf(i)), axis) == Approx(cosine).epsilon(1e-14));
+    for (const Vector& axis : axes) CHECK(dot(tiltAxis(axis, 15, drawOf(i)), axis) == Approx(cosine).epsilon(1e-14));
   }
   CHECK_FALSE(tiltAxis(axes[0], 15, drawOf(1)) == tiltAxis(axes[0], 15, drawOf(2)));
 }

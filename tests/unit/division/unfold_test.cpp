@@ -78,8 +78,8 @@ TEST_CASE("Of a crater some folds may stay, but far fewer than projection makes"
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Vector normal = randomDirection({seed, {}, 0, Purpose::test});
     const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, normal), 1.26);
-    left += foldsOf(cut.daughters.a, mother, mesh, normal, false) +
-            foldsOf(cut.daughters.b, mother, mesh, normal, true);
+    left +=
+        foldsOf(cut.daughters.a, mother, mesh, normal, false) + foldsOf(cut.daughters.b, mother, mesh, normal, true);
     projected += projectionFolds(mother, mesh, normal);
   }
   CHECK(left < projected / 4);

@@ -36,11 +36,9 @@ TEST_CASE("A column that is declared once stands in every form, under its name t
         "  AB      4.19         -\n"
         "  P1      12.5      0.25\n");
   CHECK(csvOf(table) == "cell,volume\r\nAB,4.18879020478639\r\nP1,12.5\r\n");
-  CHECK(jsonOf(table) ==
-        Json::array({Json{{"name", "AB"}, {"volume", 4.18879020478639}, {"pressure", nullptr}},
-                     Json{{"name", "P1"}, {"volume", 12.5}, {"pressure", 0.25}}}));
-  CHECK(markdownOf(table) ==
-        "| Cell | Volume | Pressure |\n|---|---|---|\n| AB | 4.19 | |\n| P1 | 12.5 | 0.25 |\n");
+  CHECK(jsonOf(table) == Json::array({Json{{"name", "AB"}, {"volume", 4.18879020478639}, {"pressure", nullptr}},
+                                      Json{{"name", "P1"}, {"volume", 12.5}, {"pressure", 0.25}}}));
+  CHECK(markdownOf(table) == "| Cell | Volume | Pressure |\n|---|---|---|\n| AB | 4.19 | |\n| P1 | 12.5 | 0.25 |\n");
   CHECK_THAT(html(Document().add(table)),
              ContainsSubstring("<th scope=\"col\">Volume</th>") &&
                  ContainsSubstring("<tr><th scope=\"row\">AB</th><td>4.19</td><td></td></tr>"));
@@ -70,9 +68,7 @@ TEST_CASE("No text becomes markup, wherever it stands") {
       .add(Verbatim{evil})
       .add(bodies({{evil, 1, {}}}));
   all.add(Table{evil, {evil}, {{evil}}}).add(Picture{"image/png", "", evil, evil}).add(Swipe{"a", "b", evil});
-  all.add(LineKey{{{{}, true, evil}}})
-      .add(Downloads{{{evil, "text/csv", ""}}})
-      .add(folded(evil, Document().say(evil)));
+  all.add(LineKey{{{{}, true, evil}}}).add(Downloads{{{evil, "text/csv", ""}}}).add(folded(evil, Document().say(evil)));
   const std::string page = htmlOf(all);
   CHECK_THAT(page, !ContainsSubstring("<script") && !ContainsSubstring("\" onclick"));
   CHECK_THAT(page, ContainsSubstring("&lt;/td&gt;&lt;script&gt;"));
@@ -81,9 +77,8 @@ TEST_CASE("No text becomes markup, wherever it stands") {
 }
 
 TEST_CASE("The worst finding stands first, each kind with a word for it, and what is below it with it") {
-  const std::string page = html(Document().add(FindingList{{{Finding::Kind::good, "g"},
-                                                         {Finding::Kind::warning, "w"},
-                                                         {Finding::Kind::bad, "b", {"one", "two"}}}}));
+  const std::string page = html(Document().add(FindingList{
+      {{Finding::Kind::good, "g"}, {Finding::Kind::warning, "w"}, {Finding::Kind::bad, "b", {"one", "two"}}}}));
   CHECK(page.find("Fault") < page.find("Warning"));
   CHECK(page.find("Warning") < page.find("</span>g"));
   CHECK_THAT(page, ContainsSubstring("</span>b<ul class=\"why\"><li>one</li><li>two</li></ul></li>"));
@@ -102,8 +97,7 @@ TEST_CASE("Emphasis is no part of a text; lists and sizes are as people write th
   CHECK(("a " + bold("b") + code("c") + Words("z", Emphasis::subscript)).text() == "a bc_z");
   CHECK(listed(std::vector<std::string>{}).empty());
   CHECK(listed(std::vector<std::string>{"a", "b", "c"}) == "a, b and c");
-  CHECK(listed(std::vector<Words>{bold("a"), bold("b"), bold("c")}, 2) ==
-        bold("a") + ", " + bold("b") + " and 1 more");
+  CHECK(listed(std::vector<Words>{bold("a"), bold("b"), bold("c")}, 2) == bold("a") + ", " + bold("b") + " and 1 more");
   CHECK(inBytes(1) == "1 byte");
   CHECK(inBytes(2750) == "2.75 kB");
   CHECK(inBytes(1'200'000) == "1.2 MB");

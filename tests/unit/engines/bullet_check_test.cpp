@@ -91,9 +91,8 @@ TEST_CASE("Without tolerances those hold that fit the scene") {
   CHECK((alone.radius == 1e-6 && alone.volume == 1e-6 && !alone.distance && !alone.positions));
   CHECK(of(pair, "contact: {}", "integrator: thesis-verlet").positions == 1e-10);
   CHECK(of(pair, ", contact: {}", "").positions == 1e-10);  // velocity-verlet
-  const BulletCheck implicit =
-      of(pair, ", contact: {}}\ncheck: {bullet: {margin: 0.05}}",
-         ", membrane: {springs: equal}}\ncheck: {bullet: {baseline: b3}}");
+  const BulletCheck implicit = of(pair, ", contact: {}}\ncheck: {bullet: {margin: 0.05}}",
+                                  ", membrane: {springs: equal}}\ncheck: {bullet: {baseline: b3}}");
   CHECK(implicit.radius == 1e-8);
   const BulletCheck given = of(pair, "margin: 0.05", "aspect: 0.5");
   CHECK((given.aspect == 0.5 && !given.distance && !given.volume));

@@ -24,7 +24,6 @@ TEST_CASE("B1 as the thesis' Verlet is symplectic Euler with our forces") {
   const Body inBullet = world.cells()[0];
   CHECK(std::abs(meanRadius(byHand) - 1) > 0.01);  // it did move
   Worst apart;
-  for (std::size_t v = 0; v < byHand.position.size(); ++v)
-    apart.see(norm(inBullet.position[v] - byHand.position[v]));
+  for (std::size_t v = 0; v < byHand.position.size(); ++v) apart.see(norm(inBullet.position[v] - byHand.position[v]));
   CHECK(apart <= 5e-14);
 }

@@ -45,8 +45,8 @@ CheckParameters mustStop() {
 TEST_CASE("A verdict names all that is broken, in few digits, with its bounds and its step") {
   CHECK(judge({}, runWith(End::done)).text == "holds");
   // A hash may begin like a number that no double holds.
-  CHECK(judge({}, CheckReport{"x", {failing("scenario", "725e710d75e6", "1e999", 0)}})
-            .text.find("725e710d75e6") != std::string::npos);
+  CHECK(judge({}, CheckReport{"x", {failing("scenario", "725e710d75e6", "1e999", 0)}}).text.find("725e710d75e6") !=
+        std::string::npos);
   const Verdict v =
       judge({}, runWith(End::done, {failing("volume", "from 0.5 to 1.5", "from 0.98765432 to 3.2109876", 50),
                                     failing("energy", "at most 0.6", "0.71234567", 9),
@@ -64,10 +64,9 @@ TEST_CASE("A run that ends early says how, and only where it must stop is that w
   CHECK(judge(mustStop(), runWith(End::stopped, {}, "step 12: inside out")).text == "stops, as it must");
   CHECK(judge(mustStop(), runWith(End::done)).text == "goes on: volume 0.25 to 3 of that at rest");
   CHECK(judge({}, runWith(End::silent, {}, "its answer is cut")).text == "its answer is cut, at step 12");
-  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12)})).text ==
-        "breaks: inside out at step 12");
-  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12), failing("extent", "", "nan", 12)}))
-            .text == "breaks: no number at step 12");
+  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12)})).text == "breaks: inside out at step 12");
+  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12), failing("extent", "", "nan", 12)})).text ==
+        "breaks: no number at step 12");
 }
 
 TEST_CASE("Engines are named, and a name that is none is refused") {
@@ -91,9 +90,8 @@ TEST_CASE("A table has a row for each scenario and a column for each engine; bar
 TEST_CASE("Whatever goes wrong with a question ends that question alone") {
   // A file that is not UTF-8 is no DNA at the other end. An error of an unexpected kind once
   // ended the program from a worker's thread.
-  Scenario scenario =
-      readScenario("morula: 1\nname: odd\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics: {}\n",
-                   "odd.yaml", ".");
+  Scenario scenario = readScenario(
+      "morula: 1\nname: odd\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics: {}\n", "odd.yaml", ".");
   scenario.files.push_back({"dna", "odd.dna", "\xff"});
   if (!bulletIsAvailable()) return;
   const auto rows = compareEngines({scenario, scenario}, {{}, {}}, {{Engine::b1, Engine::b2}, 1, true});
@@ -138,8 +136,8 @@ class SlowConsole : public std::streambuf {
 
 TEST_CASE("What several workers tell at a time stays in lines") {
   // Text and line end were written one after the other, so that lines ran into each other.
-  const Scenario scenario = readScenario(
-      "morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n", "genes.yaml", ".");
+  const Scenario scenario =
+      readScenario("morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n", "genes.yaml", ".");
   std::string told;
   {
     const SlowConsole console;

@@ -27,8 +27,7 @@ Scenario scenarioOf(const std::string& text) { return readScenario(text, "two.ya
 
 /// The worker's side without a process.
 ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<double>& frameTimes = {}) {
-  std::istringstream in(
-      jsonText(toJson(scenario, ExternalQuestion{.engine = engine, .frameTimes = frameTimes})));
+  std::istringstream in(jsonText(toJson(scenario, ExternalQuestion{.engine = engine, .frameTimes = frameTimes})));
   std::ostringstream out;
   serveEngine(in, out);
   const std::string said = out.str();
@@ -55,7 +54,7 @@ TEST_CASE("Ours by another process is ours: steps, results, samples and shapes")
   while (!finished(ours)) step(ours);
   REQUIRE(run.shapes.size() == 2);
   CHECK(run.shapes[1] == cellVertices(ours, ours.cells.path[1]));  // to the last bit
-  REQUIRE(run.samples.size() == 2);  // of the start and of the end
+  REQUIRE(run.samples.size() == 2);                                // of the start and of the end
   CHECK(run.samples[1].cells[0].at("volume") == measureCells(ours)[0].at("volume"));
   REQUIRE(run.results.size() == 2);
   CHECK(run.results[0].passed);
@@ -65,9 +64,7 @@ TEST_CASE("Ours by another process is ours: steps, results, samples and shapes")
 
 TEST_CASE("Shapes are told at the times that are asked for, and the last are those of the end") {
   const Scenario scenario = scenarioOf(two);
-  const auto ask = [&](const std::vector<double>& times) {
-    return serve(scenario, Engine::thesis, times).frames;
-  };
+  const auto ask = [&](const std::vector<double>& times) { return serve(scenario, Engine::thesis, times).frames; };
   CHECK(ask({}).empty());
   // Steps take 1/128: the first at or after each time, none twice, and nothing after the end.
   const auto frames = ask({0, 0.1, 0.1001, 0.25, 0.5});
@@ -98,8 +95,8 @@ TEST_CASE("Bullet moves the same cells, in the time step that is given, stable o
   for (const Point& p : run.shapes[0]) x += p.x / static_cast<double>(run.shapes[0].size());
   CHECK(x == Approx(-1).margin(1e-3));  // it flew freely
   const auto timeStep = two.find("0.0078125"), stop = two.find("0.25");
-  const std::string unstable = two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) +
-                               "0.125" + two.substr(timeStep + 9);
+  const std::string unstable =
+      two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) + "0.125" + two.substr(timeStep + 9);
   const ExternalRun broken = serve(scenarioOf(unstable), Engine::b2);
   CHECK(broken.end == ExternalRun::End::broken);
   CHECK(broken.step < 72);

@@ -31,8 +31,8 @@ BulletRequest everything() {
 }
 
 bool same(const Body& a, const Body& b) {
-  return a.position == b.position && a.velocity == b.velocity && a.mass == b.mass &&
-         a.restScale == b.restScale && a.pressureConstant == b.pressureConstant;
+  return a.position == b.position && a.velocity == b.velocity && a.mass == b.mass && a.restScale == b.restScale &&
+         a.pressureConstant == b.pressureConstant;
 }
 
 }  // namespace

@@ -58,8 +58,7 @@ TEST_CASE("Rows that are lost, put in or edited in a database are found, with th
   const std::vector<Fault> faults{
       {"DELETE FROM step_hash WHERE step = 64", 72},  // the first link that no longer follows
       {"DELETE FROM step_hash WHERE step = 0", 8},
-      {"DELETE FROM cell_hash WHERE step = 64 AND path = (SELECT max(path) FROM cell_hash WHERE step = 64)",
-       64},
+      {"DELETE FROM cell_hash WHERE step = 64 AND path = (SELECT max(path) FROM cell_hash WHERE step = 64)", 64},
       {"UPDATE cell_hash SET hash = replace(hash, substr(hash, 1, 1), 'e') WHERE step = 80 AND substr(hash, "
        "1, 1) <> 'e'",
        80},
@@ -159,8 +158,7 @@ TEST_CASE("A trail survives its way through text, and a damaged one is refused")
   CHECK(back.lastStep == trace.lastStep);
   CHECK(back.failure == trace.failure);
   CHECK_THROWS_WITH(readHashTrace(text.substr(0, text.size() / 2)), ContainsSubstring("cut short"));
-  CHECK_THROWS_WITH(readHashTrace("link 0 12\nend 0\n"),
-                    ContainsSubstring("the trail is cut short, or another"));
+  CHECK_THROWS_WITH(readHashTrace("link 0 12\nend 0\n"), ContainsSubstring("the trail is cut short, or another"));
   CHECK_THROWS_WITH(readHashTrace("{\"links\": []}"), ContainsSubstring("last_step"));
   const std::string hash = trace.links[0].state.whole.text();
   std::string wrong = text;

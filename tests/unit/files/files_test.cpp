@@ -54,8 +54,7 @@ TEST_CASE("a file replaces its own kind only, and no link") {
   writeFile(file, picture, Content::picture);
   writeFile(file, picture + "2", Content::picture);
   CHECK(readText(file) == picture + "2");
-  CHECK_THROWS_WITH(writeFile(file, dna, Content::dna),
-                    ContainsSubstring("is a picture, which DNA would replace"));
+  CHECK_THROWS_WITH(writeFile(file, dna, Content::dna), ContainsSubstring("is a picture, which DNA would replace"));
   CHECK_THROWS_AS(writeNewFile(file, dna), FileError);
   CHECK(readText(file) == picture + "2");
   overwriteFile(file, dna);

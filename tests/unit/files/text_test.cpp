@@ -13,8 +13,10 @@ TEST_CASE("what a terminal would obey becomes visible") {
   CHECK(printable("\x1b[31m") == "\\x1b[31m");
   CHECK(printable("a\rb\x7f") == "a\\x0db\\u007f");
   CHECK(printable(std::string_view("x\0y", 3)) == "x\\x00y");
-  CHECK(printable("\xc2\x9b" "1m") == "\\u009b1m");
-  CHECK(printable("\xe2\x80\xae" "abc\xe2\x81\xa9") == "\\u202eabc\\u2069");
+  CHECK(printable("\xc2\x9b"
+                  "1m") == "\\u009b1m");
+  CHECK(printable("\xe2\x80\xae"
+                  "abc\xe2\x81\xa9") == "\\u202eabc\\u2069");
   CHECK(printable("\xff\xc0\xaf") == "\\xff\\xc0\\xaf");
   CHECK(printable("\xe2\x80") == "\\xe2\\x80");  // cut within a character
   CHECK(printableLine("a\nb\tc\r") == "a\\nb\\tc\\r");

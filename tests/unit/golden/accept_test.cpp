@@ -57,10 +57,9 @@ TEST_CASE("what is refused leaves the golden as it was") {
   TemporaryFolder folder;
   const auto file = folder / "example.golden";
   writeText(file, "the old one");
-  const auto refuses = [&](const GoldenData& data, std::vector<ToleranceRule> rules,
-                           const Acceptance& acceptance, const char* because) {
-    CHECK_THROWS_WITH(acceptGolden(file, {data, "", "", std::move(rules)}, acceptance),
-                      ContainsSubstring(because));
+  const auto refuses = [&](const GoldenData& data, std::vector<ToleranceRule> rules, const Acceptance& acceptance,
+                           const char* because) {
+    CHECK_THROWS_WITH(acceptGolden(file, {data, "", "", std::move(rules)}, acceptance), ContainsSubstring(because));
     CHECK(readText(file) == "the old one");
     CHECK(filesIn(folder.path()) == 1);
   };
@@ -118,11 +117,9 @@ TEST_CASE("a scenario named from within its folder has the same golden") {
 
 TEST_CASE("goldens without a scenario are found") {
   TemporaryFolder folder;
-  for (const char* name : {"golden/a", "golden/b", "scenarios/a"})
-    std::filesystem::create_directories(folder / name);
+  for (const char* name : {"golden/a", "golden/b", "scenarios/a"}) std::filesystem::create_directories(folder / name);
   writeText(folder / "scenarios/a/kept.yaml", "");
-  for (const char* name :
-       {"golden/a/kept.golden", "golden/b/lost.golden", "golden/a/lost.golden", "golden/README.md"})
+  for (const char* name : {"golden/a/kept.golden", "golden/b/lost.golden", "golden/a/lost.golden", "golden/README.md"})
     writeText(folder / name, "");
   const auto orphans = goldensWithoutScenario(folder / "golden", folder / "scenarios");
   REQUIRE(orphans.size() == 2);

@@ -80,13 +80,7 @@ TEST_CASE("each injected fault is found and named") {
        {},
        {},
        "scenario"},
-      {"one bit of the state",
-       [](auto& f) { f.stateHash.low ^= 1; },
-       {"bits"},
-       "COMPUTATION",
-       {},
-       {},
-       "hash"},
+      {"one bit of the state", [](auto& f) { f.stateHash.low ^= 1; }, {"bits"}, "COMPUTATION", {}, {}, "hash"},
       {"one ulp in a cell's pressure",
        [](auto& f) { f.cells[0]["pressure"] = nextUp(f.cells[0].at("pressure")); },
        {"values"},
@@ -101,13 +95,7 @@ TEST_CASE("each injected fault is found and named") {
        128,
        {},
        "volume"},
-      {"the sign of a zero",
-       [](auto& f) { f.cells[0]["x"] = 0.0; },
-       {"values"},
-       "COMPUTATION",
-       1024,
-       "A",
-       "x"},
+      {"the sign of a zero", [](auto& f) { f.cells[0]["x"] = 0.0; }, {"values"}, "COMPUTATION", 1024, "A", "x"},
       {"a value that is no number",
        [](auto& f) { f.cells[0]["area"] = std::nan(""); },
        {"values"},
@@ -130,9 +118,7 @@ TEST_CASE("each injected fault is found and named") {
        "A",
        "neighbours"},
       {"two ulps, the earlier one first",
-       [](auto& f) {
-         f.cells[0]["area"] = nextUp(f.cells[0].at("area")), f.samples[0]["outermost"] = nextUp(0.9);
-       },
+       [](auto& f) { f.cells[0]["area"] = nextUp(f.cells[0].at("area")), f.samples[0]["outermost"] = nextUp(0.9); },
        {"values"},
        "COMPUTATION",
        128,
@@ -173,13 +159,7 @@ TEST_CASE("each injected fault is found and named") {
        768,
        "B",
        "ended"},
-      {"another substance",
-       [](auto& f) { f.lineage[1].state = 0; },
-       {"lineage"},
-       "LINEAGE",
-       {},
-       "A",
-       "state"},
+      {"another substance", [](auto& f) { f.lineage[1].state = 0; }, {"lineage"}, "LINEAGE", {}, "A", "state"},
       {"a cell lost", [](auto& f) { f.lineage.pop_back(); }, {"lineage", "counts"}, "LINEAGE", 256, "B", ""},
       {"a cell too many",
        [](auto& f) { f.lineage.push_back(cell("AB", 3, 800, Fate::alive, 1)); },
@@ -280,8 +260,7 @@ TEST_CASE("a changed lineage explains changed bits; a changed scenario explains 
   const Golden golden = reread(exampleGolden());
   const auto bothFaults = [](GoldenFacts& f) { f.lineage[1].state = 0, f.stateHash.low = 1; };
   CHECK(find(compareWith(golden, bothFaults), "bits").failureClass == "LINEAGE");
-  const CheckReport report =
-      compareWith(golden, [&](GoldenFacts& f) { bothFaults(f), f.scenarioHash[0] = 'f'; });
+  const CheckReport report = compareWith(golden, [&](GoldenFacts& f) { bothFaults(f), f.scenarioHash[0] = 'f'; });
   CHECK(find(report, "bits").failureClass == "INPUT_CHANGED");
   CHECK(find(report, "lineage").failureClass == "INPUT_CHANGED");
 }
@@ -295,19 +274,15 @@ TEST_CASE("the text names the line, the cell, both numbers, their bits and their
         "example.golden:54: final/A/pressure at step 1024: expected 0.40625 (0x3fda000000000000), actual "
         "0.40625000000000006 (0x3fda000000000001), 1 ulp apart, difference 5.551115123125783e-17; tolerance "
         "exact");
-  CHECK(find(report, "lineage").message ==
-        "example.golden:17: the egg: ended_step: expected '256', actual '300'");
+  CHECK(find(report, "lineage").message == "example.golden:17: the egg: ended_step: expected '256', actual '300'");
   const std::string text = describe(report);
   CHECK_THAT(text, ContainsSubstring("2 of 10 checks differ"));
-  CHECK_THAT(text,
-             ContainsSubstring("  FAIL  lineage: LINEAGE, the lineage differs\n        example.golden:17"));
-  CHECK_THAT(text, ContainsSubstring(
-                       "\n        from it follow: values from step 1024 on: pressure of cell A 0.40625 → "
-                       "0.40625000000000006\n"));
+  CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE, the lineage differs\n        example.golden:17"));
+  CHECK_THAT(text, ContainsSubstring("\n        from it follow: values from step 1024 on: pressure of cell A 0.40625 → "
+                                     "0.40625000000000006\n"));
 }
 
-TEST_CASE(
-    "a measure that joined after a golden was accepted is no part of it; a cell or a time that it lacks is") {
+TEST_CASE("a measure that joined after a golden was accepted is no part of it; a cell or a time that it lacks is") {
   const auto without = [](const auto& wanted) {
     Golden golden = exampleGolden();
     std::erase_if(golden.data.items, [&](const GoldenItem& i) {
@@ -340,8 +315,8 @@ TEST_CASE("of many differences nine are shown") {
 }
 
 TEST_CASE("tolerances: the share that is used is told, the last matching rule holds") {
-  const Golden golden = reread(
-      exampleGolden({rule("final/* abs 8 why \"wide\""), rule("final/*/volume abs 0.5 why \"narrow\"")}));
+  const Golden golden =
+      reread(exampleGolden({rule("final/* abs 8 why \"wide\""), rule("final/*/volume abs 0.5 why \"narrow\"")}));
   SECTION("inside") {
     const CheckReport report =
         compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = 2.25, *f.cells[0]["area"] += 2; });
@@ -352,10 +327,9 @@ TEST_CASE("tolerances: the share that is used is told, the last matching rule ho
     CHECK(find(report, "values final/*/volume").cell == "A");
     CHECK(find(report, "values final/*/volume").tolerance == "abs 0.5");
     CHECK_FALSE(find(report, "values").share);
-    CHECK_THAT(
-        describe(report),
-        ContainsSubstring(
-            "values final/*/volume: abs 0.5 (2 items), 50 % of the tolerance used by volume of cell A\n"));
+    CHECK_THAT(describe(report),
+               ContainsSubstring(
+                   "values final/*/volume: abs 0.5 (2 items), 50 % of the tolerance used by volume of cell A\n"));
   }
   SECTION("outside the narrow one, though inside the wide one") {
     const CheckReport report = compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = 3; });
@@ -378,8 +352,7 @@ TEST_CASE("tolerances: the share that is used is told, the last matching rule ho
 }
 
 TEST_CASE("the order of the rules decides") {
-  const Golden golden =
-      reread(exampleGolden({rule("final/*/volume abs 0.5 why \"narrow\""), rule("final/* exact")}));
+  const Golden golden = reread(exampleGolden({rule("final/*/volume abs 0.5 why \"narrow\""), rule("final/* exact")}));
   CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = nextUp(2); }).passed());
 }
 
@@ -404,8 +377,8 @@ TEST_CASE("a rule that matches nothing is a failure, with its line") {
 
 TEST_CASE("where the chain parts, the cells that differ are named") {
   const Golden golden = reread(exampleGolden());
-  const CheckReport report = compareWith(
-      golden, [](GoldenFacts& f) { f.chain[2].hash.low = 9, f.chain[2].state.cells[1].hash.low = 9; });
+  const CheckReport report =
+      compareWith(golden, [](GoldenFacts& f) { f.chain[2].hash.low = 9, f.chain[2].state.cells[1].hash.low = 9; });
   const CheckResult& r = find(report, "step_hashes");
   CHECK(r.firstStep == 512u);
   CHECK(r.cell == "B");
@@ -435,14 +408,11 @@ TEST_CASE("a difference no larger than one unit in the last place grows to is ch
   golden.growth = {{1e-9, 700}, {1e-8, 900}};
   golden = reread(golden);
   const auto classOf = [&](double volume) {
-    return find(compareWith(golden, [&](GoldenFacts& f) { f.cells[0]["volume"] = volume; }), "values")
-        .failureClass;
+    return find(compareWith(golden, [&](GoldenFacts& f) { f.cells[0]["volume"] = volume; }), "values").failureClass;
   };
   CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where 1e-8 is reached
   CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than that
-  const auto early = [&](GoldenFacts& f) {
-    f.samples[0]["volume"] = nextUp(2);
-  };  // at step 128, before all growth
+  const auto early = [&](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); };  // at step 128, before all growth
   CHECK(find(compareWith(golden, early), "values").failureClass == "COMPUTATION");
 }
 
@@ -452,9 +422,8 @@ TEST_CASE("a tolerance beyond the chaos horizon is refused") {
   const CheckReport report = compareGolden(reread(golden), exampleData());
   CHECK(failedChecks(report) == Checks{"tolerances"});
   CHECK_THAT(find(report, "tolerances").message,
-             ContainsSubstring(
-                 "from step 700 on one unit in the last place has grown to that: the chaos horizon; add "
-                 "until_step 699"));
+             ContainsSubstring("from step 700 on one unit in the last place has grown to that: the chaos horizon; add "
+                               "until_step 699"));
   golden.rules = {rule("final/* rel 1e-8 why \"w\"")};  // wider than chaos is
   CHECK(compareGolden(reread(golden), exampleData()).passed());
   golden.rules = {rule("* rel 1e-9 until_step 699 why \"w\"")};

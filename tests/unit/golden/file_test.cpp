@@ -22,8 +22,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 /// Reads the text and expects an error at this line (0: any).
 void complains(const std::string& text, int line, const std::string& about) {
   const std::string place = line ? "x.golden:" + std::to_string(line) + ": " : "x.golden:";
-  CHECK_THROWS_WITH(readGolden(text, "x.golden"),
-                    Catch::Matchers::StartsWith(place) && ContainsSubstring(about));
+  CHECK_THROWS_WITH(readGolden(text, "x.golden"), Catch::Matchers::StartsWith(place) && ContainsSubstring(about));
 }
 
 /// The text with one line, found by how it begins, replaced; and that line's number.
@@ -69,10 +68,9 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed") {
   complains(replaced("error time 0.00027 mesh 0.013 until 1.6875"), 0, "edited");
   complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
   complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
-  for (const char* broken :
-       {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2", "error time 1 until 2",
-        "error time 1 mesh until 2", "error time 1 mesh -1 until 2", "error time 1 mesh 1 until 0",
-        "error time 1 mesh 1 until 2 3"})
+  for (const char* broken : {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
+                             "error time 1 until 2", "error time 1 mesh until 2", "error time 1 mesh -1 until 2",
+                             "error time 1 mesh 1 until 0", "error time 1 mesh 1 until 2 3"})
     CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
                       ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
   complains(replaced("error"), 0, "'error' begins no line");
@@ -86,8 +84,7 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
   golden.statistics = {{"clone_radius", "half-step", -0.0012, -0.0041, 0.0017, 8},
                        {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20}};
   const std::string text = writeGolden(golden);
-  const std::string line =
-      "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8";
+  const std::string line = "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8";
   CHECK(text.find("\n" + line + "\n") != text.npos);
   const Golden again = readGolden(text, "x.golden");
   CHECK(again.statistics == golden.statistics);
@@ -101,14 +98,12 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
         "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 9",
         "statistic clone_radius against half difference -0.0012 low -0.0041 high 0.0017 runs 8"})
     complains(replaced(other), 0, "edited");
-  for (const char* broken :
-       {"statistic clone_radius", "statistic clone_radius against a difference 1 low 2 high 3",
-        "statistic clone_radius against a difference 1 low 2 high 1 runs 8",
-        "statistic clone_radius against a difference x low 0 high 1 runs 8",
-        "statistic clone_radius against a difference 1 low 0 high 1 runs 1",
-        "statistic clone_radius than a difference 1 low 0 high 1 runs 8"})
-    complains(replaced(broken), 0,
-              "`statistic MEASURE against LABEL difference X low X high X runs N` is expected");
+  for (const char* broken : {"statistic clone_radius", "statistic clone_radius against a difference 1 low 2 high 3",
+                             "statistic clone_radius against a difference 1 low 2 high 1 runs 8",
+                             "statistic clone_radius against a difference x low 0 high 1 runs 8",
+                             "statistic clone_radius against a difference 1 low 0 high 1 runs 1",
+                             "statistic clone_radius than a difference 1 low 0 high 1 runs 8"})
+    complains(replaced(broken), 0, "`statistic MEASURE against LABEL difference X low X high X runs N` is expected");
   complains(replaced(line + "\n" + line), 0, "stands twice");
 }
 
@@ -213,8 +208,7 @@ TEST_CASE("the order of birth does not matter, the order of the file is by path"
 }
 
 TEST_CASE("reasons, tolerances and comments are people's to edit") {
-  const auto [text, line] =
-      edited("why ", "why a better reason\n# a remark\n\ntolerance final/* abs 1e-9 why \"w\"");
+  const auto [text, line] = edited("why ", "why a better reason\n# a remark\n\ntolerance final/* abs 1e-9 why \"w\"");
   CHECK(readGolden(text, "x.golden").rules.size() == 1);
 }
 
@@ -266,10 +260,8 @@ TEST_CASE("how fast runs part is kept, and cannot be edited") {
     std::string edited = text;
     return edited.replace(edited.find("growth 1e-09 700"), 16, line);
   };
-  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"),
-                    ContainsSubstring("they were edited afterwards"));
-  for (const char* line :
-       {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
+  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
+  for (const char* line : {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
     CHECK_THROWS_WITH(readGolden(with(line), "x"), ContainsSubstring("x:10: "));
 }
 
@@ -302,8 +294,7 @@ TEST_CASE("lines that cannot be understood are named") {
   complains("cell A", "cell C 1 256 - - alive a4", "path: ");
   complains("cell A", "cell A 1 256 -", "ended_step is expected");
   complains("cell A", "cell A - 256 - - alive a4", "born: '-'; a finite number");
-  complains("cell A", "cell A 1.0 256 - - alive a4",
-            "'1.0'; a finite number, written as shortly as it can be");
+  complains("cell A", "cell A 1.0 256 - - alive a4", "'1.0'; a finite number, written as shortly as it can be");
   complains("value final/A/y", "value final/A/y 1024 nan", "'nan'; a finite number");
   complains("value final/A/y", "value final/A/y 1024 0.10000000000000001", "written as shortly");
   complains("bits", "bits solver 123", "'123'; a hash of 32 hexadecimal digits");
@@ -311,8 +302,7 @@ TEST_CASE("lines that cannot be understood are named") {
   complains("end", "end many", "`end ITEMS DIGEST` is expected");
   complains("end", "end 36 00000000000000000000000000000000", "has 37 items, but 36 were accepted");
   complains("end", "end 37 00000000000000000000000000000000", "they were edited afterwards");
-  complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1,
-            "'count x 1' follows the end of the file");
+  complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1, "'count x 1' follows the end of the file");
 }
 
 TEST_CASE("a large lineage is counts and one digest per generation") {

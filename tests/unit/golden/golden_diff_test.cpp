@@ -58,11 +58,9 @@ TEST_CASE("what became looser is told with the rule that did it") {
   CHECK(looser({rule("final/* rel 1e-10 why \"w\"")}).empty());
   const auto lines = looser({rule("final/* rel 1e-9 why \"w\""), rule("final/A/volume abs 1 why \"x\"")});
   REQUIRE(lines.size() == 1);
-  CHECK(
-      lines[0] ==
-      "1 value: `tolerance final/A/volume abs 1 why \"x\"`, before `tolerance final/* rel 1e-09 why \"w\"`");
-  CHECK(looser({rule("* ulp 1 why \"w\"")}).size() ==
-        2);  // values on the way were exact, and an ulp of 0 is something
+  CHECK(lines[0] ==
+        "1 value: `tolerance final/A/volume abs 1 why \"x\"`, before `tolerance final/* rel 1e-09 why \"w\"`");
+  CHECK(looser({rule("* ulp 1 why \"w\"")}).size() == 2);  // values on the way were exact, and an ulp of 0 is something
 }
 
 TEST_CASE("a reviewer sees what is gone, new and changed") {
@@ -79,6 +77,6 @@ TEST_CASE("a reviewer sees what is gone, new and changed") {
   CHECK_THAT(text, ContainsSubstring("1 new\n  time_step 512 2 1\n"));
   CHECK_THAT(text, ContainsSubstring("1 changed in the lineage\n  cell A"));
   CHECK_THAT(text, ContainsSubstring("1 changed bits\n  bits solver"));
-  CHECK_THAT(text, ContainsSubstring(
-                       "1 changed values\n  value final/A/volume 1024 2  →  value final/A/volume 1024 3\n"));
+  CHECK_THAT(text,
+             ContainsSubstring("1 changed values\n  value final/A/volume 1024 2  →  value final/A/volume 1024 3\n"));
 }

@@ -31,8 +31,8 @@ Scene twoDivisions(bool mechanics) {
 GoldenData observed(bool mechanics) {
   World world = makeWorld(twoDivisions(mechanics));
   while (!finished(world)) step(world);
-  return observeGolden(
-      world, {"test/two-divisions", "0123456789abcdef0123456789abcdef", {measureWorld(world)}, {}, {}});
+  return observeGolden(world,
+                       {"test/two-divisions", "0123456789abcdef0123456789abcdef", {measureWorld(world)}, {}, {}});
 }
 
 }  // namespace

@@ -21,14 +21,11 @@ std::vector<Scene> scenesOfAllKinds() {
   starting.mechanics->division.rules = {{.of = {"a*"}, .share = 0.6, .chirality = Chirality{}}};
   starting.cycle.perSubstance = {{"a0", 1.5}, {"a1", std::numeric_limits<double>::infinity()}};
   starting.name = "two\nlines";
-  return {scenes::lineageOnly(scenes::uniqueFour, 3), scenes::packed(), scenes::ellipsoid(), scenes::life(),
-          starting};
+  return {scenes::lineageOnly(scenes::uniqueFour, 3), scenes::packed(), scenes::ellipsoid(), scenes::life(), starting};
 }
 
 /// The same body with the hash that belongs to it.
-std::string signedText(const std::string& body) {
-  return body + "hash " + Hasher().add(body).digest().text() + "\n";
-}
+std::string signedText(const std::string& body) { return body + "hash " + Hasher().add(body).digest().text() + "\n"; }
 std::string bodyOf(const std::string& text) { return text.substr(0, text.size() - 38); }
 
 std::string refusalOf(const std::string& text) {
@@ -84,16 +81,14 @@ TEST_CASE("What is wrong in a scene is told with its line") {
              ContainsSubstring("a.scene:1: a scene of another version; needs 1"));
   CHECK_THAT(refusalOf(withLine(text, 2, "99999 with-bodies")),
              ContainsSubstring("a.scene:2: a text of 99999 bytes is cut off"));
-  CHECK_THAT(refusalOf(withLine(text, 2, "11with-bodies")),
-             ContainsSubstring("a.scene:2: needs a blank and a text"));
+  CHECK_THAT(refusalOf(withLine(text, 2, "11with-bodies")), ContainsSubstring("a.scene:2: needs a blank and a text"));
   for (const char* number : {"01", "+1", "-1", "1 ", " 1", "0x1", "1.5", "", "18446744073709551616"}) {
     CAPTURE(number);
     CHECK_THAT(refusalOf(withLine(text, 3, number)), ContainsSubstring("a.scene:3: needs "));
   }
   CHECK_THAT(refusalOf(withLine(text, 4, "1000000000000")),
              ContainsSubstring("a.scene:4: a list of 1000000000000 is longer"));
-  CHECK_THAT(refusalOf(signedText(body + "0\n")),
-             ContainsSubstring("the scene is complete; nothing may follow"));
+  CHECK_THAT(refusalOf(signedText(body + "0\n")), ContainsSubstring("the scene is complete; nothing may follow"));
   CHECK_THAT(refusalOf(signedText(body.substr(0, body.size() - 2))), ContainsSubstring("needs"));
 }
 
@@ -110,15 +105,11 @@ TEST_CASE("Numbers that a member cannot be are refused") {
              ContainsSubstring("77 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->division.otherwise.plane = DivisionPlane(13); }),
              ContainsSubstring("13 is no value"));
-  CHECK_THAT(refused([](Scene& s) { s.senses = {{.kind = SenseKind(13)}}; }),
-             ContainsSubstring("13 is no value"));
+  CHECK_THAT(refused([](Scene& s) { s.senses = {{.kind = SenseKind(13)}}; }), ContainsSubstring("13 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.dna.genes[0].product = 1000; }),
              ContainsSubstring("a substance that it does not have"));
-  CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = 42; }),
-             ContainsSubstring("names vertex 42"));
-  CHECK_THAT(
-      refused([](Scene& s) { std::swap(s.mechanics->mesh.faces[0][1], s.mechanics->mesh.faces[0][2]); }),
-      ContainsSubstring("a mesh of the scene: "));
-  CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = -1; }),
-             ContainsSubstring("names vertex -1"));
+  CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = 42; }), ContainsSubstring("names vertex 42"));
+  CHECK_THAT(refused([](Scene& s) { std::swap(s.mechanics->mesh.faces[0][1], s.mechanics->mesh.faces[0][2]); }),
+             ContainsSubstring("a mesh of the scene: "));
+  CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = -1; }), ContainsSubstring("names vertex -1"));
 }

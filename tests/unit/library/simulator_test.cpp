@@ -63,10 +63,8 @@ TEST_CASE("What it is asked for and does not have is said") {
   Simulator organism(writeScene(scenes::lineageOnly(scenes::uniqueFour, 2)));
   CHECK(organism.vertices(0).empty());
   CHECK(organism.measure("volume", 0) == std::nullopt);
-  CHECK_THROWS_WITH(organism.measure("weight"),
-                    ContainsSubstring("there is no measure 'weight' of the organism"));
-  CHECK_THROWS_WITH(organism.measure("weight", 0),
-                    ContainsSubstring("there is no measure 'weight' of cells"));
+  CHECK_THROWS_WITH(organism.measure("weight"), ContainsSubstring("there is no measure 'weight' of the organism"));
+  CHECK_THROWS_WITH(organism.measure("weight", 0), ContainsSubstring("there is no measure 'weight' of cells"));
   CHECK_THROWS_WITH(organism.path(5), ContainsSubstring("there is no cell 5; 1 are alive"));
   CHECK_THROWS_WITH(Simulator("morula: 1"), ContainsSubstring("scene:1: this is no scene"));
 }

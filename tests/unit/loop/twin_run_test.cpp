@@ -63,8 +63,7 @@ TEST_CASE("The distance is that of two runs side by side") {
   const Scene scene = scenes::packed();
   const TwinRun run = twins(scene);
   World a = makeWorld(scene, {Isa::scalar, 1}), b = makeWorld(scene, {Isa::scalar, 1});
-  b.bodies->position[b.bodies->at(0, 0)] =
-      std::nextafter(double(b.bodies->position[b.bodies->at(0, 0)]), 1e300);
+  b.bodies->position[b.bodies->at(0, 0)] = std::nextafter(double(b.bodies->position[b.bodies->at(0, 0)]), 1e300);
   const GoldenGrowth& last = run.growth.back();
   double before = 0, after = 0;
   while (a.clock.step < last.step) {

@@ -54,18 +54,15 @@ std::vector<Mesh> closePacked() {
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j)
       for (int k = -2; k <= 2; ++k)
-        if ((i + j + k) % 2 == 0)
-          balls.push_back(ball(std::sqrt(2.) * Vector{double(i), double(j), double(k)}));
+        if ((i + j + k) % 2 == 0) balls.push_back(ball(std::sqrt(2.) * Vector{double(i), double(j), double(k)}));
   return balls;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "The void of a closed shell of cells is its polyhedron, to the error that is stated, however it lies") {
+TEST_CASE("The void of a closed shell of cells is its polyhedron, to the error that is stated, however it lies") {
   const Mesh inner = makeIcosphere(1);
-  const double volume = measureVolume(inner.vertices, inner.faces),
-               area = measureArea(inner.vertices, inner.faces);
+  const double volume = measureVolume(inner.vertices, inner.faces), area = measureArea(inner.vertices, inner.faces);
   const std::vector<Mesh> cells = shellOfCells(1, 1.5);
   REQUIRE(cells.size() == 80);
   for (const auto& lying : {cells, moved(cells)}) {
@@ -75,8 +72,7 @@ TEST_CASE(
     CHECK(found.volume == Approx(volume).epsilon(0.01));  // errors of both signs
     CHECK(found.largest == found.volume);
   }
-  CHECK(cavitiesOf(shellOfCells(1, 1.5, 0.05), 0.15).volume ==
-        Approx(volume).epsilon(0.15));  // gaps are closed
+  CHECK(cavitiesOf(shellOfCells(1, 1.5, 0.05), 0.15).volume == Approx(volume).epsilon(0.15));  // gaps are closed
 }
 
 TEST_CASE(
@@ -119,13 +115,11 @@ TEST_CASE(
   CHECK(cavitiesOf(closePacked(), 0.25).volume > 0.1);
 }
 
-TEST_CASE(
-    "Where probes come to rest is a probe's radius away from the nearest surface, to twice the cubes' edge") {
+TEST_CASE("Where probes come to rest is a probe's radius away from the nearest surface, to twice the cubes' edge") {
   const Cavities one = cavitiesOf({ball({4, 0, -1})}, 0.5);
   REQUIRE(one.edge == Approx(0.5 / 16));
   for (const Point& probe : one.outside)
-    CHECK(std::abs(norm(probe - Point{4, 0, -1}) - 1.5) <
-          2 * one.edge + 0.03);  // by which the mesh is no ball
+    CHECK(std::abs(norm(probe - Point{4, 0, -1}) - 1.5) < 2 * one.edge + 0.03);  // by which the mesh is no ball
   const Cavities shell = cavitiesOf(shellOfCells(1, 1.5), 0.15);
   for (const Point& probe : shell.outside) CHECK(norm(probe) > 1.5);       // none is in the void
   CHECK(cavitiesOf({ball({}), ball({900, 0, 0})}, 1e-3).outside.empty());  // the grid is too coarse

@@ -39,8 +39,7 @@ TEST_CASE("Edges are sorted, the smaller index first, and are the pairs that the
     const Connectivity c = makeConnectivity(mesh);
     std::multiset<std::array<int, 2>> sides;
     for (const Face& f : mesh.faces)
-      for (int k = 0; k < 3; ++k)
-        sides.insert({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
+      for (int k = 0; k < 3; ++k) sides.insert({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
     CHECK(std::is_sorted(c.edges.begin(), c.edges.end()));
     CHECK(std::set<std::array<int, 2>>(c.edges.begin(), c.edges.end()).size() == c.edges.size());
     CHECK(sides.size() == 2 * c.edges.size());
@@ -62,8 +61,7 @@ TEST_CASE("The ring of a vertex is its link, counter-clockwise, from the smalles
     REQUIRE(c.ringVertex.size() == static_cast<std::size_t>(2 * c.edgeCount));
     REQUIRE(c.ringEdge.size() == c.ringVertex.size());
     for (int i = 0; i < c.vertexCount; ++i) {
-      const std::vector<int> ring(c.ringVertex.begin() + c.ringStart[i],
-                                  c.ringVertex.begin() + c.ringStart[i + 1]);
+      const std::vector<int> ring(c.ringVertex.begin() + c.ringStart[i], c.ringVertex.begin() + c.ringStart[i + 1]);
       std::set<int> link;
       for (const Face& f : mesh.faces)
         if (std::count(f.begin(), f.end(), i))
@@ -100,8 +98,7 @@ TEST_CASE("Rings turn counter-clockwise seen from outside") {
   for (int i = 0; i < c.vertexCount; ++i)
     for (int k = c.ringStart[i]; k < c.ringStart[i + 1]; ++k) {
       const int next = k + 1 < c.ringStart[i + 1] ? k + 1 : c.ringStart[i];
-      const Point &here = m.vertices[i], &a = m.vertices[c.ringVertex[k]],
-                  &b = m.vertices[c.ringVertex[next]];
+      const Point &here = m.vertices[i], &a = m.vertices[c.ringVertex[k]], &b = m.vertices[c.ringVertex[next]];
       REQUIRE(dot(here, cross(a - here, b - here)) > 0);
     }
 }

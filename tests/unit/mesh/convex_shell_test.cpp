@@ -17,8 +17,7 @@ std::string objOf(const Mesh& mesh) {
   for (const Point& x : mesh.vertices)
     text += "v " + std::to_string(x.x) + " " + std::to_string(x.y) + " " + std::to_string(x.z) + "\n";
   for (const Face& f : mesh.faces)
-    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " +
-            std::to_string(f[2] + 1) + "\n";
+    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
   return text;
 }
 
@@ -62,20 +61,18 @@ TEST_CASE("Every triangle of an icosphere is a plane of its own, and its vertice
 TEST_CASE("What is no shell is refused with the face, its line and the reason") {
   Mesh dented = zoo::box({-1, -1, -1}, {1, 1, 1});
   dented.vertices[7] = {0.5, 0.5, 0.5};
-  CHECK_THAT(complaint(objOf(dented)), ContainsSubstring("egg.obj:") &&
-                                           ContainsSubstring("lies outside of its plane; a shell is convex"));
+  CHECK_THAT(complaint(objOf(dented)),
+             ContainsSubstring("egg.obj:") && ContainsSubstring("lies outside of its plane; a shell is convex"));
   CHECK_THAT(complaint(objOf(zoo::torus(7, 5))), ContainsSubstring("egg.obj:"));
   CHECK_THAT(complaint(objOf(zoo::box({1, -1, -1}, {3, 1, 1}))),
              ContainsSubstring("egg.obj:17:1: face 9: the origin is not inside of this face"));
-  CHECK_THAT(complaint(objOf(zoo::box({-0.001, -2, -2}, {3, 2, 2}))),
-             ContainsSubstring("almost in this face"));
+  CHECK_THAT(complaint(objOf(zoo::box({-0.001, -2, -2}, {3, 2, 2}))), ContainsSubstring("almost in this face"));
   Mesh inverted = zoo::box({-1, -1, -1}, {1, 1, 1});
   for (Face& f : inverted.faces) std::swap(f[0], f[1]);
   CHECK_FALSE(complaint(objOf(inverted)).empty());
   Mesh open = zoo::box({-1, -1, -1}, {1, 1, 1});
   open.faces.pop_back();
   CHECK_FALSE(complaint(objOf(open)).empty());
-  CHECK_THAT(complaint(objOf(zoo::box({-1e7, -1e7, -1e7}, {1e7, 1e7, 1e7}))),
-             ContainsSubstring("more than 1e6"));
+  CHECK_THAT(complaint(objOf(zoo::box({-1e7, -1e7, -1e7}, {1e7, 1e7, 1e7}))), ContainsSubstring("more than 1e6"));
   CHECK(complaint(objOf(zoo::box({-1, -1, -1}, {1, 1, 1}))).empty());
 }

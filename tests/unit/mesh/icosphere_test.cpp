@@ -33,8 +33,7 @@ TEST_CASE("The icosahedron has the volume and area of the closed forms") {
   // Circumradius 1: edge a = 4 / √(10 + 2√5), V = 5 (3 + √5) a³ / 12, A = 5 √3 a².
   const Mesh m = makeIcosphere(0);
   const double a = 4 / std::sqrt(10 + 2 * std::sqrt(5.0));
-  CHECK(measureVolume(m.vertices, m.faces) ==
-        Approx(5 * (3 + std::sqrt(5.0)) * a * a * a / 12).epsilon(1e-14));
+  CHECK(measureVolume(m.vertices, m.faces) == Approx(5 * (3 + std::sqrt(5.0)) * a * a * a / 12).epsilon(1e-14));
   CHECK(measureArea(m.vertices, m.faces) == Approx(5 * std::sqrt(3.0) * a * a).epsilon(1e-14));
 }
 

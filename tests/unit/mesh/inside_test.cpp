@@ -19,8 +19,7 @@ Point randomPoint(std::uint64_t number) {
 // The cube [0, 1]³ in six tetrahedra, one per order of the axes on the way from corner to corner.
 std::vector<Mesh> cubeInSixTetrahedra() {
   std::vector<Mesh> parts;
-  for (const auto& [a, b, odd] :
-       {std::tuple{1, 2, 0}, {1, 4, 1}, {2, 1, 1}, {2, 4, 0}, {4, 1, 0}, {4, 2, 1}}) {
+  for (const auto& [a, b, odd] : {std::tuple{1, 2, 0}, {1, 4, 1}, {2, 1, 1}, {2, 4, 0}, {4, 1, 0}, {4, 2, 1}}) {
     Mesh m;
     for (int corner : {0, a, a | b, 7})
       m.vertices.push_back({corner & 1 ? 1.0 : 0, corner & 2 ? 1.0 : 0, corner & 4 ? 1.0 : 0});
@@ -39,8 +38,7 @@ TEST_CASE("Inside a box, a crumpled ball and a torus") {
   const Mesh ball = zoo::scaled(zoo::crumpled(makeIcosphere(3), 0.05, 1), {0.7, 0.7, 0.7});
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const Point p = randomPoint(i);
-    REQUIRE(holds(box, p) ==
-            (p.x > -0.5 && p.x < 0.5 && p.y > -0.25 && p.y < 0.75 && p.z > -0.75 && p.z < 0.25));
+    REQUIRE(holds(box, p) == (p.x > -0.5 && p.x < 0.5 && p.y > -0.25 && p.y < 0.75 && p.z > -0.75 && p.z < 0.25));
     const double r = norm(p);
     if (r < 0.65) REQUIRE(holds(ball, p));
     if (r > 0.75) REQUIRE(!holds(ball, p));
@@ -53,8 +51,7 @@ TEST_CASE("Inside a box, a crumpled ball and a torus") {
   CHECK(inBall > 0);
 }
 
-TEST_CASE(
-    "Parts that tile a cube have each of its points once, on their common faces, edges and corners too") {
+TEST_CASE("Parts that tile a cube have each of its points once, on their common faces, edges and corners too") {
   const auto parts = cubeInSixTetrahedra();
   for (const Mesh& part : parts) CHECK_NOTHROW(checkClosedManifold(part, "part"));
   for (int i = 1; i < 8; ++i)

@@ -70,8 +70,7 @@ TEST_CASE("Icospheres converge to the sphere with the square of the edge length"
 TEST_CASE("An ellipsoid has the sphere's volume times its three axes") {
   for (int level = 0; level <= 4; ++level) {
     const Mesh m = makeIcosphere(level);
-    CHECK(zoo::volumeOf(zoo::scaled(m, {27, 15, 11})) ==
-          Approx(27 * 15 * 11 * zoo::volumeOf(m)).epsilon(1e-13));
+    CHECK(zoo::volumeOf(zoo::scaled(m, {27, 15, 11})) == Approx(27 * 15 * 11 * zoo::volumeOf(m)).epsilon(1e-13));
   }
 }
 
@@ -116,8 +115,7 @@ TEST_CASE("Quality is that of the worst corner and the extreme edges") {
   CHECK(half.longestEdge == std::sqrt(2.0));
 
   // One flat triangle with 120° at the top, and one needle.
-  const std::vector<Point> points = {
-      {-std::sqrt(3.0), 0, 0}, {std::sqrt(3.0), 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
+  const std::vector<Point> points = {{-std::sqrt(3.0), 0, 0}, {std::sqrt(3.0), 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
   const std::vector<Face> cap = {{0, 1, 2}}, needle = {{3, 4, 2}};
   CHECK(measureQuality(points, cap).bluntestCosine == Approx(-0.5).epsilon(1e-14));
   CHECK(measureQuality(points, cap).sharpestCosine == Approx(std::sqrt(0.75)).epsilon(1e-14));

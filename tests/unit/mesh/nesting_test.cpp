@@ -11,8 +11,7 @@ using namespace morula;
 
 TEST_CASE("An icosphere's first vertices are the coarser one's, whatever the size") {
   for (int level = 0; level < 4; ++level) {
-    const Mesh coarse = zoo::scaled(makeIcosphere(level), {1.05, 1.05, 1.05}),
-               fine = makeIcosphere(level + 1);
+    const Mesh coarse = zoo::scaled(makeIcosphere(level), {1.05, 1.05, 1.05}), fine = makeIcosphere(level + 1);
     std::vector<std::int32_t> first(coarse.vertices.size());
     std::iota(first.begin(), first.end(), 0);
     CHECK(findNested(coarse.vertices, fine.vertices) == first);

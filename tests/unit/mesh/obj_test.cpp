@@ -19,8 +19,7 @@ std::string writeObj(const Mesh& mesh, const std::string& lineEnd = "\n") {
   for (const Point& v : mesh.vertices)
     text += "v " + shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z) + lineEnd;
   for (const Face& f : mesh.faces)
-    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " +
-            std::to_string(f[2] + 1) + lineEnd;
+    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + lineEnd;
   return text;
 }
 
@@ -50,8 +49,7 @@ TEST_CASE("A mesh that is written and read keeps its faces, and its shape but fo
     double farthest = 0;
     for (const Point& v : mesh.vertices) farthest = std::max(farthest, norm(v - centre));
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-      REQUIRE(norm(read.vertices[i] * farthest + centre - mesh.vertices[i]) <=
-              4e-15 * (farthest + norm(centre)));
+      REQUIRE(norm(read.vertices[i] * farthest + centre - mesh.vertices[i]) <= 4e-15 * (farthest + norm(centre)));
   }
 }
 
@@ -79,23 +77,20 @@ TEST_CASE("Line ends, comments, blanks, joined lines and a byte order mark chang
 
 TEST_CASE("Corners may carry textures and normals, and count back from the latest vertex") {
   const Mesh plain = readObj(tetrahedron, "plain");
-  CHECK(same(plain, readObj(corners + "f 1/1 3/2 2/3\nf 1//1 2//1 4//1\nf 1/1/1 4/2/2 3/3/3\nf 2 3/9/9 4\n",
-                            "slashes")));
+  CHECK(
+      same(plain, readObj(corners + "f 1/1 3/2 2/3\nf 1//1 2//1 4//1\nf 1/1/1 4/2/2 3/3/3\nf 2 3/9/9 4\n", "slashes")));
   CHECK(same(plain, readObj(corners + "f -4 -2 -3\nf -4/-1 -3/-1 -1/-1\nf 1 -1 3\nf 2 3 4\n", "back")));
   CHECK(same(plain,
-             readObj("v 1 1 1\nv -1 -1 1\nv -1 1 -1\nf -3 -1 -2\nv 1 -1 -1\nf 1 2 -1\nf 1 4 3\nf 2 3 4\n",
-                     "mixed")));
+             readObj("v 1 1 1\nv -1 -1 1\nv -1 1 -1\nf -3 -1 -2\nv 1 -1 -1\nf 1 2 -1\nf 1 4 3\nf 2 3 4\n", "mixed")));
   CHECK(same(plain, readObj("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + corners, "faces first")));
 }
 
 TEST_CASE("Weights, colours and whatever is not shape are passed over") {
-  CHECK(same(
-      readObj(tetrahedron, "plain"),
-      readObj(
-          "mtllib a.mtl\no tetra\nv 1 1 1 1.0\nv -1 -1 1 0.5 0.5 0.5\nv -1 1 -1 1 0.5 0.5 0.5\nv 1 -1 -1\n"
-          "vt 0 0\nvn 0 0 1\nvp 1\ng side\nusemtl red\ns off\nl 1 2\np 1\n" +
-              tetrahedron.substr(corners.size()),
-          "rich")));
+  CHECK(same(readObj(tetrahedron, "plain"),
+             readObj("mtllib a.mtl\no tetra\nv 1 1 1 1.0\nv -1 -1 1 0.5 0.5 0.5\nv -1 1 -1 1 0.5 0.5 0.5\nv 1 -1 -1\n"
+                     "vt 0 0\nvn 0 0 1\nvp 1\ng side\nusemtl red\ns off\nl 1 2\np 1\n" +
+                         tetrahedron.substr(corners.size()),
+                     "rich")));
 }
 
 TEST_CASE("Polygons are split into fans") {
@@ -106,8 +101,7 @@ TEST_CASE("Polygons are split into fans") {
   // A prism over a hexagon.
   std::string prism;
   for (const char* z : {" 0\n", " 1\n"})
-    for (const char* xy : {"2 0", "1 2", "-1 2", "-2 0", "-1 -2", "1 -2"})
-      prism += std::string("v ") + xy + z;
+    for (const char* xy : {"2 0", "1 2", "-1 2", "-2 0", "-1 -2", "1 -2"}) prism += std::string("v ") + xy + z;
   prism += "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n";
   for (int i = 1; i <= 6; ++i) {
     const int j = i % 6 + 1;
@@ -144,8 +138,7 @@ TEST_CASE("What is wrong with the text is said with its line and column, and wha
       {tetrahedron + "f 1 2 -5\n", "m.obj:9:7: \"-5\": there is no such vertex; 4 stand above this line"},
       {tetrahedron + "f 1 2 99999999999999999999\n",
        "m.obj:9:7: \"99999999999999999999\": there is no such vertex; 4 stand above this line"},
-      {tetrahedron + "f 1 2 4294967297\n",
-       "m.obj:9:7: \"4294967297\": there is no such vertex; the file has 4"},
+      {tetrahedron + "f 1 2 4294967297\n", "m.obj:9:7: \"4294967297\": there is no such vertex; the file has 4"},
       {tetrahedron + "f 1 2 3.5\n",
        "m.obj:9:7: \"3.5\" is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1"},
       {tetrahedron + "f 1 2 3/\n",
@@ -190,10 +183,9 @@ TEST_CASE("What is wrong with the surface is said with the line of the face") {
         "corners of all "
         "faces counter-clockwise as seen from outside");
   // Both triangles of a quad carry its number.
-  CHECK_THAT(
-      complaintAbout("v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
-                     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n"),
-      ContainsSubstring("m.obj:9:1: the edge between vertices 2 and 4 belongs to face 1 only"));
+  CHECK_THAT(complaintAbout("v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+                            "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n"),
+             ContainsSubstring("m.obj:9:1: the edge between vertices 2 and 4 belongs to face 1 only"));
   CHECK_THAT(complaintAbout("v 5 5 5\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n"),
              ContainsSubstring("m.obj:1:1: vertex 1: no face has this vertex"));
   CHECK_THAT(complaintAbout(corners + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"),

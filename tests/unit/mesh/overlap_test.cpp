@@ -62,8 +62,7 @@ TEST_CASE("Two spheres overlap by a lens, the better the finer the mesh and the 
         CHECK(error < 0.5 * before);
         before = error;
         CHECK(o.shares[0] == Approx(o.shares[1]).margin(2e-3));
-        CHECK(o.unionVolume ==
-              Approx(o.volumes[0] + o.volumes[1] - o.shares[0] * o.volumes[0]).epsilon(1e-12));
+        CHECK(o.unionVolume == Approx(o.volumes[0] + o.volumes[1] - o.shares[0] * o.volumes[0]).epsilon(1e-12));
       }
       CHECK(before < 2.5e-3);
     }
@@ -93,9 +92,8 @@ TEST_CASE("Lines through vertices and edges see each body whole") {
       REQUIRE_NOTHROW(overlapOf({mesh, zoo::scaled(mesh, {0.5, 0.5, 0.5}), mesh}, columns));
     }
   // All lines on lattice points of a body whose vertices are lattice points.
-  const Mesh diamond{
-      {{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}},
-      {{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5}, {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}}};
+  const Mesh diamond{{{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}},
+                     {{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5}, {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}}};
   const Mesh frame = zoo::box({-4.5, -4.5, -9}, {4.5, 4.5, -8});  // 9 lines at −4, −3, …, 4
   const Overlap o = overlapOf({diamond, frame}, 9);
   // Σ over |x| + |y| < 4 of 2 (4 − |x| − |y|).

@@ -105,9 +105,8 @@ TEST_CASE("Two bodies in one mesh are refused") {
   CHECK(complaintAbout(joined(zoo::tetrahedron(), zoo::moved(zoo::tetrahedron(), {9, 9, 9}))) ==
         "m: face 5 is not connected to face 1; a cell is one piece: keep one closed surface per file");
   // A cavity is a second surface, too.
-  CHECK_THAT(
-      complaintAbout(joined(makeIcosphere(1), zoo::inverted(zoo::scaled(makeIcosphere(1), {0.5, 0.5, 0.5})))),
-      ContainsSubstring("face 81 is not connected to face 1"));
+  CHECK_THAT(complaintAbout(joined(makeIcosphere(1), zoo::inverted(zoo::scaled(makeIcosphere(1), {0.5, 0.5, 0.5})))),
+             ContainsSubstring("face 81 is not connected to face 1"));
 }
 
 TEST_CASE("Inverted and flat meshes have no inside") {
@@ -126,8 +125,7 @@ TEST_CASE("Inverted and flat meshes have no inside") {
 TEST_CASE("A face without area is named") {
   Mesh m = zoo::tetrahedron();
   m.faces.push_back({0, 0, 1});
-  CHECK(complaintAbout(m) ==
-        "m: face 5: vertex 1 occurs twice; the corners of a face are different vertices");
+  CHECK(complaintAbout(m) == "m: face 5: vertex 1 occurs twice; the corners of a face are different vertices");
   Mesh flat = makeIcosphere(1);
   const auto [a, b, c] = flat.faces[3];
   flat.vertices[b] = (flat.vertices[a] + flat.vertices[c]) / 2.0;

@@ -25,8 +25,7 @@ inline Mesh box(const Point& low, const Point& high) {
   Mesh m;
   for (int i = 0; i < 8; ++i)
     m.vertices.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& q : quads) {
     m.faces.push_back({q[0], q[1], q[2]});
     m.faces.push_back({q[0], q[2], q[3]});
@@ -85,8 +84,7 @@ inline Mesh inverted(Mesh m) {
 
 inline std::vector<Animal> all() {
   std::vector<Animal> zoo;
-  for (int level = 0; level <= 4; ++level)
-    zoo.push_back({"icosphere " + std::to_string(level), makeIcosphere(level)});
+  for (int level = 0; level <= 4; ++level) zoo.push_back({"icosphere " + std::to_string(level), makeIcosphere(level)});
   zoo.push_back({"tetrahedron", tetrahedron()});
   zoo.push_back({"cube", box({-1, -1, -1}, {1, 1, 1})});
   zoo.push_back({"torus", torus(12, 8), 1});

@@ -60,9 +60,8 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
     CHECK(parts["contact"].engaged == world.contacts.has_value());
     CHECK(parts["search"].engaged == world.contacts.has_value());
-    CHECK(
-        parts["friction"].engaged ==
-        (world.contacts && world.contacts->addForces == world.contacts->kernels->addPairForcesWithFriction));
+    CHECK(parts["friction"].engaged ==
+          (world.contacts && world.contacts->addForces == world.contacts->kernels->addPairForcesWithFriction));
     CHECK(parts["connections"].engaged == world.connections.has_value());
     CHECK(parts["growth"].engaged == world.model.mechanics->physics.growth.has_value());
     CHECK(parts["division"].engaged == (world.divisionPolicy != nullptr));

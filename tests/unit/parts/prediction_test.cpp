@@ -251,8 +251,7 @@ TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   CHECK(sum == f.seconds());
   CHECK(sum > 0);
   const std::string text = textOf(describe(f, "unique-four"));
-  CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") &&
-                       ContainsSubstring("absent, and free") &&
+  CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") && ContainsSubstring("absent, and free") &&
                        ContainsSubstring("unique-four.yaml:35:9: physics.drag"));
 }
 

@@ -9,9 +9,8 @@ using namespace morula;
 
 namespace {
 
-constexpr Integrator all[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
-                              Integrator::explicitEuler,  Integrator::symplecticEuler,
-                              Integrator::rungeKutta4,    Integrator::xpbd};
+constexpr Integrator all[] = {Integrator::velocityVerlet,  Integrator::thesisVerlet, Integrator::explicitEuler,
+                              Integrator::symplecticEuler, Integrator::rungeKutta4,  Integrator::xpbd};
 
 }  // namespace
 

@@ -34,8 +34,7 @@ TEST_CASE("A body that only drag acts on slows down exponentially, to second ord
     const double share = lab.velocity(0, 7).x / 3;
     CHECK(norm(lab.velocity(0, 7) - share * Vector{3, -2, 1}) < 1e-12);
     // It has come as far as velocity over drag rate says.
-    CHECK(lab.bodies.vertex(0, 7).x - mesh.vertices[7].x ==
-          Approx(3 * (1 - std::exp(-1.0)) / 0.5).epsilon(0.01));
+    CHECK(lab.bodies.vertex(0, 7).x - mesh.vertices[7].x == Approx(3 * (1 - std::exp(-1.0)) / 0.5).epsilon(0.01));
     return std::abs(share - std::exp(-1.0));
   };
   CHECK(errorWith(256) / errorWith(512) == Approx(4).margin(0.2));

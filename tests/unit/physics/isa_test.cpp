@@ -80,8 +80,7 @@ TEST_CASE("All instruction sets give one cell's bits at every step") {
       for (int count : {1, 3, 5, 8, 9}) {
         const auto cells = crowd(mesh, count);
         std::vector<Lab> alone;  // each cell by itself, one at a time
-        for (const Body& cell : cells)
-          alone.emplace_back(parameters, mesh, std::vector<Body>{cell}, Isa::scalar);
+        for (const Body& cell : cells) alone.emplace_back(parameters, mesh, std::vector<Body>{cell}, Isa::scalar);
         for (Lab& lab : alone) lab.start();
         std::vector<Lab> together;
         for (Isa isa : availableIsas()) together.emplace_back(parameters, mesh, cells, isa);

@@ -41,9 +41,8 @@ void force(Lab& lab, const Manufactured& m, const PhysicsStages& stages, double 
   const auto inner = m.forces(time);
   Reals& forces = lab.bodies.acceleration;
   for (int v = 0; v < static_cast<int>(motions.size()); ++v)
-    lab.bodies.write(
-        forces, 0, v,
-        lab.bodies.read(forces, 0, v) + lab.bodies.vertexMass[0] * motions[v].acceleration - inner[v]);
+    lab.bodies.write(forces, 0, v,
+                     lab.bodies.read(forces, 0, v) + lab.bodies.vertexMass[0] * motions[v].acceleration - inner[v]);
   kick(stages, lab.bodies, lab.bodies.block(0, 0), timeStep);
 }
 
@@ -61,8 +60,7 @@ double errorAfter(const Manufactured& m, Integrator integrator, int steps) {
   force(lab, m, lab.stages, 0, 0);
   const double dt = 1.0 / steps;
   for (int i = 0; i < steps; ++i) {
-    const bool four =
-        !lab.stages.furtherDrifts.empty();  // of Runge–Kutta: two at half the step, two at its end
+    const bool four = !lab.stages.furtherDrifts.empty();  // of Runge–Kutta: two at half the step, two at its end
     const std::array<double, 4> shares{four ? 0.5 : 1, 0.5, 1, 1};
     for (std::size_t k = 0; k <= lab.stages.furtherDrifts.size(); ++k) {
       const PhysicsStages stages = k == 0 ? lab.stages : furtherStages(lab.stages, k - 1);
@@ -164,8 +162,7 @@ constexpr Vector axis{0, 0, 1}, flightOf{0.5, 1, -1};
 Motion turning(const Mesh& mesh, int v, double t) {
   const Turning m(t);
   const Point& q = mesh.vertices[v];
-  const Vector at = m.turn({m.a * q.x, m.b * q.y, q.z}),
-               stretching = m.turn({m.aRate * q.x, m.bRate * q.y, 0});
+  const Vector at = m.turn({m.a * q.x, m.b * q.y, q.z}), stretching = m.turn({m.aRate * q.x, m.bRate * q.y, 0});
   const Vector spinning = m.rate * cross(axis, at);
   return {at + t * t * flightOf, spinning + stretching + 2 * t * flightOf,
           m.growth * cross(axis, at) + m.rate * cross(axis, spinning) + 2 * m.rate * cross(axis, stretching) +

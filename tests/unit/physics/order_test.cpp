@@ -45,8 +45,7 @@ std::vector<double> observedOrders(Integrator integrator, double drag, int steps
 
 TEST_CASE("Velocity Verlet is second order, with damping and drag too") {
   for (double drag : {0.0, 0.5})
-    for (double order : observedOrders(Integrator::velocityVerlet, drag))
-      CHECK(order == Approx(2).margin(0.2));
+    for (double order : observedOrders(Integrator::velocityVerlet, drag)) CHECK(order == Approx(2).margin(0.2));
 }
 
 TEST_CASE("The thesis' Verlet is first order") {
@@ -56,10 +55,8 @@ TEST_CASE("The thesis' Verlet is first order") {
 
 TEST_CASE("Both Euler methods are first order, Runge-Kutta is of fourth order") {
   for (double drag : {0.0, 0.5}) {
-    for (double order : observedOrders(Integrator::explicitEuler, drag, 2048))
-      CHECK(order == Approx(1).margin(0.2));
-    for (double order : observedOrders(Integrator::symplecticEuler, drag, 512))
-      CHECK(order == Approx(1).margin(0.2));
+    for (double order : observedOrders(Integrator::explicitEuler, drag, 2048)) CHECK(order == Approx(1).margin(0.2));
+    for (double order : observedOrders(Integrator::symplecticEuler, drag, 512)) CHECK(order == Approx(1).margin(0.2));
     for (double order : observedOrders(Integrator::rungeKutta4, drag)) CHECK(order == Approx(4).margin(0.2));
   }
 }
@@ -87,8 +84,7 @@ TEST_CASE("The thesis' Verlet is x' = 2x − x_prev + a Δt²") {
   for (int i = 0; i < 50; ++i) {
     std::vector<Point> next(now.size());
     for (std::size_t v = 0; v < now.size(); ++v)
-      next[v] =
-          2.0 * now[v] - before[v] + (dt * dt) * lab.force(0, static_cast<int>(v));  // by now an acceleration
+      next[v] = 2.0 * now[v] - before[v] + (dt * dt) * lab.force(0, static_cast<int>(v));  // by now an acceleration
     lab.step(dt);
     before = now;
     now = next;

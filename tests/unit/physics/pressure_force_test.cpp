@@ -32,8 +32,7 @@ TEST_CASE("Pressure is that of an ideal gas") {
     INFO(name);
     Lab lab(gasOnly(), mesh);
     lab.evaluate();
-    CHECK(lab.bodies.pressure[0] ==
-          Approx(4 / measureVolume(mesh.vertices, mesh.faces) - 0.7).epsilon(1e-12));
+    CHECK(lab.bodies.pressure[0] == Approx(4 / measureVolume(mesh.vertices, mesh.faces) - 0.7).epsilon(1e-12));
   }
 }
 

@@ -29,8 +29,7 @@ TEST_CASE("What rests sets out along its forces, by half of them, and no vertex 
     // Half a step before it went against the forces: v = −½ a, so it stops and begins anew.
     const double share = std::min(1.0, most / (0.5 * largest));
     Worst error;
-    for (int v = 0; v < b.vertexCount(0); ++v)
-      error.see(norm(lab.velocity(0, v) - (0.5 * share) * push(v)) / largest);
+    for (int v = 0; v < b.vertexCount(0); ++v) error.see(norm(lab.velocity(0, v) - (0.5 * share) * push(v)) / largest);
     CHECK(error < 1e-14);  // a handful of roundings
     CHECK(sum[0] == Approx(squares).epsilon(1e-13));
     CHECK(alpha[0] == 0.25);

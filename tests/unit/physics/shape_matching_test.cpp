@@ -72,8 +72,7 @@ TEST_CASE("Goals are the rest shape under the rotation that a singular value dec
       if (key % 3 == 1) map.col(2) = map.col(0) * 0.3 + map.col(1) * 0.1;  // flat
       const Matrix3 products = map * moments;
       const Eigen::Vector3d s = Eigen::JacobiSVD<Matrix3>(products).singularValues();
-      const double gap =
-          s[1] + (products.determinant() < 0 ? -s[2] : s[2]);  // where it is 0 there is no nearest one
+      const double gap = s[1] + (products.determinant() < 0 ? -s[2] : s[2]);  // where it is 0 there is no nearest one
       if (gap < 1e-3 * s[0]) continue;
       (products.determinant() < 0 ? mirrored : proper)++;
       Lab lab(matched(), mesh, {mapped(mesh, map, {3, -2, 5})});
@@ -115,11 +114,10 @@ TEST_CASE("With β goals follow the linear map, at the volume at rest") {
       Lab lab(matched(linear), mesh, {mapped(mesh, map)});
       lab.bodies.restScale[0] = 1.25;
       lab.evaluate();
-      const Matrix3 goal = linear * map / std::cbrt(map.determinant()) +
-                           (1 - linear) * rotationBySvd(map * secondMoments(mesh));
+      const Matrix3 goal =
+          linear * map / std::cbrt(map.determinant()) + (1 - linear) * rotationBySvd(map * secondMoments(mesh));
       Worst off;
-      for (int v = 0; v < 8; ++v)
-        off.see((goalOf(lab, 0, v) - 1.25 * goal * toEigen(mesh.vertices[v])).norm());
+      for (int v = 0; v < 8; ++v) off.see((goalOf(lab, 0, v) - 1.25 * goal * toEigen(mesh.vertices[v])).norm());
       CHECK(off < 1e-13);
     }
   }
@@ -176,8 +174,7 @@ TEST_CASE("A stretched body rings at √k; with β its shape at √((1 − β) k
     for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::rungeKutta4}) {
       PhysicsParameters p = matched(linear);
       p.integrator = integrator;
-      Lab lab(p, mesh,
-              {mapped(mesh, Eigen::Vector3d(1 + stretch.x, 1 + stretch.y, 1 + stretch.z).asDiagonal())});
+      Lab lab(p, mesh, {mapped(mesh, Eigen::Vector3d(1 + stretch.x, 1 + stretch.y, 1 + stretch.z).asDiagonal())});
       const int far = [&] {  // a vertex that the first stretch moves
         int best = 0;
         for (int v = 0; v < 42; ++v) best = mesh.vertices[v].x > mesh.vertices[best].x ? v : best;
@@ -199,16 +196,14 @@ TEST_CASE("A stretched body rings at √k; with β its shape at √((1 − β) k
       }
       CAPTURE(linear, stretch.x, stretch.y, static_cast<int>(integrator), crossings);
       REQUIRE(crossings > 10);
-      CHECK(std::numbers::pi * (crossings - 1) / (last - first) ==
-            Approx(std::sqrt(square * 400)).epsilon(1e-5));
+      CHECK(std::numbers::pi * (crossings - 1) / (last - first) == Approx(std::sqrt(square * 400)).epsilon(1e-5));
     }
 }
 
 TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every integrator") {
   const Mesh mesh = makeIcosphere(1);
-  for (const Integrator integrator :
-       {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::explicitEuler,
-        Integrator::symplecticEuler, Integrator::rungeKutta4})
+  for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::explicitEuler,
+                                      Integrator::symplecticEuler, Integrator::rungeKutta4})
     for (const double damping : {0.0, 4.0, 30.0, 100.0})
       for (const double linear : {0.0, 0.5})
         for (const double drag : {0.0, 5.0}) {

@@ -15,8 +15,7 @@ ShellParameters shellOf(std::vector<ShellPlane> planes) {
 }
 
 ShellParameters cube() {
-  return shellOf(
-      {{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{0, 0, -1}, 1}});
+  return shellOf({{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{0, 0, -1}, 1}});
 }
 
 /// Its edges are acute: 70.5 degrees.
@@ -79,9 +78,7 @@ TEST_CASE("In a cube a vertex outside comes to its nearest point, and keeps what
   PhysicsParameters p = inside(cube());
   p.membrane = {0, 0, 1};
   Body body = shakenBody(mesh, 0, 0);
-  const auto set = [&](int v, const Point& x, const Vector& u) {
-    body.position[v] = x, body.velocity[v] = u;
-  };
+  const auto set = [&](int v, const Point& x, const Vector& u) { body.position[v] = x, body.velocity[v] = u; };
   set(0, {1.5, 0.25, 0.5}, {1, 2, 3});    // out of a face
   set(1, {1.5, -1.25, 0.5}, {1, -2, 3});  // of an edge
   set(2, {1.5, 1.25, 2}, {1, 2, 3});      // of a corner
@@ -144,8 +141,8 @@ TEST_CASE("All instruction sets give the same bits in planes, with meshes and wi
       const Mesh mesh = zoo::scaled(makeIcosphere(1), {0.95, 0.95, 0.95});
       std::vector<Body> cells;
       for (int i = 0; i < 9; ++i) {
-        Body cell = balls ? Body{.position = {{0.1 * i, 0, 0}}, .velocity = {noiseVector(i, 4)}}
-                          : shakenBody(mesh, 0.05, 3, i);
+        Body cell =
+            balls ? Body{.position = {{0.1 * i, 0, 0}}, .velocity = {noiseVector(i, 4)}} : shakenBody(mesh, 0.05, 3, i);
         cell.mass = 1 + 0.1 * i;
         cell.pressureConstant = balls ? 0 : 40;
         cells.push_back(cell);
@@ -158,8 +155,7 @@ TEST_CASE("All instruction sets give the same bits in planes, with meshes and wi
       }
       int touching = 0;
       for (int slot = 0; slot < 9; ++slot)
-        for (const Point& x : labs[0].positions(slot))
-          touching += reachOf(x, shell) > (balls ? 0.5 : 1 - 1e-12);
+        for (const Point& x : labs[0].positions(slot)) touching += reachOf(x, shell) > (balls ? 0.5 : 1 - 1e-12);
       CHECK(touching > 0);
       for (const Lab& lab : labs)
         for (int slot = 0; slot < 9; ++slot) {

@@ -130,8 +130,7 @@ TEST_CASE("A mesh in a sphere that it fills sags by l²/8R, and holds the sphere
       }
     }
     for (const Point& held : measureHeldPoints(mesh, unit)) CHECK(norm(held) == Approx(1).epsilon(1e-12));
-    const double missing =
-        std::abs(measureVolume(mesh.vertices, mesh.faces) / (4 * std::numbers::pi / 3) - 1);
+    const double missing = std::abs(measureVolume(mesh.vertices, mesh.faces) / (4 * std::numbers::pi / 3) - 1);
     CHECK(missing < 0.01 * std::pow(10.0, 1 - level));
     if (before > 0) CHECK(std::log2(before / missing) > 3);
     before = missing;
@@ -226,8 +225,7 @@ TEST_CASE("A vertex shot along the shell follows it and keeps its speed") {
   CHECK(norm(y) <= 1 + 1e-13);  // as its edges get longer there is more and more room for it
   CHECK(norm(y) > 0.999);
   CHECK(norm(lab.velocity(0, 5)) == Approx(1).epsilon(0.01));
-  CHECK(dot(x, mesh.vertices[5]) / norm(x) / norm(mesh.vertices[5]) ==
-        Approx(std::cos(0.25 / norm(x))).margin(2e-3));
+  CHECK(dot(x, mesh.vertices[5]) / norm(x) / norm(mesh.vertices[5]) == Approx(std::cos(0.25 / norm(x))).margin(2e-3));
 }
 
 TEST_CASE("A cell pressed together by a sphere has the sphere's volume, to third order in the mesh's edges") {
@@ -279,7 +277,6 @@ TEST_CASE("All integrators, instruction sets and precisions hold surfaces") {
     CAPTURE(word);
     CHECK(press(integrator, Isa::scalar, Precision::binary64) == Approx(verlet).epsilon(0.005));
   }
-  for (const Isa isa : availableIsas())
-    CHECK(press(Integrator::velocityVerlet, isa, Precision::binary64) == verlet);
+  for (const Isa isa : availableIsas()) CHECK(press(Integrator::velocityVerlet, isa, Precision::binary64) == verlet);
   CHECK(press(Integrator::velocityVerlet, Isa::scalar, Precision::binary32) == Approx(verlet).epsilon(1e-3));
 }

@@ -160,10 +160,9 @@ TEST_CASE("A vertex shot along the shell goes round it and keeps its speed") {
 
 TEST_CASE("Nothing happens to cells inside: the same bits with and without a shell, whatever it holds") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.1, 2);
-  for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}, {}, Held::vertices},
-                                       ShellParameters{{1.5, 1.6, 1.7}, {}, Held::vertices},
-                                       ShellParameters{{1.5, 1.5, 1.5}, {}, Held::surface},
-                                       ShellParameters{{1.5, 1.6, 1.7}, {}, Held::surface}}) {
+  for (const ShellParameters& shell :
+       {ShellParameters{{1.5, 1.5, 1.5}, {}, Held::vertices}, ShellParameters{{1.5, 1.6, 1.7}, {}, Held::vertices},
+        ShellParameters{{1.5, 1.5, 1.5}, {}, Held::surface}, ShellParameters{{1.5, 1.6, 1.7}, {}, Held::surface}}) {
     PhysicsParameters p = softCell();
     Lab free(p, mesh, {shakenBody(mesh, 0, 0.2)});
     p.shell = shell;
@@ -194,8 +193,7 @@ TEST_CASE("A cell blown up in a shell comes to rest on it, with its vertices or 
     int onShell = 0;
     for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
       fastest.see(norm(lab.velocity(0, v)));
-      const Point point =
-          holds == Held::surface ? lab.bodies.read(lab.bodies.held, 0, v) : lab.bodies.vertex(0, v);
+      const Point point = holds == Held::surface ? lab.bodies.read(lab.bodies.held, 0, v) : lab.bodies.vertex(0, v);
       onShell += norm(point) > 1 - 1e-12;
     }
     CAPTURE(nameOf(holds));

@@ -14,8 +14,7 @@ const double root3 = std::sqrt(3.0);
 
 Mesh ballOfVolume(int level, double radius) {
   Mesh mesh = makeIcosphere(level);
-  const double scale =
-      radius * std::cbrt(4 * std::numbers::pi / 3 / measureVolume(mesh.vertices, mesh.faces));
+  const double scale = radius * std::cbrt(4 * std::numbers::pi / 3 / measureVolume(mesh.vertices, mesh.faces));
   return zoo::scaled(mesh, {scale, scale, scale});
 }
 
@@ -55,8 +54,7 @@ TEST_CASE("Weights are 1 in a mesh of equilateral triangles, and none is below 0
 }
 
 TEST_CASE("Weighted squares of edges give the area in each direction of the surface") {
-  for (const Mesh& mesh :
-       {makeIcosphere(1), makeIcosphere(3), zoo::scaled(makeIcosphere(2), {1.1, 1, 0.9})}) {
+  for (const Mesh& mesh : {makeIcosphere(1), makeIcosphere(3), zoo::scaled(makeIcosphere(2), {1.1, 1, 0.9})}) {
     const MeshTemplate t = makeTemplate(mesh, Springs::dual);
     double edges[3][3] = {}, areas[3][3] = {};
     for (int e = 0; e < t.edgeCount(); ++e) {
@@ -66,8 +64,7 @@ TEST_CASE("Weighted squares of edges give the area in each direction of the surf
         for (int j = 0; j < 3; ++j) edges[i][j] += t.springWeights[e] * u[i] * u[j];
     }
     for (const Face& f : mesh.faces) {
-      const Vector twice =
-          cross(mesh.vertices[f[1]] - mesh.vertices[f[0]], mesh.vertices[f[2]] - mesh.vertices[f[0]]);
+      const Vector twice = cross(mesh.vertices[f[1]] - mesh.vertices[f[0]], mesh.vertices[f[2]] - mesh.vertices[f[0]]);
       const double area = 0.5 * norm(twice),
                    n[3] = {twice.x / norm(twice), twice.y / norm(twice), twice.z / norm(twice)};
       for (int i = 0; i < 3; ++i)
@@ -78,8 +75,7 @@ TEST_CASE("Weighted squares of edges give the area in each direction of the surf
   }
 }
 
-TEST_CASE(
-    "A free cell under pressure: the closed form, to second order in the edges; equal springs miss it") {
+TEST_CASE("A free cell under pressure: the closed form, to second order in the edges; equal springs miss it") {
   // T = √3 k (1 − 1/λ) and P = 2T/(λR): k_p/V − P_0 with V = 4π/3 λ³, by bisection.
   double low = 1, high = 2;
   const auto ofFluid = [](double l) { return 800 / (4 * std::numbers::pi / 3 * l * l * l) - 166; };

@@ -58,8 +58,8 @@ double pressure(const PhysicsParameters& p, const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("The springs' limit is where explosions begin, for all integrators, with and without damping") {
-  for (Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet,
-                                Integrator::symplecticEuler, Integrator::rungeKutta4})
+  for (Integrator integrator :
+       {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::symplecticEuler, Integrator::rungeKutta4})
     for (double damping : {0.0, 0.05, 0.5, 2.0}) {
       const Mesh mesh = makeIcosphere(2);
       PhysicsParameters p = softCell();
@@ -118,9 +118,7 @@ TEST_CASE("Explicit Euler's limits are those of what damps, and 0 without drag")
 }
 
 TEST_CASE("A damped oscillator's limits in closed form") {
-  const auto limit = [](Integrator i, double k, double c, double m) {
-    return contactLimit(i, k, c, 10 * m, 1e-300);
-  };
+  const auto limit = [](Integrator i, double k, double c, double m) { return contactLimit(i, k, c, 10 * m, 1e-300); };
   CHECK(limit(Integrator::rungeKutta4, 9, 0, 1) == Approx(std::sqrt(8.0) / 3).epsilon(1e-14));
   CHECK(limit(Integrator::rungeKutta4, 0, 2, 1) == Approx(2.785293563405282 / 2).epsilon(1e-12));
   CHECK(limit(Integrator::explicitEuler, 9, 0.6, 1) == Approx(0.6 / 9).epsilon(1e-14));

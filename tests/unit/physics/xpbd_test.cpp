@@ -26,8 +26,7 @@ Vector momentum(const Lab& lab) {
 
 Vector angularMomentum(const Lab& lab) {
   Vector sum;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v)
-    sum += cross(lab.bodies.vertex(0, v), lab.velocity(0, v));
+  for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += cross(lab.bodies.vertex(0, v), lab.velocity(0, v));
   return lab.bodies.vertexMass[0] * sum;
 }
 
@@ -35,8 +34,7 @@ Vector angularMomentum(const Lab& lab) {
 double energy(const Lab& lab) {
   const Bodies& b = lab.bodies;
   double sum = 0;
-  for (int v = 0; v < b.vertexCount(); ++v)
-    sum += 0.5 * b.vertexMass[0] * dot(lab.velocity(0, v), lab.velocity(0, v));
+  for (int v = 0; v < b.vertexCount(); ++v) sum += 0.5 * b.vertexMass[0] * dot(lab.velocity(0, v), lab.velocity(0, v));
   for (int e = 0; e < b.mesh.edgeCount(); ++e) {
     const double length = norm(b.vertex(0, b.mesh.edges[2 * e + 1]) - b.vertex(0, b.mesh.edges[2 * e]));
     const double stretch = length - b.restScale[0] * b.mesh.restLengths[e];
@@ -45,9 +43,7 @@ double energy(const Lab& lab) {
   return sum - b.pressureConstant[0] * std::log(b.volume[0]) + b.parameters.pressure.outside * b.volume[0];
 }
 
-double volumeAtRest(const Lab& lab) {
-  return measureVolume(lab.bodies.mesh.mesh.vertices, lab.bodies.mesh.mesh.faces);
-}
+double volumeAtRest(const Lab& lab) { return measureVolume(lab.bodies.mesh.mesh.vertices, lab.bodies.mesh.mesh.faces); }
 
 /// What a cell that is at rest as its mesh goes through. Volumes over, and energies above, those at rest.
 struct Ride {
@@ -111,8 +107,7 @@ TEST_CASE("One stretched edge after another: each is backward Euler's spring in 
     for (int v = 0; v < 4; ++v) sum += cross(before[v], u[v] - cross(turn, x[v] - centre));
     return sum;
   };
-  const Vector none = lost({}), a = none - lost({1, 0, 0}), b = none - lost({0, 1, 0}),
-               c = none - lost({0, 0, 1});
+  const Vector none = lost({}), a = none - lost({1, 0, 0}), b = none - lost({0, 1, 0}), c = none - lost({0, 0, 1});
   const double det = dot(a, cross(b, c));
   const Vector turn{dot(none, cross(b, c)) / det, dot(a, cross(none, c)) / det, dot(a, cross(b, none)) / det};
   CHECK(norm(none) > 1e-3);
@@ -239,8 +234,8 @@ TEST_CASE("The cell of 642 vertices rests at its radius as sub-steps grow short"
     CHECK(fastest < 1e-6);
     return sum / 642 - 1.053101148;
   };
-  const double one = deviation(1, 0), two = deviation(2, 0), four = deviation(4, 0),
-               damped = deviation(4, 0.05), dampedToo = deviation(8, 0.05);
+  const double one = deviation(1, 0), two = deviation(2, 0), four = deviation(4, 0), damped = deviation(4, 0.05),
+               dampedToo = deviation(8, 0.05);
   CAPTURE(one, two, four, damped, dampedToo);
   CHECK(std::abs(four) < 4e-4);
   CHECK(std::log2(one / two) == Approx(2).margin(0.2));
@@ -261,11 +256,10 @@ TEST_CASE("No time step is too long: stiff, at a hundred times the others' limit
   // One sweep over edges that are far from rest may leave them with a fifth more energy; the next ones take
   // it. Soft edges around stiff contents are nothing to the energy of a volume that is a little off.
   for (const auto& [stiffness, gas, by, mostEnergy] :
-       {Case{10, 200, little, 1}, Case{10, 200, much, 1.01}, Case{10, 200, needle, 1.2},
-        Case{10, 200, pancake, 1.1}, Case{10e4, 200e4, little, 1}, Case{10e4, 200e4, much, 1.01},
-        Case{10e4, 200e4, needle, 1.2}, Case{10e4, 200e4, pancake, 1.1}, Case{10, 200e4, little, 1},
-        Case{10, 200e4, much, 1}, Case{10, 200e4, needle, INFINITY}, Case{10, 200e4, pancake, INFINITY},
-        Case{10e4, 200, little, 1}})
+       {Case{10, 200, little, 1}, Case{10, 200, much, 1.01}, Case{10, 200, needle, 1.2}, Case{10, 200, pancake, 1.1},
+        Case{10e4, 200e4, little, 1}, Case{10e4, 200e4, much, 1.01}, Case{10e4, 200e4, needle, 1.2},
+        Case{10e4, 200e4, pancake, 1.1}, Case{10, 200e4, little, 1}, Case{10, 200e4, much, 1},
+        Case{10, 200e4, needle, INFINITY}, Case{10, 200e4, pancake, INFINITY}, Case{10e4, 200, little, 1}})
     for (const double times : {1.0, 10.0, 100.0, 1e4})
       for (const double damping : {0.0, 0.05}) {
         PhysicsParameters p = softCell();
@@ -293,6 +287,5 @@ TEST_CASE("XPBD has no limit but that of contacts") {
   CHECK(limits.spring == INFINITY);
   CHECK(limits.pressure == INFINITY);
   CHECK(dragLimit(Integrator::xpbd, 100) == INFINITY);
-  CHECK(contactLimit(Integrator::xpbd, 30, 0.02, 1) ==
-        contactLimit(Integrator::symplecticEuler, 30, 0.02, 1));
+  CHECK(contactLimit(Integrator::xpbd, 30, 0.02, 1) == contactLimit(Integrator::symplecticEuler, 30, 0.02, 1));
 }

@@ -18,8 +18,7 @@ namespace {
 
 Scenario scenario(const std::string& physics) {
   return readScenario(
-      "morula: 1\nname: forces\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 2.5}\nphysics: " +
-          physics + "\n",
+      "morula: 1\nname: forces\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 2.5}\nphysics: " + physics + "\n",
       "forces.yaml", "");
 }
 
@@ -30,8 +29,7 @@ World worldOf(const Scenario& scenario, double time) {
   return world;
 }
 
-const std::string squeezed =
-    "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, contact: {}, drag: 1}";
+const std::string squeezed = "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, contact: {}, drag: 1}";
 
 }  // namespace
 
@@ -69,8 +67,7 @@ TEST_CASE("the kinds of forces add up to mass times acceleration, and nothing is
   }
 }
 
-TEST_CASE("springs and contents of a closed cell have no net force, and contacts are equal and opposite",
-          "[forces]") {
+TEST_CASE("springs and contents of a closed cell have no net force, and contacts are equal and opposite", "[forces]") {
   const Scenario s = scenario(squeezed);
   World world = worldOf(s, 1.3);
   const auto forces = forcesByKind(world);
@@ -84,8 +81,7 @@ TEST_CASE("springs and contents of a closed cell have no net force, and contacts
       CHECK(largest > 0);
       CHECK(norm(net) <= 1e-12 * 100 * largest);  // 42 vertices
     }
-    for (const Vector& f : cell[std::size_t(ForceKind::contact)])
-      contact += f, most = std::max(most, norm(f));
+    for (const Vector& f : cell[std::size_t(ForceKind::contact)]) contact += f, most = std::max(most, norm(f));
   }
   CHECK(most > 0);
   CHECK(norm(contact) <= 1e-10 * most);
@@ -127,8 +123,7 @@ TEST_CASE("the arrows of a cell add up to its net force", "[forces]") {
   CHECK(picture.legend.size() < kinds.size());  // nothing sticks together here
 }
 
-TEST_CASE("pictures of several times have their forces on one scale, and looking at them changes nothing",
-          "[forces]") {
+TEST_CASE("pictures of several times have their forces on one scale, and looking at them changes nothing", "[forces]") {
   const Scenario s = scenario(squeezed);
   World world = makeWorld(s.scene), unseen = makeWorld(s.scene);
   PictureWishes wishes;
@@ -175,8 +170,7 @@ TEST_CASE("an integrator without forces between its steps says so", "[forces]") 
   CHECK_THROWS_AS(PictureMaker(s, wishes), InputError);
 }
 
-TEST_CASE("cells are coloured by measures, generations and clones, and the bar's ends are the data's",
-          "[colours]") {
+TEST_CASE("cells are coloured by measures, generations and clones, and the bar's ends are the data's", "[colours]") {
   const Scenario s = scenario(squeezed);
   const World world = worldOf(s, 2.2);
   REQUIRE(world.cells.path.size() == 2);
@@ -208,8 +202,7 @@ TEST_CASE("cells are coloured by measures, generations and clones, and the bar's
   CHECK(clones.cells[0].colour == cloneColour("A"));
   for (const char* same : {"cell.volume", "volume-over-rest", "cell.volume_over_rest"})
     CHECK(pictureBy(same).instruments.colourBar);
-  for (const char* wrong :
-       {"volum", "clone:0", "clone:5", "clone:", "", "world.volume", "cell.cells", "pair.area"}) {
+  for (const char* wrong : {"volum", "clone:0", "clone:5", "clone:", "", "world.volume", "cell.cells", "pair.area"}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(parseColouring(wrong), InputError);
   }

@@ -16,8 +16,7 @@ Json setting(const std::string& integrator, double timeStep) {
           {"contact_law", nullptr},   {"cell_model", nullptr}, {"set", {"physics.integrator=" + integrator}}};
 }
 
-Json row(const std::string& engine, const std::string& series, double timeStep, double error,
-         double seconds) {
+Json row(const std::string& engine, const std::string& series, double timeStep, double error, double seconds) {
   return {{"settings", setting("rk4", timeStep)},
           {"engine", engine},
           {"series", series},
@@ -38,8 +37,7 @@ Json row(const std::string& engine, const std::string& series, double timeStep, 
 
 /// What accuracy --json would say of four runs.
 Json output() {
-  const Json most{
-      {"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}};
+  const Json most{{"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}};
   const Json level{{"icosphere", 2}, {"error", 0.01}, {"largest", most}, {"at_end", most}};
   Json rows = Json::array();
   rows.push_back(row("morula", "velocity-verlet", 0.25, 0.05, 1));

@@ -57,8 +57,7 @@ TEST_CASE("Shapes of another engine make the frames that a world of these shapes
 }
 
 TEST_CASE("What Bullet gives now is held to what is stored, digit for digit") {
-  const std::vector<CheckResult> now{
-      {.check = "bullet volume", .kind = "bullet", .expected = "1.5", .actual = "1.25"}};
+  const std::vector<CheckResult> now{{.check = "bullet volume", .kind = "bullet", .expected = "1.5", .actual = "1.25"}};
   auto then = now;
   then.insert(then.begin(), CheckResult{.check = "lineage", .kind = "golden"});
   CHECK(compareWithStored(now, then) == BulletStored::same);
@@ -71,8 +70,7 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   auto shapes = shapesOf(world);
-  const std::string same =
-      htmlOf(besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {}));
+  const std::string same = htmlOf(besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {}));
   CHECK_THAT(same, ContainsSubstring("come to the same end within every tolerance"));
   CHECK_THAT(same, ContainsSubstring("vertex by vertex"));
   CHECK_THAT(same, ContainsSubstring("✓ holds"));
@@ -80,8 +78,8 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   // Bullet's second cell is as much larger as makes each vertex lie 0.25 radii off, along its own radius.
   for (Point& p : shapes[1]) p = Point{1.5, 0, 0} + 1.25 * (p - Point{1.5, 0, 0});
   const auto larger = answered(scenario, world, shapes);
-  const std::string differs = htmlOf(
-      besideBullet(scenario, world, larger, &larger.found.results, {.picture = "picture-1", .swipe = true}));
+  const std::string differs =
+      htmlOf(besideBullet(scenario, world, larger, &larger.found.results, {.picture = "picture-1", .swipe = true}));
   CHECK_THAT(differs, ContainsSubstring("farther apart than they may be in 1 of 1 quantity"));
   CHECK_THAT(differs, ContainsSubstring("✗ does not hold"));
   CHECK_THAT(differs, !ContainsSubstring("which is rounding"));
@@ -99,11 +97,9 @@ TEST_CASE("A Bullet that gave no answer, or is not there, is said to") {
   const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   BulletAgain broken;
-  broken.found.results = {judged({.check = "bullet",
-                                  .kind = "bullet",
-                                  .expected = "an answer",
-                                  .actual = "its process was ended by signal <9>"},
-                                 false, "bullet", "SETUP")};
+  broken.found.results = {judged(
+      {.check = "bullet", .kind = "bullet", .expected = "an answer", .actual = "its process was ended by signal <9>"},
+      false, "bullet", "SETUP")};
   const std::string html = htmlOf(besideBullet(scenario, world, broken, nullptr, {}));
   CHECK_THAT(html, ContainsSubstring("Bullet: its process was ended by signal &lt;9&gt;."));
   CHECK_THAT(html, !ContainsSubstring("<img"));

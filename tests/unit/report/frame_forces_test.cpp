@@ -19,10 +19,9 @@ const std::string spheres = "{cell: {model: sphere}, drag: 1, contact: {}}";
 const std::string solved = "{mesh: {icosphere: 1}, integrator: xpbd, contact: {}}";
 
 Scenario sceneWith(const std::string& physics) {
-  return readScenario(
-      "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\nphysics: " + physics +
-          "\ndivision: {plane: {axis: [1, 0, 0]}}\nconnections: {make: at-division}\n",
-      "two.yaml", "");
+  return readScenario("morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\nphysics: " +
+                          physics + "\ndivision: {plane: {axis: [1, 0, 0]}}\nconnections: {make: at-division}\n",
+                      "two.yaml", "");
 }
 
 struct WatchedForces {

@@ -73,8 +73,8 @@ TEST_CASE("A frame holds measures, and positions within half a step") {
     for (const Point& p : cellVertices(run.world, run.world.cells.path[i]))
       for (std::size_t axis = 0; axis < 3; ++axis, places += 2) {
         const double step = realAt(last.bytes, at + 24 + 4 * axis);
-        const int number = static_cast<unsigned char>(last.bytes[places]) |
-                           static_cast<unsigned char>(last.bytes[places + 1]) << 8;
+        const int number =
+            static_cast<unsigned char>(last.bytes[places]) | static_cast<unsigned char>(last.bytes[places + 1]) << 8;
         const double exact = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
         // Half a step, and the rounding of `low` and `step` to float: 2^-24 of the coordinate and of the box.
         CHECK(std::abs(realAt(last.bytes, at + 12 + 4 * axis) + step * number - exact) <=

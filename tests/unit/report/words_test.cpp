@@ -51,8 +51,7 @@ TEST_CASE("What changed is one sentence, and a table") {
         "radii "
         "of the egg; pressure: +3 % in the mean, cell AB the most: 4 %");
   const std::string table = htmlOf(Document().add(changeTable(change, {})));
-  CHECK_THAT(table,
-             ContainsSubstring("physics.pressure.constant: 155 → 155.5<br>physics.drag: 1 → &lt;i&gt;2"));
+  CHECK_THAT(table, ContainsSubstring("physics.pressure.constant: 155 → 155.5<br>physics.drag: 1 → &lt;i&gt;2"));
   CHECK_THAT(table, ContainsSubstring(">moved</th><td>cell AB the farthest"));
   CHECK(changeSentence("").empty());
 }
@@ -60,8 +59,7 @@ TEST_CASE("What changed is one sentence, and a table") {
 TEST_CASE("A failure is told clause by clause") {
   CHECK(failedBecause(Finding::Kind::bad, "Failed: ", "step 5: it burst") ==
         Finding{Finding::Kind::bad, "Failed: step 5: it burst"});
-  CHECK(failedBecause(Finding::Kind::bad, "", "one; two; three").why ==
-        std::vector<std::string>{"two", "three"});
+  CHECK(failedBecause(Finding::Kind::bad, "", "one; two; three").why == std::vector<std::string>{"two", "three"});
 }
 
 TEST_CASE("A word of a command line is one word") {
@@ -93,9 +91,8 @@ TEST_CASE("Runs are told apart by seed, by what their scenarios differ in, and b
   CHECK(titles(std::move(runs)) == std::vector<std::string>{"physics.drag 1", "physics.drag 4"});
   runs.clear();
   runs.push_back(run(1, 1, "p")), runs.push_back(run(4, 1, "q")), runs.push_back(run(4, 2, "r"));
-  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1, physics.drag 1",
-                                                            "small, seed 1, physics.drag 4",
-                                                            "small, seed 2"});
+  CHECK(titles(std::move(runs)) ==
+        std::vector<std::string>{"small, seed 1, physics.drag 1", "small, seed 1, physics.drag 4", "small, seed 2"});
   runs.clear();
   runs.push_back(run(1, 1, "p")), runs.push_back(run(1, 1, "q"));
   CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1 (p)", "small, seed 1 (q)"});

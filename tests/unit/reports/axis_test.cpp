@@ -10,9 +10,7 @@ namespace morula {
 using Numbers = std::vector<double>;
 
 TEST_CASE("the ticks of a linear axis are round, evenly spaced and inside", "[axis]") {
-  const auto linear = [](double low, double high, int wanted) {
-    return Axis{.low = low, .high = high}.ticks(wanted);
-  };
+  const auto linear = [](double low, double high, int wanted) { return Axis{.low = low, .high = high}.ticks(wanted); };
   REQUIRE(linear(0, 6, 6) == Numbers{0, 1, 2, 3, 4, 5, 6});
   for (const double low : {0.0, -3.7, 0.013})
     for (const double span : {0.02, 1.0, 7.3, 128.0, 99999.0})
@@ -25,8 +23,7 @@ TEST_CASE("the ticks of a linear axis are round, evenly spaced and inside", "[ax
         if (ticks.size() < 2) continue;
         const double step = ticks[1] - ticks[0];
         const double mantissa = step / std::pow(10.0, std::floor(std::log10(step * (1 + 1e-9))));
-        REQUIRE((std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
-                 std::abs(mantissa - 5) < 1e-6));
+        REQUIRE((std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 || std::abs(mantissa - 5) < 1e-6));
       }
   REQUIRE(linear(2, 2, 5) == Numbers{2});
 }

@@ -10,9 +10,7 @@
 namespace morula {
 namespace {
 
-Vector direction(std::uint64_t seed, std::uint32_t i) {
-  return randomDirection({seed, {}, i, Purpose::test});
-}
+Vector direction(std::uint64_t seed, std::uint32_t i) { return randomDirection({seed, {}, i, Purpose::test}); }
 
 Camera looking(Vector towardsEye, Vector up = {0, 0, 1}) { return {towardsEye, up, {}}; }
 
@@ -60,8 +58,7 @@ TEST_CASE("a fitted frame holds every point and wastes no room", "[camera]") {
       const Aperture aperture = apertureOf(w, h);
       const std::vector<Point> points = cloud(i, {2, 1, 0.5});
       const Framing framing = frame(points, axes, aperture);
-      const auto matrix =
-          projection(aperture, framing.distance, 0.1 * framing.distance, 3 * framing.distance);
+      const auto matrix = projection(aperture, framing.distance, 0.1 * framing.distance, 3 * framing.distance);
       double farthest = 0;
       for (const Point& p : points) {
         const Vector seen = project(matrix, axes.of(p - framing.centre));

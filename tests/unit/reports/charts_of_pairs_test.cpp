@@ -14,8 +14,7 @@ using namespace morula;
 
 TEST_CASE("directions are counted in the sector that they lie in, whatever turn they are given in") {
   // Sectors of 90°, the first from -45° to 45°.
-  CHECK(countSectors({0, 44, -44, 360, -720, 46, 90, 134, 136, 180, 224, 226, -90}, 4) ==
-        std::vector<int>{5, 3, 3, 2});
+  CHECK(countSectors({0, 44, -44, 360, -720, 46, 90, 134, 136, 180, 224, 226, -90}, 4) == std::vector<int>{5, 3, 3, 2});
   const auto counts = countSectors(std::vector<double>(100, 33), 360);
   CHECK(std::accumulate(counts.begin(), counts.end(), 0) == 100);
   CHECK(counts[33] == 100);
@@ -60,9 +59,7 @@ TEST_CASE("a matrix shows each value once, from the scale's one end to the other
   picture.values[5] = picture.values[7] = 4;
   picture.quantity = "area";
   const Image image = drawMatrix(picture).pixels();
-  const auto pixels = [&](Colour colour) {
-    return std::count(image.pixels.begin(), image.pixels.end(), colour);
-  };
+  const auto pixels = [&](Colour colour) { return std::count(image.pixels.begin(), image.pixels.end(), colour); };
   CHECK(pixels(scaleColour(0)) > 2000);
   CHECK(pixels(scaleColour(1)) > 2000);
   CHECK(std::abs(double(pixels(scaleColour(0))) / double(pixels(scaleColour(1))) - 1) < 0.02);

@@ -46,8 +46,8 @@ TEST_CASE("colour differences are those of the published test data", "[colour]")
                       {{6.7747, -0.2908, -2.4247}, {5.8714, -0.0985, -2.2286}, 0.6377},
                       {{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082}};
   for (const Row& row : rows) {
-    INFO(row.one.L << ' ' << row.one.a << ' ' << row.one.b << " and " << row.other.L << ' ' << row.other.a
-                   << ' ' << row.other.b);
+    INFO(row.one.L << ' ' << row.one.a << ' ' << row.one.b << " and " << row.other.L << ' ' << row.other.a << ' '
+                   << row.other.b);
     CHECK(colourDifference(row.one, row.other) == Approx(row.difference).margin(5.1e-5));  // as printed
     CHECK(colourDifference(row.other, row.one) == Approx(colourDifference(row.one, row.other)).epsilon(1e-9));
     CHECK(colourDifference(row.one, row.one) == 0);

@@ -54,8 +54,7 @@ TEST_CASE("the third picture shows where the surfaces are apart, and says how fa
 }
 
 TEST_CASE("cells that only one of two organisms has are grey, and counted", "[comparison]") {
-  const OrganismPicture before =
-      picture({ball("A", {-1, 0, 0}, 0.5, red), ball("B", {1, 0, 0}, 0.5, red)}, 200);
+  const OrganismPicture before = picture({ball("A", {-1, 0, 0}, 0.5, red), ball("B", {1, 0, 0}, 0.5, red)}, 200);
   OrganismPicture now = picture({ball("B", {1, 0, 0}, 0.6, red), ball("AA", {-1, 0, 0}, 0.5, red)}, 200);
   const ComparisonImages images = compareOrganisms(before, now, 1, {.ofOther = true});
   CHECK(images.unmatched ==
@@ -66,8 +65,7 @@ TEST_CASE("cells that only one of two organisms has are grey, and counted", "[co
   };
   const auto half = [&](const Image& image, bool right, auto kind) {
     std::ptrdiff_t n = 0;
-    for (int y = 60; y < 140; ++y)
-      n += std::count_if(&image.at(100 * right, y), &image.at(100 * right, y) + 100, kind);
+    for (int y = 60; y < 140; ++y) n += std::count_if(&image.at(100 * right, y), &image.at(100 * right, y) + 100, kind);
     return n;
   };
   CHECK(half(images.distance, false, grey) > 500);
@@ -78,8 +76,7 @@ TEST_CASE("cells that only one of two organisms has are grey, and counted", "[co
 }
 
 TEST_CASE("centroids are compared by colour and by an arrow", "[comparison]") {
-  const OrganismPicture before =
-      picture({ball("A", {-0.8, 0, 0}, 0.5, red), ball("B", {0.8, 0, 0}, 0.7, red)}, 200);
+  const OrganismPicture before = picture({ball("A", {-0.8, 0, 0}, 0.5, red), ball("B", {0.8, 0, 0}, 0.7, red)}, 200);
   OrganismPicture now = picture({ball("A", {-0.8, 0, 0}, 0.7, red), ball("B", {0.8, 0.4, 0}, 0.7, red)}, 200);
   const Image map = compareOrganisms(before, now, 1, {.ofOther = true, .ofCentres = true}).distance;
   const auto dark = [](Colour c) { return c.g < 0.6 * c.b; };

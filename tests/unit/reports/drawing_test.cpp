@@ -49,8 +49,7 @@ Image readPng(const std::string& bytes) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       std::uint32_t p;
-      std::memcpy(
-          &p, cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface) + 4 * x, 4);
+      std::memcpy(&p, cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface) + 4 * x, 4);
       image.at(x, y) = {std::uint8_t(p >> 16), std::uint8_t(p >> 8), std::uint8_t(p)};
     }
   cairo_surface_destroy(surface);
@@ -71,8 +70,7 @@ constexpr PictureFormat formats[] = {PictureFormat::png, PictureFormat::svg, Pic
 
 Drawing example() {
   Drawing drawing(200, 100);
-  drawing.line({{10, 10}, {100, 10}, {100, 90}},
-               {.width = 3, .colour = black, .dashed = true, .rounding = 8});
+  drawing.line({{10, 10}, {100, 10}, {100, 90}}, {.width = 3, .colour = black, .dashed = true, .rounding = 8});
   drawing.disc({150, 50}, 20, {0xe0, 0x20, 0x20});
   drawing.box({10, 40}, 12, 12, {0x20, 0x40, 0xe0});
   drawing.text({20, 80}, "Morula <b>&amp;", {.size = 20});

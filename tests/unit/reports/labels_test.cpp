@@ -14,8 +14,7 @@ namespace {
 LabelGround chequered(int columns, int rows, int side) {
   LabelGround ground{columns * side, rows * side, {}};
   for (int y = 0; y < ground.height; ++y)
-    for (int x = 0; x < ground.width; ++x)
-      ground.owners.push_back(std::uint32_t(y / side * columns + x / side + 1));
+    for (int x = 0; x < ground.width; ++x) ground.owners.push_back(std::uint32_t(y / side * columns + x / side + 1));
   return ground;
 }
 

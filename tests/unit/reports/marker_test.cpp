@@ -22,8 +22,8 @@ std::string drawn(Marker marker) {
 
 TEST_CASE("no two marks look alike, and all are about as large", "[marker]") {
   std::set<std::string> seen;
-  for (const Marker marker : {Marker::disc, Marker::square, Marker::triangle, Marker::diamond,
-                              Marker::hanging, Marker::plus, Marker::ring, Marker::cross}) {
+  for (const Marker marker : {Marker::disc, Marker::square, Marker::triangle, Marker::diamond, Marker::hanging,
+                              Marker::plus, Marker::ring, Marker::cross}) {
     seen.insert(drawn(marker));
     Drawing drawing(30, 30);
     drawMarker(drawing, {15, 15}, 8, dark, marker);

@@ -54,16 +54,14 @@ TEST_CASE("a grid that does not fit is refused", "[comparison]") {
   CHECK_THROWS_AS(drawOrganismGrid({}), InputError);
   OrganismGrid many;
   many.columns = {"one"};
-  for (std::size_t i = 0; i <= mostGridRows; ++i)
-    many.rows.push_back({"row"}), many.tiles.push_back({{}, true, ""});
+  for (std::size_t i = 0; i <= mostGridRows; ++i) many.rows.push_back({"row"}), many.tiles.push_back({{}, true, ""});
   CHECK_THROWS_WITH(drawOrganismGrid(many), ContainsSubstring("41 rows"));
   many.rows.pop_back(), many.tiles.pop_back();
   CHECK_NOTHROW(drawOrganismGrid(many));  // nothing in any tile
 }
 
-TEST_CASE(
-    "a grid goes on beside itself, and then on further pages, none of them longer than a sheet of paper",
-    "[comparison]") {
+TEST_CASE("a grid goes on beside itself, and then on further pages, none of them longer than a sheet of paper",
+          "[comparison]") {
   const auto gridOf = [](std::size_t rows, std::size_t columns) {
     OrganismGrid grid;
     grid.title = "title";
@@ -77,8 +75,7 @@ TEST_CASE(
       CAPTURE(rows, columns);
       OrganismGrid grid = gridOf(rows, columns);
       for (OrganismTile& t : grid.tiles) t.empty = true;  // where they lie, not how they look
-      for (const Drawing& page : drawOrganismGrid(grid))
-        CHECK(page.height() <= 1.45 * std::max(page.width(), 800));
+      for (const Drawing& page : drawOrganismGrid(grid)) CHECK(page.height() <= 1.45 * std::max(page.width(), 800));
     }
   // Each row once, whatever the page: 13 red balls of equal size.
   const OrganismGrid one = gridOf(1, 1), many = gridOf(13, 2);

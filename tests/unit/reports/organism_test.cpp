@@ -20,14 +20,12 @@ TEST_CASE("a red ball is red in the middle, and the paper shows in the corners",
   REQUIRE(image.width == 120);
   REQUIRE(image.height == 120);
   REQUIRE(isReddish(centre(image)));
-  for (const auto& [x, y] : {std::pair{0, 0}, {119, 0}, {0, 119}, {119, 119}})
-    REQUIRE(image.at(x, y) == paper);
+  for (const auto& [x, y] : {std::pair{0, 0}, {119, 0}, {0, 119}, {119, 119}}) REQUIRE(image.at(x, y) == paper);
 }
 
 TEST_CASE("a ball covers the disc that perspective says", "[organism]") {
   const Image image = drawOrganism(picture({ball("", {0, 0, 0}, 1, red)}, 400));
-  const auto inked =
-      std::count_if(image.pixels.begin(), image.pixels.end(), [](Colour c) { return c != paper; });
+  const auto inked = std::count_if(image.pixels.begin(), image.pixels.end(), [](Colour c) { return c != paper; });
   // The silhouette of a unit ball from distance 10: tangent 1/√99, of 0.19 for half the picture.
   const double radius = 200 / 0.19 / std::sqrt(99.0);
   REQUIRE(double(inked) == Approx(3.14159265 * radius * radius).epsilon(0.02));
@@ -75,8 +73,7 @@ TEST_CASE("within a face a map has the colour of the value there, and no steps",
 }
 
 TEST_CASE("right is right and up is up", "[organism]") {
-  const Image image =
-      drawOrganism(picture({ball("A", {1, 0, 0}, 0.5, red), ball("B", {0, 1, 0}, 0.5, blue)}));
+  const Image image = drawOrganism(picture({ball("A", {1, 0, 0}, 0.5, red), ball("B", {0, 1, 0}, 0.5, blue)}));
   REQUIRE(isReddish(image.at(60 + 31, 60)));
   REQUIRE(isBluish(image.at(60, 60 - 31)));
   REQUIRE(image.at(60 - 31, 60) == paper);
@@ -98,8 +95,7 @@ TEST_CASE("nearer cells hide farther ones, in whatever order they are given", "[
 TEST_CASE("the wireframe shows no hidden lines", "[organism]") {
   const CellShape front = ball("A", {0, 0, 0.5}, 1, red), hidden = ball("B", {0, 0, -1.6}, 1, blue);
   // The second ball is as large but farther away, so the first one covers it whole.
-  REQUIRE(drawOrganism(picture({front}), Style::wireframe) ==
-          drawOrganism(picture({front, hidden}), Style::wireframe));
+  REQUIRE(drawOrganism(picture({front}), Style::wireframe) == drawOrganism(picture({front, hidden}), Style::wireframe));
 }
 
 TEST_CASE("the wireframe is lines on pale faces", "[organism]") {
@@ -115,8 +111,7 @@ TEST_CASE("the wireframe is lines on pale faces", "[organism]") {
   REQUIRE(pale > 6000);
 }
 
-TEST_CASE("two pictures of one thing are equal, whatever was drawn between them and on any thread",
-          "[organism]") {
+TEST_CASE("two pictures of one thing are equal, whatever was drawn between them and on any thread", "[organism]") {
   OrganismPicture p = picture({ball("A", {-0.5, 0, 0}, 0.8, red), ball("B", {0.5, 0, 0}, 0.8, blue)});
   p.shell = Vector{1.4, 1.2, 1.2};
   p.title = "title";
@@ -140,8 +135,7 @@ TEST_CASE("cells are parted by dark lines", "[organism]") {
 TEST_CASE("light falls from the upper left, and creases between cells are darker", "[organism]") {
   const Image alone = drawOrganism(picture({ball("A", {-0.6, 0, 0}, 0.6, red)}));
   REQUIRE(brightness(alone.at(60 - 24, 60 - 6)) > brightness(alone.at(60 - 12, 60 + 10)));
-  const Image pair =
-      drawOrganism(picture({ball("A", {-0.6, 0, 0}, 0.6, red), ball("B", {0.6, 0, 0}, 0.6, red)}));
+  const Image pair = drawOrganism(picture({ball("A", {-0.6, 0, 0}, 0.6, red), ball("B", {0.6, 0, 0}, 0.6, red)}));
   REQUIRE(brightness(pair.at(60 - 3, 60)) < brightness(alone.at(60 - 3, 60)));
 }
 
@@ -223,8 +217,7 @@ TEST_CASE("solid and wireframe stand side by side", "[organism]") {
 }
 
 TEST_CASE("one framing holds a whole sequence", "[organism]") {
-  OrganismPicture small = picture({ball("", {0, 0, 0}, 0.5, red)}),
-                  moved = picture({ball("", {4, 0, 0}, 1, red)});
+  OrganismPicture small = picture({ball("", {0, 0, 0}, 0.5, red)}), moved = picture({ball("", {4, 0, 0}, 1, red)});
   small.camera.framing.reset();
   moved.camera.framing.reset();
   const Framing both = fitFraming({small, moved});
@@ -262,8 +255,8 @@ TEST_CASE("4096 cells at 1920 x 1080", "[.][measure]") {
   OrganismPicture p = picture({}, 120);
   p.width = 1920, p.height = 1080;
   for (int i = 0; i < 4096; ++i)
-    p.cells.push_back(ball("A", {0.1 * (i % 16) - 0.75, 0.1 * (i / 16 % 16) - 0.75, 0.1 * (i / 256) - 0.75},
-                           0.055, {std::uint8_t(i % 200 + 30), std::uint8_t(i / 16), 128}));
+    p.cells.push_back(ball("A", {0.1 * (i % 16) - 0.75, 0.1 * (i / 16 % 16) - 0.75, 0.1 * (i / 256) - 0.75}, 0.055,
+                           {std::uint8_t(i % 200 + 30), std::uint8_t(i / 16), 128}));
   for (const bool translucent : {false, true}) {
     for (CellShape& cell : p.cells) cell.opacity = translucent ? 0.3 : 1;
     const auto begin = std::chrono::steady_clock::now();

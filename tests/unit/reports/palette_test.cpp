@@ -31,10 +31,9 @@ const Matrix eyes[] = {
 Triple seen(const Matrix& eye, Colour c) {
   Triple light = times(eye, {linearLight(c.r), linearLight(c.g), linearLight(c.b)});
   for (double& a : light) a = std::clamp(a, 0.0, 1.0);
-  Triple xyz = times({{{0.4124564, 0.3575761, 0.1804375},
-                       {0.2126729, 0.7151522, 0.0721750},
-                       {0.0193339, 0.1191920, 0.9503041}}},
-                     light);
+  Triple xyz =
+      times({{{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}},
+            light);
   const Triple white{0.95047, 1, 1.08883};
   for (int i = 0; i < 3; ++i) {
     const double t = xyz[i] / white[i];
@@ -87,8 +86,7 @@ TEST_CASE("clones are told apart by all eyes and, of three divisions, in grey", 
   }
 }
 
-TEST_CASE("a clone has one colour, whatever else there is, and no two that live together share it",
-          "[palette]") {
+TEST_CASE("a clone has one colour, whatever else there is, and no two that live together share it", "[palette]") {
   CHECK(cloneColour("") == cloneColour("A"));
   CHECK(cloneColour("BA") == cloneColour("B"));
   CHECK(cloneColour("ABBAB") == cloneColour("ABBA"));  // four letters count
@@ -117,8 +115,7 @@ TEST_CASE("the scale rises in lightness for all eyes, evenly enough", "[palette]
     }
   // Equal steps look equal: no sixteenth of the way differs from another by more than a half.
   std::vector<double> steps;
-  for (int i = 0; i < 16; ++i)
-    steps.push_back(difference(eyes[0], scaleColour((i + 1) / 16.0), scaleColour(i / 16.0)));
+  for (int i = 0; i < 16; ++i) steps.push_back(difference(eyes[0], scaleColour((i + 1) / 16.0), scaleColour(i / 16.0)));
   const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
   CHECK(*most < 2.5 * *least);  // CIE 1976 is itself not even to such a factor; viridis is so in CAM02-UCS
   CHECK(scaleColour(-1) == scaleColour(0));

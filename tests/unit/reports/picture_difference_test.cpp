@@ -16,8 +16,7 @@ double lightness(int level) { return 116 * std::cbrt(std::pow((level / 255.0 + 0
 
 }  // namespace
 
-TEST_CASE("equal pictures have no difference, and those of other sizes none that can be told",
-          "[comparison]") {
+TEST_CASE("equal pictures have no difference, and those of other sizes none that can be told", "[comparison]") {
   const Image image = drawOrganism(picture({ball("A", {0, 0, 0}, 1, red)}));
   const PictureDifference same = differenceOf(image, image);
   CHECK(same.most == 0);
@@ -31,8 +30,7 @@ TEST_CASE("equal pictures have no difference, and those of other sizes none that
 TEST_CASE("between two even greys the difference is that of their lightness", "[comparison]") {
   // Without colour only the term of lightness is left: ΔL / S_L.
   const double mean = (lightness(120) + lightness(130)) / 2 - 50;
-  const double byHand =
-      (lightness(130) - lightness(120)) / (1 + 0.015 * mean * mean / std::sqrt(20 + mean * mean));
+  const double byHand = (lightness(130) - lightness(120)) / (1 + 0.015 * mean * mean / std::sqrt(20 + mean * mean));
   const PictureDifference d = differenceOf(Image(30, 20, {120, 120, 120}), Image(30, 20, {130, 130, 130}));
   CHECK(d.most == Approx(byHand).epsilon(1e-3));  // sRGB's white is grey to 4 digits
   CHECK(d.mean == Approx(byHand).epsilon(1e-3));
@@ -64,8 +62,7 @@ TEST_CASE("where pictures differ is found, and only there", "[comparison]") {
 }
 
 TEST_CASE("rounding is not noticed; a pixel's move, another colour and a missing cell are", "[comparison]") {
-  const OrganismPicture scene =
-      picture({ball("A", {-0.6, 0, 0}, 0.8, red), ball("B", {0.9, 0, 0}, 0.5, blue)});
+  const OrganismPicture scene = picture({ball("A", {-0.6, 0, 0}, 0.8, red), ball("B", {0.9, 0, 0}, 0.5, blue)});
   const Image image = drawOrganism(scene);
   Image rounded = image;
   for (std::size_t i = 0; i < rounded.pixels.size(); i += 2)

@@ -66,8 +66,7 @@ TEST_CASE("Many counts become their median, quartiles and range, few stay points
   CHECK(groupsAcross(drawSmallMultiples(chart), red) > 1);
 }
 
-TEST_CASE(
-    "Strips of one label stand below it together, all words are level, and nothing lies beyond the paper") {
+TEST_CASE("Strips of one label stand below it together, all words are level, and nothing lies beyond the paper") {
   std::vector<Strip> strips;
   for (int i = 0; i < 15; ++i)
     strips.push_back({"a label that is rather long " + std::to_string(i), red, {double(i)}, double(i)});

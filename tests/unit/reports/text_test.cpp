@@ -21,8 +21,7 @@ std::array<int, 4> inkBox(const std::string& text, const TextStyle& style) {
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 200; ++x)
       if (image.at(x, y) != paper)
-        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
-        bottom = std::max(bottom, y);
+        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
   return {left, right, top, bottom};
 }
 
@@ -100,8 +99,7 @@ TEST_CASE("a text is shortened to the most letters that fit, whatever its length
         continue;
       }
       CHECK(shortened(longer, style, width) == few);
-      const std::string more =
-          word.substr(0, few.size() < 3 ? letter.size() : few.size() - 3 + letter.size()) + "…";
+      const std::string more = word.substr(0, few.size() < 3 ? letter.size() : few.size() - 3 + letter.size()) + "…";
       CHECK(textWidth(more, style) > width);
     }
   }

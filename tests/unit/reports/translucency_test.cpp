@@ -24,8 +24,7 @@ TEST_CASE("what lies behind a translucent cell shines through", "[organism]") {
   REQUIRE(drawOrganism(picture({back})) == drawOrganism(picture({veil, back})));
 }
 
-TEST_CASE("translucent cells before each other and before a solid one are composed in linear light",
-          "[organism]") {
+TEST_CASE("translucent cells before each other and before a solid one are composed in linear light", "[organism]") {
   CellShape front = ball("A", {0, 0, 2}, 0.5, blue), middle = ball("B", {0, 0, 0.6}, 0.5, {40, 200, 40});
   const CellShape back = ball("C", {0, 0, -1}, 0.5, red);
   std::vector<Colour> alone;
@@ -43,19 +42,16 @@ TEST_CASE("translucent cells before each other and before a solid one are compos
   REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
 }
 
-TEST_CASE("a cell within two translucent ones has the colour that three veils give, to 2 of 255",
-          "[organism]") {
-  CellShape outer = ball("A", {0, 0, 0}, 1.6, {230, 230, 60}),
-            inner = ball("B", {0, 0, 0}, 1.0, {40, 200, 40});
+TEST_CASE("a cell within two translucent ones has the colour that three veils give, to 2 of 255", "[organism]") {
+  CellShape outer = ball("A", {0, 0, 0}, 1.6, {230, 230, 60}), inner = ball("B", {0, 0, 0}, 1.0, {40, 200, 40});
   const CellShape core = ball("C", {0, 0, 0}, 0.5, blue);
   std::vector<Colour> alone;
   for (const CellShape& cell : {outer, inner, core}) alone.push_back(centre(drawOrganism(picture({cell}))));
   for (const auto& [a, b] : {std::pair{0.3, 0.6}, {0.5, 0.5}, {0.15, 0.85}}) {
     outer.opacity = a, inner.opacity = b;
     const auto expected = [&, a = a, b = b](std::uint8_t Colour::*channel) {
-      return int(channelOf(
-          a * linearLight(alone[0].*channel) +
-          (1 - a) * (b * linearLight(alone[1].*channel) + (1 - b) * linearLight(alone[2].*channel))));
+      return int(channelOf(a * linearLight(alone[0].*channel) +
+                           (1 - a) * (b * linearLight(alone[1].*channel) + (1 - b) * linearLight(alone[2].*channel))));
     };
     for (const auto& cells : {std::vector{outer, inner, core}, {core, outer, inner}, {inner, core, outer}}) {
       const Colour seen = centre(drawOrganism(picture(cells)));
@@ -144,8 +140,7 @@ TEST_CASE("a solid cell hides the translucent ones behind it", "[organism]") {
   REQUIRE(drawOrganism(picture({front, hidden})) == drawOrganism(picture({front})));
 }
 
-TEST_CASE("the order of translucent cells does not matter, even where they cut through each other",
-          "[organism]") {
+TEST_CASE("the order of translucent cells does not matter, even where they cut through each other", "[organism]") {
   std::vector<CellShape> cells{ball("A", {-0.3, 0, 0.1}, 0.8, red), ball("B", {0.3, 0, 0}, 0.8, blue),
                                ball("C", {0, 0.3, -0.4}, 0.8, {40, 200, 40})};
   for (CellShape& cell : cells) cell.opacity = 0.4;

@@ -36,8 +36,7 @@ struct Grid {
 
 TEST_CASE("veils before each other let through what those before them do", "[veils]") {
   // Nine equal samples: no outline anywhere. The nearest is written last.
-  const std::vector<VeilFragment> list{veil(0.7f, 3, 0.2, 1.0), veil(0.5f, 2, 0.6, 0.5),
-                                       veil(0.1f, 1, 1.0, 0.25)};
+  const std::vector<VeilFragment> list{veil(0.7f, 3, 0.2, 1.0), veil(0.5f, 2, 0.6, 0.5), veil(0.1f, 1, 1.0, 0.25)};
   Grid grid(3, std::vector(9, list));
   for (const float x : grid.seen()) CHECK(x >= 0);
   const std::vector<float> seen = grid.seen();
@@ -54,8 +53,7 @@ TEST_CASE("the order in which surfaces are written does not matter, nor the numb
     std::vector<VeilFragment> list;
     // Some at one depth: then the owner decides.
     for (std::uint64_t k = 0; k < i % 7; ++k)
-      list.push_back(
-          veil(float(std::floor(4 * chance(i * 31 + k)) / 4), std::uint32_t(k % 3 + 1), chance(i + k), 0.3));
+      list.push_back(veil(float(std::floor(4 * chance(i * 31 + k)) / 4), std::uint32_t(k % 3 + 1), chance(i + k), 0.3));
     lists.push_back(list);
   }
   const std::vector<float> seen = Grid(5, lists).seen();

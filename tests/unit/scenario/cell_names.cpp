@@ -8,14 +8,11 @@ using namespace morula::test;
 namespace {
 
 const std::string plain = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
-const std::string worm =
-    plain +
-    "names: {egg: P0, daughters: [a, p], cells: {A: AB, B: P1, BA: EMS, BB: P2, BAA: MS, "
-    "BAB: E}}\n";
+const std::string worm = plain +
+                         "names: {egg: P0, daughters: [a, p], cells: {A: AB, B: P1, BA: EMS, BB: P2, BAA: MS, "
+                         "BAB: E}}\n";
 
-std::optional<std::string> nameIn(const Scenario& s, const char* path) {
-  return s.names.of(CellPath::parse(path));
-}
+std::optional<std::string> nameIn(const Scenario& s, const char* path) { return s.names.of(CellPath::parse(path)); }
 
 }  // namespace
 
@@ -90,8 +87,8 @@ TEST_CASE("messages tell the names of the cells that they are about") {
 
 TEST_CASE("what names may be made of") {
   for (const char* good : {"P0", "ABalaaa", "köpf", "a.b-c_d", "MS#2"}) CHECK(isCellName(good));
-  for (const std::string bad : {"", " ", "a b", "a\tb", "/a", "a\x7f", "a\xe2\x80\xae", "\xff", "a\xc2\xa0z",
-                                "=A1", "+1", "-1", "@x"})
+  for (const std::string bad :
+       {"", " ", "a b", "a\tb", "/a", "a\x7f", "a\xe2\x80\xae", "\xff", "a\xc2\xa0z", "=A1", "+1", "-1", "@x"})
     CHECK_FALSE(isCellName(bad));
   CHECK(isCellName(std::string(40, 'a')));
   CHECK_FALSE(isCellName(std::string(41, 'a')));
@@ -132,7 +129,6 @@ TEST_CASE("names may stand in a file, and the resolved form then holds them") {
   CHECK_THAT(complaint("A x\n", "{file: names.txt, cells: {A: y}}"),
              ContainsSubstring("cell A is named here and in names.cells.A; keep one of the two"));
   CHECK_THAT(complaint("# nobody\n", "{file: names.txt}"), ContainsSubstring("names no cell"));
-  CHECK_THAT(
-      complaint("A x\nB x\n", "{file: names.txt}"),
-      ContainsSubstring("names.txt:1:1: 'x' is also the name of path B; give each cell a name of her own"));
+  CHECK_THAT(complaint("A x\nB x\n", "{file: names.txt}"),
+             ContainsSubstring("names.txt:1:1: 'x' is also the name of path B; give each cell a name of her own"));
 }

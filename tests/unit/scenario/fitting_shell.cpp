@@ -9,8 +9,7 @@ using namespace morula::test;
 
 namespace {
 
-std::string sceneWith(const std::string& shell, const std::string& more = "cell: {radius: 1.5}",
-                      int level = 2) {
+std::string sceneWith(const std::string& shell, const std::string& more = "cell: {radius: 1.5}", int level = 2) {
   return "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics:\n  mesh: {icosphere: " +
          std::to_string(level) + "}\n  " + more + "\n  shell: " + shell + "\n";
 }
@@ -23,8 +22,8 @@ double outermostOf(const Scenario& s) { return measureWorld(makeWorld(s.scene)).
 
 TEST_CASE("An ellipsoid with fill is a shape: the egg fills that share of it, and has its shape") {
   for (const auto& [level, fill] : {std::pair(0, 0.6), {1, 0.85}, {2, 0.92}, {3, 0.98}}) {
-    const auto s = read(sceneWith("{ellipsoid: [27, 15, 11], fill: " + std::to_string(fill) + "}",
-                                  "cell: {radius: 1.5}", level));
+    const auto s =
+        read(sceneWith("{ellipsoid: [27, 15, 11], fill: " + std::to_string(fill) + "}", "cell: {radius: 1.5}", level));
     const double* a = axesOf(s);
     CHECK(a[0] * a[1] * a[2] * fill == Approx(1.5 * 1.5 * 1.5).epsilon(1e-14));
     CHECK(a[0] / a[1] == Approx(27.0 / 15).epsilon(1e-14));
@@ -45,8 +44,7 @@ TEST_CASE("An ellipsoid with fill is a shape: the egg fills that share of it, an
 }
 
 TEST_CASE("A sphere that fits: by fill alone, or beside any radius; the egg stays round") {
-  for (const std::string shell :
-       {"{fill: 0.5}", "{sphere: 7, fill: 0.5}", "{ellipsoid: [2, 2, 2], fill: 0.5}"}) {
+  for (const std::string shell : {"{fill: 0.5}", "{sphere: 7, fill: 0.5}", "{ellipsoid: [2, 2, 2], fill: 0.5}"}) {
     const auto s = read(sceneWith(shell));
     CHECK(axesOf(s)[0] == Approx(1.5 / cubeRoot(0.5)).epsilon(1e-15));
     CHECK(axesOf(s)[0] == axesOf(s)[2]);
@@ -73,11 +71,9 @@ TEST_CASE("The resolved form says the sizes that hold, and gives the same scene 
 TEST_CASE("More than a mesh can fill of a shell of its shape is refused, with the most that it can") {
   // 12 vertices: an icosahedron, 0.6055 of its sphere; (5 (3 + √5) / 12) (4 sin 72°)^-3 · 8 over 4π/3
   CHECK_THAT(complaints(sceneWith("{ellipsoid: [3, 2, 1], fill: 0.61}", "cell: {radius: 2}", 0)),
-             ContainsSubstring(
-                 "physics.shell.fill: 0.61 is more than the egg's mesh can fill without standing out of "
-                 "the shell; needs at most 0.605, or a finer physics.mesh"));
-  CHECK_THAT(complaints(sceneWith("{fill: 0.61}", "cell: {radius: 2}", 0)),
-             ContainsSubstring("at most 0.605"));
+             ContainsSubstring("physics.shell.fill: 0.61 is more than the egg's mesh can fill without standing out of "
+                               "the shell; needs at most 0.605, or a finer physics.mesh"));
+  CHECK_THAT(complaints(sceneWith("{fill: 0.61}", "cell: {radius: 2}", 0)), ContainsSubstring("at most 0.605"));
   CHECK(complaints(sceneWith("{fill: 0.605}", "cell: {radius: 2}", 0)).empty());
 }
 
@@ -88,8 +84,7 @@ TEST_CASE("A shape means the same in any unit; fill counts for the meaning") {
 }
 
 TEST_CASE("With cells at the start, and with cells as spheres, fill sizes the shell and stretches nobody") {
-  const auto cells =
-      read(sceneWith("{ellipsoid: [3, 2, 2], fill: 0.5}") + "cells: [{at: [0, 0, 0], scale: 0.5}]\n");
+  const auto cells = read(sceneWith("{ellipsoid: [3, 2, 2], fill: 0.5}") + "cells: [{at: [0, 0, 0], scale: 0.5}]\n");
   CHECK(axesOf(cells)[0] / axesOf(cells)[1] == Approx(1.5));
   REQUIRE(cells.scene.cells.size() == 1);
   CHECK(cells.scene.cells[0].stretch == Vector{1, 1, 1});

@@ -13,8 +13,7 @@ const std::string cube =
     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 std::string sceneInShell(const std::string& shell, const std::string& more = "cell: {radius: 0.9}") {
-  return "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics:\n  " + more +
-         "\n  shell: " + shell + "\n";
+  return "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics:\n  " + more + "\n  shell: " + shell + "\n";
 }
 
 Scenario readWith(const std::string& text, const std::string& obj = cube) {
@@ -73,14 +72,12 @@ TEST_CASE("The mesh counts for the meaning and for how states go on") {
 }
 
 TEST_CASE("An egg, start cells, planes and Bullet that do not go with the mesh are refused") {
-  CHECK_THAT(
-      complaintsOf(sceneInShell("{mesh: egg.obj}", "cell: {radius: 1.1}")),
-      ContainsSubstring("physics.cell.radius: 1.1 does not fit into the shell; needs at most the distance of "
-                        "the nearest face from the origin, 1 [length]"));
+  CHECK_THAT(complaintsOf(sceneInShell("{mesh: egg.obj}", "cell: {radius: 1.1}")),
+             ContainsSubstring("physics.cell.radius: 1.1 does not fit into the shell; needs at most the distance of "
+                               "the nearest face from the origin, 1 [length]"));
   CHECK_THAT(complaintsOf(sceneInShell("{mesh: egg.obj}") + "cells: [{at: [0.5, 0, 0]}]\n"),
              ContainsSubstring("cells[0]: stands out of the shell"));
-  CHECK(
-      complaintsOf(sceneInShell("{mesh: egg.obj}") + "cells: [{at: [0.5, 0.5, 0.5], scale: 0.5}]\n").empty());
+  CHECK(complaintsOf(sceneInShell("{mesh: egg.obj}") + "cells: [{at: [0.5, 0.5, 0.5], scale: 0.5}]\n").empty());
   CHECK_THAT(complaintsOf(sceneInShell("{mesh: egg.obj}") + "division: {plane: shell-axis}\n"),
              ContainsSubstring("a shell that is a mesh has no semi-axes"));
   CHECK(complaintsOf(sceneInShell("{mesh: egg.obj}") + "division: {plane: perpendicular}\n").empty());

@@ -29,8 +29,7 @@ std::vector<KeyInText> keysInText() {
     }
     if (at == std::string::npos) return;
     const auto lineStart = everyPart.rfind('\n', at) + 1;
-    found.push_back({path, at,
-                     1 + static_cast<int>(std::count(everyPart.begin(), everyPart.begin() + at, '\n')),
+    found.push_back({path, at, 1 + static_cast<int>(std::count(everyPart.begin(), everyPart.begin() + at, '\n')),
                      static_cast<int>(at - lineStart) + 1});
   };
   for (const auto& p : scenario::parameterTable().parameters) add(p.path);

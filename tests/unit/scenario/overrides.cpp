@@ -4,14 +4,12 @@ using namespace morula;
 using namespace morula::test;
 
 TEST_CASE("overrides go through the same table") {
-  CHECK(read(everyPart, {parseOverride("physics.time_step=auto")}).scene.mechanics->physics.timeStep ==
-        std::nullopt);
-  CHECK(read(everyPart, {parseOverride("physics.shell={sphere: 4}")})
-            .scene.mechanics->physics.shell->semiAxes[2] == 4);
+  CHECK(read(everyPart, {parseOverride("physics.time_step=auto")}).scene.mechanics->physics.timeStep == std::nullopt);
+  CHECK(read(everyPart, {parseOverride("physics.shell={sphere: 4}")}).scene.mechanics->physics.shell->semiAxes[2] == 4);
   CHECK(read(everyPart, {parseOverride("summary=a: b # c")}).summary == "a: b # c");
   CHECK(read(everyPart, {{"seed", "9", "--seed"}}).scene.seed == 9);
-  CHECK(read(everyPart, {parseOverride("division.plane.axis=[1, 0, 0]")})
-            .scene.mechanics->division.otherwise.axis == Vector{1, 0, 0});
+  CHECK(read(everyPart, {parseOverride("division.plane.axis=[1, 0, 0]")}).scene.mechanics->division.otherwise.axis ==
+        Vector{1, 0, 0});
 }
 
 TEST_CASE("overrides make the maps that are missing") {
@@ -24,17 +22,16 @@ TEST_CASE("overrides make the maps that are missing") {
 TEST_CASE("null takes away what the file gives, whole sections too") {
   REQUIRE(read(everyPart).scene.mechanics->physics.shell);
   for (const char* nothing : {"null", "~"}) {
-    CHECK_FALSE(read(everyPart, {parseOverride(std::string("physics.shell=") + nothing)})
-                    .scene.mechanics->physics.shell);
-    CHECK(read(everyPart, {parseOverride(std::string("physics.drag=") + nothing)})
-              .scene.mechanics->physics.drag == PhysicsParameters{}.drag);
+    CHECK_FALSE(
+        read(everyPart, {parseOverride(std::string("physics.shell=") + nothing)}).scene.mechanics->physics.shell);
+    CHECK(read(everyPart, {parseOverride(std::string("physics.drag=") + nothing)}).scene.mechanics->physics.drag ==
+          PhysicsParameters{}.drag);
   }
   // What is not there needs no taking away, but a name that is nothing's is a mistake.
   CHECK(read(everyPart, {parseOverride("check.bullet=null")}).resolved == read(everyPart).resolved);
   CHECK(complaints(everyPart, {parseOverride("physics.contct=null")}) ==
         "--set physics.contct: unknown key; did you mean contact?");
-  CHECK_THAT(complaints(everyPart, {parseOverride("name=null")}),
-             ContainsSubstring("test.yaml:1:1: name: is missing"));
+  CHECK_THAT(complaints(everyPart, {parseOverride("name=null")}), ContainsSubstring("test.yaml:1:1: name: is missing"));
   CHECK(complaints(everyPart, {{"seed", "null", "--seed"}}) ==
         "--seed: is empty; needs a whole number from 0 to 9223372036854775807");
 }
@@ -51,8 +48,7 @@ TEST_CASE("mistakes in overrides name the option") {
   CHECK(told("phyics.drag=0.1") == "--set phyics.drag: phyics: unknown key; did you mean physics?");
   CHECK(told("physics.drag=-1") == "--set physics.drag: -1 is out of range; needs a number ≥ 0 [1/time]");
   CHECK(told("physics.drag=") == "--set physics.drag: is empty; needs a number ≥ 0 [1/time]");
-  CHECK(told("physics.drag=0.1 s") ==
-        "--set physics.drag: '0.1 s' has trailing text 's'; needs a number ≥ 0 [1/time]");
+  CHECK(told("physics.drag=0.1 s") == "--set physics.drag: '0.1 s' has trailing text 's'; needs a number ≥ 0 [1/time]");
   CHECK(told("physics.shell={sphere: 1") ==
         "--set physics.shell: '{sphere: 1' is not a YAML value; check brackets, quotes and keys");
   CHECK(told("physics.shell={sphre: 1}") ==

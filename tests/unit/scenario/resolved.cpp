@@ -63,8 +63,7 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[1, 0, 0], /B", "[1, 0, 4], /B")).meaning == meaning);
-  CHECK(read(replaced(everyPart, "length: um, per-length: 27, time: min, per-time: 4", "time: h")).meaning ==
-        meaning);
+  CHECK(read(replaced(everyPart, "length: um, per-length: 27, time: min, per-time: 4", "time: h")).meaning == meaning);
   CHECK(read(replaced(everyPart, "extent: 9", "extent: 8")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[springs, physics.time_step]", "[pressure]")).meaning == meaning);
   CHECK(read(replaced(everyPart, ", sane: false, because: it stops", "")).meaning == meaning);
@@ -161,8 +160,8 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
     CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
     seen.push_back(changed);
     tried.insert(path);
-    const bool decidesHowStatesGoOn = !path.starts_with("stop") && !path.starts_with("record") &&
-                                      path != "cells" && path != "variation.start";
+    const bool decidesHowStatesGoOn =
+        !path.starts_with("stop") && !path.starts_with("record") && path != "cells" && path != "variation.start";
     CHECK((changedParts != parts) == decidesHowStatesGoOn);
   }
   for (const auto& p : scenario::parameterTable().parameters) {
@@ -179,8 +178,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                                         "variation.adhesion"}
                                       .contains(p.path) ||
                                   p.path.starts_with("physics.shape-matching") ||
-                                  p.path.starts_with("physics.motility") ||
-                                  p.path.starts_with("physics.settle") ||
+                                  p.path.starts_with("physics.motility") || p.path.starts_with("physics.settle") ||
                                   p.path.starts_with("connections.spring");
     if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
   }
@@ -191,8 +189,7 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
       "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {shell: {sphere: 3},\n"
       "  INTEGRATOR cell: {mass: 2, model: MODEL}}\n";
   const auto of = [&](const std::string& model, const std::string& integrator, const Override& change) {
-    return meaningAndParts(
-        read(replaced(replaced(text, "MODEL", model), "INTEGRATOR", integrator), {change}));
+    return meaningAndParts(read(replaced(replaced(text, "MODEL", model), "INTEGRATOR", integrator), {change}));
   };
   const auto differ = [&](const std::string& model, const std::string& integrator, const std::string& path,
                           const std::string& value, const std::string& other) {
@@ -216,8 +213,7 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
 }
 
 TEST_CASE("what joined the format later means nothing at its default, and something else otherwise") {
-  const std::string text =
-      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
+  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
   // Goldens hold such hashes: it changes only with a default, or with what a radius means for the mesh.
   CHECK(read(text).meaning.text() == "bee11b913353793bf0a4a0b8c455d887");
   CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: shell}")).meaning == read(text).meaning);
@@ -236,8 +232,7 @@ TEST_CASE("a sphere is an ellipsoid with equal axes") {
 }
 
 TEST_CASE("what cells are not made of is not resolved") {
-  const std::string shells =
-      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {cell: {mass: 1}}\n";
+  const std::string shells = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {cell: {mass: 1}}\n";
   const auto usual = read(shells);
   CHECK(read(replaced(shells, "mass: 1", "mass: 1, model: shell")).meaning == usual.meaning);
   CHECK(usual.resolved.find("shape-matching") == std::string::npos);
@@ -251,8 +246,7 @@ TEST_CASE("what cells are not made of is not resolved") {
   for (const char* change : {"stiffness=100", "linear=0.25", "damping=7"}) {
     const auto equals = std::string(change).find('=');
     const std::string path = "physics.shape-matching." + std::string(change).substr(0, equals);
-    const auto changed =
-        read(shapes, {{path, std::string(change).substr(equals + 1), "--set " + path}}).meaning;
+    const auto changed = read(shapes, {{path, std::string(change).substr(equals + 1), "--set " + path}}).meaning;
     CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
     seen.push_back(changed);
   }

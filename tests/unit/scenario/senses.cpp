@@ -73,9 +73,7 @@ TEST_CASE("each condition is read, written as it is read, and means something of
 }
 
 TEST_CASE("what a condition says arrives in its fields") {
-  const auto senseOf = [](const std::string& condition) {
-    return read(sensing(condition)).scene.senses.at(0);
-  };
+  const auto senseOf = [](const std::string& condition) { return read(sensing(condition)).scene.senses.at(0); };
   const SenseParameters contact = senseOf("{contact: {of: 'a*', area: 0.02}}");
   CHECK((contact.kind == SenseKind::contact && contact.of == "a*" && contact.number == 0.02));
   const SenseParameters position = senseOf("{position: {axis: [1, -2, 3], above: -0.3, below: 4}}");

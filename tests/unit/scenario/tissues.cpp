@@ -13,9 +13,7 @@ const std::string text =
     "morula: 1\nname: x\ndna: |\n  START: red1, blue\n  g1(red2|red1)\n  g2(blue|blue)\nstop: {time: 1}\n"
     "physics: {drag: 1, contact: {stiffness: 30}}\nconnections: {}\n";
 
-Scenario with(const std::string& path, const std::string& value) {
-  return read(text, {{path, value, "--set"}});
-}
+Scenario with(const std::string& path, const std::string& value) { return read(text, {{path, value, "--set"}}); }
 
 std::string refusal(const std::string& path, const std::string& value) {
   return complaints(text, {{path, value, "--set"}});
@@ -31,9 +29,8 @@ TEST_CASE("adhesion is one number, or a default and pairs of substances, and bot
   CHECK(one.scene.mechanics->contact->adhesion->strength == 2);
   CHECK(one.scene.mechanics->contact->adhesion->pairs.empty());
   CHECK(with("physics.contact.adhesion", "{default: 2}").meaning == one.meaning);
-  const auto pairs =
-      with("physics.contact.adhesion",
-           "{default: 1, pairs: [{of: [red1, 'red*'], strength: 1.5}, {of: ['*', blue], strength: 0}]}");
+  const auto pairs = with("physics.contact.adhesion",
+                          "{default: 1, pairs: [{of: [red1, 'red*'], strength: 1.5}, {of: ['*', blue], strength: 0}]}");
   const AdhesionParameters& a = *pairs.scene.mechanics->contact->adhesion;
   CHECK(a.strength == 1);
   REQUIRE(a.pairs.size() == 2);
@@ -67,8 +64,7 @@ TEST_CASE("adhesion that can have no effect, or a bad one, is refused") {
   CHECK(has(refusal(path, "{pairs: [{of: [red1, blue]}]}"), "strength: is missing"));
   CHECK(has(refusal(path, "{pairs: [{of: ['red*', blue], strength: 1}, {of: [blue, red1], strength: 2}]}"),
             "never counts"));
-  CHECK(
-      refusal(path, "{pairs: [{of: [blue, red1], strength: 1}, {of: ['red*', blue], strength: 2}]}").empty());
+  CHECK(refusal(path, "{pairs: [{of: [blue, red1], strength: 1}, {of: ['red*', blue], strength: 2}]}").empty());
   const Override thesis{"physics.contact.law", "thesis", "--set"};
   CHECK(has(complaints(text, {{path, "1", "--set"}, thesis}), "law pair"));
 }

@@ -162,8 +162,7 @@ TEST_CASE("a share of automatic time steps is part of what a scenario means, and
   CHECK(half.resolved.find("\"auto\"") != std::string::npos);
   CHECK(half.meaning.text() != all.meaning.text());
   CHECK(readScenario(text + "{auto: 1}}\n", "x.yaml", ".").meaning.text() == all.meaning.text());
-  const Scenario set =
-      readScenario(text + "0.01}\n", "x.yaml", ".", {parseOverride("physics.time_step.auto=0.5")});
+  const Scenario set = readScenario(text + "0.01}\n", "x.yaml", ".", {parseOverride("physics.time_step.auto=0.5")});
   CHECK(set.meaning.text() == half.meaning.text());
 }
 

@@ -46,8 +46,7 @@ TEST_CASE("The first pair that fits two cells counts, in either order; the defau
   for (const char* substance : {"red", "red2", "blue", "a0"})
     scene.cells.push_back({.at = {x += 5, 0, 0}, .substances = std::vector<std::string>{substance}});
   const World world = makeWorld(scene);
-  const double expected[4][4] = {
-      {1, 3, 2, 0.25}, {3, 3, 2, 0.25}, {2, 2, 0.25, 0.25}, {0.25, 0.25, 0.25, 0.25}};
+  const double expected[4][4] = {{1, 3, 2, 0.25}, {3, 3, 2, 0.25}, {2, 2, 0.25, 0.25}, {0.25, 0.25, 0.25, 0.25}};
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
       CAPTURE(a, b);
@@ -56,9 +55,8 @@ TEST_CASE("The first pair that fits two cells counts, in either order; the defau
 }
 
 TEST_CASE("A cell sticks by what it holds after its cycle, with or without births") {
-  Scene scene =
-      sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
-               {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
+  Scene scene = sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
+                         {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
   World world = makeWorld(scene);
   std::vector<double> works;
   for (const double time : {1.5, 2.5, 3.5}) {
@@ -72,8 +70,8 @@ TEST_CASE("Cells that stick flatten against each other the more, the stronger") 
   const auto heldWith = [](AdhesionParameters adhesion) {
     Scene scene = sticking(resting, std::move(adhesion));
     for (const char* substance : {"red", "blue"})
-      scene.cells.push_back({.at = {scene.cells.empty() ? -0.96 : 0.96, 0, 0},
-                             .substances = std::vector<std::string>{substance}});
+      scene.cells.push_back(
+          {.at = {scene.cells.empty() ? -0.96 : 0.96, 0, 0}, .substances = std::vector<std::string>{substance}});
     return heldBy(scene);
   };
   const HeldBy none = heldWith({0, {}}), little = heldWith({0.25, {}}), some = heldWith({1, {}}),
@@ -118,8 +116,7 @@ TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffnes
   CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
 }
 
-TEST_CASE(
-    "Of two spheres that stick the force changes no faster with their distance than limits count with") {
+TEST_CASE("Of two spheres that stick the force changes no faster with their distance than limits count with") {
   for (const double scale : {1.0, 0.6}) {
     Scene scene = sticking(resting, {2, {}});
     scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
@@ -137,8 +134,7 @@ TEST_CASE(
     double steepest = 0;
     for (double gap = -0.1; gap < 1; gap += 0.003) {
       const double distance = 1 + scale + gap;
-      steepest =
-          std::max(steepest, std::abs(forceAt(distance + step) - forceAt(distance - step)) / (2 * step));
+      steepest = std::max(steepest, std::abs(forceAt(distance + step) - forceAt(distance - step)) / (2 * step));
     }
     CAPTURE(scale, steepest, limit);
     CHECK(steepest > 0);

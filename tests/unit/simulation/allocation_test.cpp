@@ -34,9 +34,7 @@ void release(void* p) {
 // All other forms of the standard library end in these; those of the address sanitizer do not, hence nothrow.
 void* operator new(std::size_t size) { return counted(size, 1); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size, 1); }
-void* operator new(std::size_t size, std::align_val_t line) {
-  return counted(size, static_cast<std::size_t>(line));
-}
+void* operator new(std::size_t size, std::align_val_t line) { return counted(size, static_cast<std::size_t>(line)); }
 void operator delete(void* p) noexcept { release(p); }
 void operator delete(void* p, std::size_t) noexcept { release(p); }
 void operator delete(void* p, std::align_val_t) noexcept { release(p); }
@@ -57,8 +55,7 @@ Scene crowdedScene() {
   scene.mechanics->physics.drag = 2;
   scene.mechanics->contact = scenes::pairContactWithFriction;
   scene.mechanics->physics.growth = GrowthParameters{0.01};
-  scene.mechanics->connections =
-      ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 3.0};
+  scene.mechanics->connections = ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 3.0};
   return scene;
 }
 
@@ -101,8 +98,7 @@ TEST_CASE("A step that builds the neighbour list anew allocates nothing, once th
   }
 }
 
-TEST_CASE(
-    "A hundred thousand steps of a crowd that never rests take no more memory than the first thousands") {
+TEST_CASE("A hundred thousand steps of a crowd that never rests take no more memory than the first thousands") {
   Scene scene = crowdedScene();
   scene.mechanics->physics.growth.reset();
   scene.mechanics->physics.drag = 0.5;

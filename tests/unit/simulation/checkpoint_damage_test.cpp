@@ -50,9 +50,7 @@ std::string sealedAgain(std::string bytes) {
   std::memcpy(&version, bytes.data() + 8, 8);
   std::memcpy(bytes.data() + 16, &length, 8);
   Hasher h;
-  h.field("checkpoint")
-      .add(version)
-      .add(std::string_view(bytes).substr(headSize, bytes.size() - headSize - tailSize));
+  h.field("checkpoint").add(version).add(std::string_view(bytes).substr(headSize, bytes.size() - headSize - tailSize));
   const Hash hash = h.digest();
   std::memcpy(bytes.data() + bytes.size() - 16, &hash.high, 8);
   std::memcpy(bytes.data() + bytes.size() - 8, &hash.low, 8);
@@ -123,8 +121,7 @@ class Fields {
 }  // namespace
 
 TEST_CASE("Cut short at any length, a checkpoint is refused") {
-  const std::string whole =
-      saveState(makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1}));
+  const std::string whole = saveState(makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1}));
   World world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1});
   for (std::size_t length = 0; length < whole.size(); ++length) {
     CAPTURE(length);
@@ -136,8 +133,7 @@ TEST_CASE("Cut short at any length, a checkpoint is refused") {
 }
 
 TEST_CASE("Any flipped bit of a checkpoint is noticed") {
-  const std::string whole =
-      saveState(makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1}));
+  const std::string whole = saveState(makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1}));
   World world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 5), {Isa::scalar, 1});
   for (std::size_t at = 0; at < whole.size(); ++at)
     for (int bit = 0; bit < 8; ++bit)
@@ -177,8 +173,7 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
     Scene other = scenes::life();
     change(other);
     CAPTURE(part);
-    CHECK_THAT(complaint(saved, other),
-               ContainsSubstring(std::string("another scene; this one differs in: ") + part));
+    CHECK_THAT(complaint(saved, other), ContainsSubstring(std::string("another scene; this one differs in: ") + part));
   };
   differs("dna", [](Scene& s) { s.dna = parseDna(scenes::uniqueFour, "test.dna"); });
   differs("cycle", [](Scene& s) { s.cycle.length = 1.5; });
@@ -191,12 +186,10 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
   differs("division", [](Scene& s) { s.mechanics->division.rules = {{.of = {"a0"}, .share = 0.4}}; });
   differs("connections", [](Scene& s) { s.mechanics->connections->releaseDistance.reset(); });
   differs("variation", [](Scene& s) { s.variation.cycle = 0.1; });
-  differs("physics, physics.mesh, physics.contact, division, connections",
-          [](Scene& s) { s.mechanics.reset(); });
+  differs("physics, physics.mesh, physics.contact, division, connections", [](Scene& s) { s.mechanics.reset(); });
 }
 
-TEST_CASE(
-    "A checkpoint knows of a variation that this scene has not, and asks nothing of that of the start") {
+TEST_CASE("A checkpoint knows of a variation that this scene has not, and asks nothing of that of the start") {
   Scene varied = scenes::life();
   varied.variation = {.cycle = 0.1, .start = 0.5};
   const std::string saved = saveState(makeWorld(varied));
@@ -214,9 +207,7 @@ TEST_CASE("A state whose parts contradict each other is refused") {
     CAPTURE(why);
     CHECK_THAT(complaint(bad.checkpoint()), ContainsSubstring(why));
   };
-  const auto real = [](const char* field, double value) {
-    return [=](Fields& f) { f.of<Doubles>(field)[0] = value; };
-  };
+  const auto real = [](const char* field, double value) { return [=](Fields& f) { f.of<Doubles>(field)[0] = value; }; };
   const auto number = [](const char* field, std::uint64_t value) {
     return [=](Fields& f) { f.of<Numbers>(field)[0] = value; };
   };

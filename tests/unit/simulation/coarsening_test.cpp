@@ -114,8 +114,7 @@ TEST_CASE("Colliding cells with different meshes keep their momentum") {
   World world = worldOf(scene, mixedCells(scene, 8, 2.3, 1), {bestIsa(), 1});
   const Vector before = momentum(*world.bodies);
   double size = 0;
-  for (const Body& cell : mixedCells(scene, 8, 2.3, 1))
-    size += cell.mass * norm(measureCentroid(cell.velocity));
+  for (const Body& cell : mixedCells(scene, 8, 2.3, 1)) size += cell.mass * norm(measureCentroid(cell.velocity));
   Worst drift;
   bool touched = false;
   while (world.clock.time < 1) {
@@ -147,8 +146,7 @@ TEST_CASE("Small daughters take the coarser mesh; volumes, mass and momentum go 
   scene.mechanics->physics.drag = 0;
   World world = makeWorld(scene, {bestIsa(), 1});
   Bodies& b = *world.bodies;
-  for (int v = 0; v < b.vertexCount(0); ++v)
-    b.velocity[b.at(0, v)] = 0.3 + 0.1 * noise(static_cast<std::uint32_t>(v));
+  for (int v = 0; v < b.vertexCount(0); ++v) b.velocity[b.at(0, v)] = 0.3 + 0.1 * noise(static_cast<std::uint32_t>(v));
   const Vector before = momentum(b);
   Worst drift, mass;
   while (!finished(world)) {
@@ -160,8 +158,7 @@ TEST_CASE("Small daughters take the coarser mesh; volumes, mass and momentum go 
   }
   REQUIRE(world.cells.path.size() == 5);
   CHECK(cellVertices(world, CellPath::parse("A")).size() == 642);
-  for (const char* path : {"BAA", "BAB", "BBA", "BBB"})
-    CHECK(cellVertices(world, CellPath::parse(path)).size() == 162);
+  for (const char* path : {"BAA", "BAB", "BBA", "BBB"}) CHECK(cellVertices(world, CellPath::parse(path)).size() == 162);
   CHECK(drift <= 1e-12);
   CHECK(mass <= 1e-14);
   scene.mechanics->physics.coarsen.reset();

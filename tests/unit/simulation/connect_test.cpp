@@ -51,8 +51,8 @@ struct Wish final : BiologicalUnit {
 }  // namespace
 
 TEST_CASE("At division sisters are connected, from their birth on") {
-  World world = makeWorld(
-      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  World world =
+      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
   CHECK(pairsOf(world) == none);
   runTo(world, 1.01);
   CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
@@ -60,8 +60,8 @@ TEST_CASE("At division sisters are connected, from their birth on") {
 }
 
 TEST_CASE("The plane decides: a connection goes to the daughter on the other cell's side") {
-  World world = makeWorld(
-      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  World world =
+      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
   runTo(world, 2.02);
   // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
@@ -81,12 +81,11 @@ struct CapOff final : DivisionPolicy {
 
 }  // namespace
 
-TEST_CASE(
-    "The plane decides, not which daughter is nearer: a small one may be nearer than her large sister") {
+TEST_CASE("The plane decides, not which daughter is nearer: a small one may be nearer than her large sister") {
   const Mesh ball = makeIcosphere(3);
   for (const bool bigOneIsA : {false, true}) {
-    Scene scene = connecting(scenes::everybodyDivides,
-                             withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane));
+    Scene scene =
+        connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane));
     scene.mechanics->mesh = ball;
     Body mother = shakenBody(ball, 0, 0), other = mother;
     for (Point& x : other.position) x += Vector{0.5, 2.1, 0};  // on the large side, beside the cap
@@ -104,8 +103,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Both keep: each daughter has every connection of her mother") {
-  World world = makeWorld(
-      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
+  World world =
+      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
   runTo(world, 2.02);
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AA-BA", "AA-BB", "AB-BA", "AB-BB", "BA-BB"});
 }
@@ -120,8 +119,7 @@ TEST_CASE("What both keep is released where the cells are too far apart, and the
   CHECK(left.count("BA-BB") == 1);
   CHECK(left.count("AA-BB") == 0);
   int byDistance = 0;
-  for (const ConnectionRecord& r : world.connections->history)
-    byDistance += std::string(r.cause) == "distance";
+  for (const ConnectionRecord& r : world.connections->history) byDistance += std::string(r.cause) == "distance";
   CHECK(byDistance >= 1);
 }
 
@@ -156,8 +154,7 @@ TEST_CASE("By gene: the two cells' wishes are added") {
 }
 
 TEST_CASE("By gene: a cell acts at its own cell cycle only") {
-  const Scene scene =
-      connecting(scenes::uniqueFour, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
+  const Scene scene = connecting(scenes::uniqueFour, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
   Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
   ball.pressureConstant = 200;
   std::vector<Body> row(3, ball);  // AA touches AB, AB touches BA
@@ -178,15 +175,13 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   CHECK(pairsOf(world).size() == 2);
   connectNeighbours(world, Observation(world), {cycled, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectNeighbours(world, Observation(world),
-                    {none, none, dies});  // it is released by its death, not by its wish
+  connectNeighbours(world, Observation(world), {none, none, dies});  // it is released by its death, not by its wish
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }
 
 TEST_CASE("By gene: a release ends what division made") {
-  World world =
-      inShell(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(release|A)\n",
-                         withPolicy(MakeConnections::both, ConnectionsOnDivision::plane)));
+  World world = inShell(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(release|A)\n",
+                                   withPolicy(MakeConnections::both, ConnectionsOnDivision::plane)));
   runTo(world, 1.5);
   CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
   runTo(world, 2.02);
@@ -205,9 +200,8 @@ TEST_CASE("A cell that dies is released from all") {
 }
 
 TEST_CASE("A cell that divides while its partner dies takes nothing over") {
-  World world =
-      makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
-                           withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
+  World world = makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
+                                     withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
   runTo(world, 2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"BA-BB"});

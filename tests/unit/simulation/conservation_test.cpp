@@ -44,8 +44,7 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
         drift.see(norm(momentum(world) - before) / size);
         touched = touched || world.contacts->list.pairs > 0;
       }
-      for (int slot = 0; slot < count; ++slot)
-        exchanged.see(norm(momentumOf(*world.bodies, slot) - each[slot]));
+      for (int slot = 0; slot < count; ++slot) exchanged.see(norm(momentumOf(*world.bodies, slot) - each[slot]));
       CAPTURE(count, contact.friction, world.clock.step);
       CHECK(touched);
       CHECK(exchanged > 0.3);
@@ -54,8 +53,8 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
 }
 
 TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
-  for (Integrator integrator : {Integrator::thesisVerlet, Integrator::explicitEuler,
-                                Integrator::symplecticEuler, Integrator::rungeKutta4, Integrator::xpbd}) {
+  for (Integrator integrator : {Integrator::thesisVerlet, Integrator::explicitEuler, Integrator::symplecticEuler,
+                                Integrator::rungeKutta4, Integrator::xpbd}) {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
     scene.mechanics->contact = scenes::pairContactWithFriction;
     scene.mechanics->physics.integrator = integrator;
@@ -123,8 +122,7 @@ TEST_CASE("Cells made by shape matching keep their momentum through collisions a
   scene.mechanics->contact = scenes::pairContactWithFriction;
   scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
-  scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}},
-                 {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};
+  scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}}, {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};
   World world = makeWorld(scene, {bestIsa(), 1});
   const Vector before = momentum(world);
   Worst drift;

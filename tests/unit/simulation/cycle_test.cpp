@@ -32,8 +32,7 @@ TEST_CASE("The thesis' four unique cells, from cycle to cycle") {
 }
 
 TEST_CASE("A cycle of another length, from a substance on") {
-  Scene scene =
-      scenes::lineageOnly("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(slow|A)\ng4(a1|a1)\ng5(slow|slow)\n", 1);
+  Scene scene = scenes::lineageOnly("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(slow|A)\ng4(a1|a1)\ng5(slow|slow)\n", 1);
   scene.cycle.length = 0.5;
   scene.cycle.perSubstance = {{"slow", 0.25}};
   scene.stop = {};
@@ -143,8 +142,7 @@ TEST_CASE("Another biology may control the cells") {
   CHECK(world.clock.time == Approx(1.5).margin(0.02));
 }
 
-TEST_CASE(
-    "A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
+TEST_CASE("A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
   for (const bool bodies : {false, true}) {
     Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 1);
     scene.stop = {};

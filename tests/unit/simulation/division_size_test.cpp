@@ -22,8 +22,7 @@ Scene growing(std::optional<DivisionSize> size, double rate = 0.125) {
   s.cycle.divisionSize = size;
   s.stop = {};
   s.stop.time = 16;
-  s.cells = {
-      {.at = {-4, 0, 0}, .scale = 0.75}, {.at = {0, 0, 0}, .scale = 0.85}, {.at = {4, 0, 0}, .scale = 0.95}};
+  s.cells = {{.at = {-4, 0, 0}, .scale = 0.75}, {.at = {0, 0, 0}, .scale = 0.85}, {.at = {4, 0, 0}, .scale = 0.95}};
   return s;
 }
 
@@ -77,8 +76,7 @@ TEST_CASE("Adder: cells divide when they have gained the same, and sizes at birt
     CHECK(life.size - life.birthSize == Approx(0.5).margin(oneStep));
     // The two halves: what is off from 0.5 halves with each generation.
     if (lives.contains(path.daughter(false)))
-      CHECK(lives.at(path.daughter(false)).birthSize - 0.5 ==
-            Approx((life.birthSize - 0.5) / 2).margin(oneStep));
+      CHECK(lives.at(path.daughter(false)).birthSize - 0.5 == Approx((life.birthSize - 0.5) / 2).margin(oneStep));
   }
 }
 
@@ -149,8 +147,7 @@ TEST_CASE(
       const bool grows = gene == std::string("grow");
       const double shrunk = std::exp(-0.25 * 3), large = 1.25 * 1.25 * 1.25;
       CHECK(sizeAtRest(*world.bodies, world.bodies->slots[0]) == Approx(grows ? 1.25 : shrunk).epsilon(0.01));
-      CHECK(sizeAtRest(*world.bodies, world.bodies->slots[1]) ==
-            Approx(grows ? large : large * shrunk).epsilon(0.01));
+      CHECK(sizeAtRest(*world.bodies, world.bodies->slots[1]) == Approx(grows ? large : large * shrunk).epsilon(0.01));
     }
 }
 

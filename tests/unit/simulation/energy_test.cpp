@@ -44,8 +44,7 @@ Course courseOf(const Scene& scene, int count, double speed) {
 
 using Map = Vector (*)(const Vector&);
 
-Vector turned(
-    const Vector& x) {  // by a half about (1, 2, 2) and then a third about (1, 1, 1): exact but for rounding
+Vector turned(const Vector& x) {  // by a half about (1, 2, 2) and then a third about (1, 1, 1): exact but for rounding
   const Vector axis = Vector{1, 2, 2} / 3.0, half = 2 * dot(axis, x) * axis - x;
   return {half.y, half.z, half.x};
 }

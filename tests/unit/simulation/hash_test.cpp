@@ -109,12 +109,10 @@ TEST_CASE("A change shows in the part where it was made, and in no other") {
   };
   using Cells = std::vector<std::size_t>;
   CHECK(cellsThatChange([](World& w) { nudge(w.clock.time); }, true, false, false) == Cells{});
-  CHECK(cellsThatChange([](World& w) { nudge(w.bodies->velocity[w.bodies->at(1, 7)]); }, false, false,
-                        false) == Cells{1});
-  CHECK(cellsThatChange([](World& w) { w.cells.state[0] = w.cells.state[1]; }, false, false, false) ==
-        Cells{0});
-  CHECK(cellsThatChange([](World& w) { w.connections->history[0].cause = "x"; }, false, true, false) ==
-        Cells{});
+  CHECK(cellsThatChange([](World& w) { nudge(w.bodies->velocity[w.bodies->at(1, 7)]); }, false, false, false) ==
+        Cells{1});
+  CHECK(cellsThatChange([](World& w) { w.cells.state[0] = w.cells.state[1]; }, false, false, false) == Cells{0});
+  CHECK(cellsThatChange([](World& w) { w.connections->history[0].cause = "x"; }, false, true, false) == Cells{});
   CHECK(cellsThatChange([](World& w) { nudge(w.lineage.entries[2].born); }, false, false, true) == Cells{});
 }
 

@@ -48,8 +48,8 @@ World ballsAt(Scene scene, const std::vector<Vector>& places) {
 TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
   // Each cell keeps its bridges and makes one with each daughter it gives off: a binomial tree
   // [Spradling 1993; de Cuevas & Spradling 1998].
-  World world = makeWorld(
-      connected(scenes::everybodyDivides, with(MakeConnections::atDivision, ConnectionsOnDivision::a)));
+  World world =
+      makeWorld(connected(scenes::everybodyDivides, with(MakeConnections::atDivision, ConnectionsOnDivision::a)));
   while (world.cells.path.size() < 16) step(world);
   CHECK(countsOf(world) == std::multiset<int>{1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4});
   CHECK(world.connections->active.size() == 15);
@@ -93,9 +93,9 @@ TEST_CASE("The nearest daughter may lie on the plane's other side") {
 
 TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that asks for it") {
   using enum CellChange;
-  World world = ballsAt(
-      connected(scenes::everybodyDivides, with(MakeConnections::byContact, ConnectionsOnDivision::plane)),
-      {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
+  World world =
+      ballsAt(connected(scenes::everybodyDivides, with(MakeConnections::byContact, ConnectionsOnDivision::plane)),
+              {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
   connectNeighbours(world, Observation(world), {none, none, none, none});
   CHECK(pairsOf(world).empty());
   connectNeighbours(world, Observation(world), {cycled, none, none, cycled});
@@ -146,8 +146,7 @@ TEST_CASE("A connection ends by age and by tension, and the cause is on record")
     connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
     const double end = 0.2;
     while (world.clock.time < end) step(world);
-    return std::pair{std::string(world.connections->history[0].cause),
-                     world.connections->history[0].released};
+    return std::pair{std::string(world.connections->history[0].cause), world.connections->history[0].released};
   };
   ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::plane);
   CHECK(causeAfter(p, 2.5).first == "");

@@ -33,8 +33,7 @@ TEST_CASE("Each cell's measures are those of its mesh") {
     CHECK(m.at("neighbours") >= 3);
     total += m.at("volume");
     pressures += m.at("pressure") / 8;
-    for (const Point& p : measureHeldPoints({x, faces}, *world.model.mechanics->physics.shell))
-      outermost.see(norm(p));
+    for (const Point& p : measureHeldPoints({x, faces}, *world.model.mechanics->physics.shell)) outermost.see(norm(p));
   }
   const WorldMeasures w = measureWorld(world);
   CHECK(w.time == world.clock.time);
@@ -56,16 +55,14 @@ TEST_CASE("Contacts are by pairs of paths and agree with the neighbours counted"
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     CHECK(contacts[i].a < contacts[i].b);
     CHECK(contacts[i].at("area") > 0);
-    if (i > 0)
-      CHECK(std::pair(contacts[i - 1].a, contacts[i - 1].b) < std::pair(contacts[i].a, contacts[i].b));
+    if (i > 0) CHECK(std::pair(contacts[i - 1].a, contacts[i - 1].b) < std::pair(contacts[i].a, contacts[i].b));
     for (const CellPath& p : {contacts[i].a, contacts[i].b}) ++neighbours[slotOf(world, p.text().c_str())];
   }
   const auto cells = measureCells(world);
   for (int i = 0; i < 8; ++i) CHECK(cells[i].at("neighbours") == neighbours[i]);
 }
 
-TEST_CASE(
-    "Kinetic energy is that of the vertices; in an ellipsoid the outermost vertex is measured in its axes") {
+TEST_CASE("Kinetic energy is that of the vertices; in an ellipsoid the outermost vertex is measured in its axes") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
   scene.mechanics->physics.shell = ShellParameters{{2, 1.5, 1.25}};
   World world = makeWorld(scene);
@@ -102,8 +99,7 @@ TEST_CASE("The mean overlap of two balls is the lens they share") {
     Body moved = right;
     for (Point& x : moved.position) x.y += distance;
     const World world = worldOf(scene, {left, moved});
-    const double lens =
-        distance < 2 ? std::numbers::pi * (4 + distance) * (2 - distance) * (2 - distance) / 12 : 0;
+    const double lens = distance < 2 ? std::numbers::pi * (4 + distance) * (2 - distance) * (2 - distance) / 12 : 0;
     CHECK(measureMeanOverlap(*world.bodies) == Approx(lens / (4 * std::numbers::pi / 3)).margin(0.01));
   }
 }
@@ -123,8 +119,7 @@ void checkTable() {
   for (const Measure<Of>& m : measures<Of>()) {
     INFO(m.name);
     CHECK(names.insert(m.name).second);
-    CHECK(std::string(m.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_123") ==
-          std::string::npos);                                                 // a column
+    CHECK(std::string(m.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_123") == std::string::npos);  // a column
     CHECK(std::string(m.meaning).find_first_of("\n|") == std::string::npos);  // a cell of a table
     onDemand |= m.taken == Taken::onDemand;
     CHECK(onDemand == (m.taken == Taken::onDemand));  // those of samples first
@@ -178,8 +173,7 @@ TEST_CASE("Volume over rest and over the mesh: a body pressed to nine tenths, wi
   CHECK(valueOf("volume_over_rest", world, 0) == Approx(0.729 / 0.5).epsilon(1e-12));
   CHECK(valueOf("volume_over_mesh", world, 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
   scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // no contents: its mesh is its rest
-  CHECK(valueOf("volume_over_rest", worldOf(scene, {body}), 0) ==
-        Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
+  CHECK(valueOf("volume_over_rest", worldOf(scene, {body}), 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
 }
 
 TEST_CASE("Inverted: nothing of a ball, all of one that is turned inside out") {
@@ -192,8 +186,7 @@ TEST_CASE("Inverted: nothing of a ball, all of one that is turned inside out") {
   CHECK(valueOf("inverted", world, 0) == 1);
 }
 
-TEST_CASE(
-    "Elongation: a ball and a disc have none, twice as long is 2, whatever the size and the direction") {
+TEST_CASE("Elongation: a ball and a disc have none, twice as long is 2, whatever the size and the direction") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(2));
   for (const auto& [stretch, expected] : {std::pair(Vector{1, 1, 1}, 1.0),
                                           {Vector{0.4, 1, 1}, 1.0},

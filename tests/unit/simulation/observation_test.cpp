@@ -59,8 +59,7 @@ TEST_CASE("A cell knows its path, state, ages, substances, sister, and how its m
   }
 }
 
-TEST_CASE(
-    "An egg has neither sister nor mother's division; a founder no division; the dead are nobody's sister") {
+TEST_CASE("An egg has neither sister nor mother's division; a founder no division; the dead are nobody's sister") {
   const World egg = makeWorld(scenes::withBodies(scenes::uniqueFour, 1));
   CHECK_FALSE(ObservedCell(Observation(egg), 0).sister());
   CHECK_FALSE(ObservedCell(Observation(egg), 0).motherDivision());
@@ -86,8 +85,7 @@ TEST_CASE("Neighbours are those of the contacts' list, by path, each from both s
     std::vector<std::pair<CellPath, double>> expected;  // all pairs, whatever their order
     for (int j = 0; j < 8; ++j)
       for (const ContactArea& p : pairs)
-        if ((p.a == i && p.b == j) || (p.a == j && p.b == i))
-          expected.push_back({world.cells.path[j], p.area});
+        if ((p.a == i && p.b == j) || (p.a == j && p.b == i)) expected.push_back({world.cells.path[j], p.area});
     REQUIRE(cell.neighbours().size() == expected.size());
     CHECK(expected.size() >= 3);
     for (std::size_t k = 0; k < expected.size(); ++k) {

@@ -60,9 +60,9 @@ Mesh boxAt(const Point& number, int n) {
   return mesh;
 }
 
-const std::vector<std::string> ofWorlds{
-    "organism_elongation", "sister_contact",   "cousin_contact", "clone_contact", "homotypic_contact",
-    "clone_radius",        "clone_components", "mixing_index",   "lineage_space", "clone_spread"};
+const std::vector<std::string> ofWorlds{"organism_elongation", "sister_contact", "cousin_contact",   "clone_contact",
+                                        "homotypic_contact",   "clone_radius",   "clone_components", "mixing_index",
+                                        "lineage_space",       "clone_spread"};
 
 constexpr double third = 1.0 / 3;
 
@@ -164,19 +164,16 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
     CHECK(values[4 * i + 3].value == Approx(norm(at)));
     CHECK(norm(at) < 1);
   }
-  const auto mesh =
-      std::make_shared<const ConvexShell>(ConvexShell{boxAt({-0.5, -0.25, -0.5}, 1), {{{1, 0, 0}, 0.5}}});
+  const auto mesh = std::make_shared<const ConvexShell>(ConvexShell{boxAt({-0.5, -0.25, -0.5}, 1), {{{1, 0, 0}, 0.5}}});
   const ShellPlace place = measurePlaceInShell({{}, mesh}, {0.25, -0.125, 0});
   CHECK(place.along == Vector{0.5, -0.5, 0});
   CHECK(place.out == 0.5);
 }
 
-TEST_CASE(
-    "Measures of some cells alone: rows of these, how many they are, and what is no measure on demand") {
+TEST_CASE("Measures of some cells alone: rows of these, how many they are, and what is no measure on demand") {
   const World eight = row({0, 1, 2, 3, 4, 5, 6, 7});
-  const std::vector<std::string> names{"count of AA*",         "generation of AAB", "generation",
-                                       "kinship of AA*",       "count of a0",       "count of clones",
-                                       "count of generation 2"};
+  const std::vector<std::string> names{"count of AA*", "generation of AAB", "generation",           "kinship of AA*",
+                                       "count of a0",  "count of clones",   "count of generation 2"};
   std::map<std::string, int> rows;
   for (const TakenMeasure& m : takeMeasures(Observation(eight), names)) {
     ++rows[m.name];
@@ -216,8 +213,7 @@ TEST_CASE("Cells of several depths: sisters and cousins only where both live; cl
   CHECK(valueOf("sister_contact", young) == 1);
   const World apart = balls({{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {0, 0, 5}});
   CHECK(valueOf("sister_contact", apart) == 0);
-  for (const char* name : {"clone_contact", "homotypic_contact", "mixing_index"})
-    CHECK_FALSE(valueOf(name, apart));
+  for (const char* name : {"clone_contact", "homotypic_contact", "mixing_index"}) CHECK_FALSE(valueOf(name, apart));
 }
 
 TEST_CASE("Turning, moving and mirroring the organism, and who is A, change none of it") {
@@ -264,10 +260,8 @@ TEST_CASE("Positions are compared turned and moved, and their shape also scaled"
   const World world = balls({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 5}});
   Reference same, half, other;
   const auto at = [](const char* path) { return CellPath::parse(path); };
-  same.positions = {
-      {at("AA"), {7, 0, 0}}, {at("AB"), {7, 3, 0}}, {at("BA"), {7, 0, 4}}, {at("BB"), {12, 0, 0}}};
-  half.positions = {
-      {at("AA"), {0, 0, 0}}, {at("AB"), {0, 1.5, 0}}, {at("BA"), {0, 0, 2}}, {at("BB"), {2.5, 0, 0}}};
+  same.positions = {{at("AA"), {7, 0, 0}}, {at("AB"), {7, 3, 0}}, {at("BA"), {7, 0, 4}}, {at("BB"), {12, 0, 0}}};
+  half.positions = {{at("AA"), {0, 0, 0}}, {at("AB"), {0, 1.5, 0}}, {at("BA"), {0, 0, 2}}, {at("BB"), {2.5, 0, 0}}};
   CHECK(*valueOf("position_rmsd", world, &same) < 1e-14);
   CHECK(*valueOf("position_shape_rmsd", world, &same) < 1e-14);
   CHECK(*valueOf("position_rmsd", world, &half) > 1);
@@ -290,10 +284,9 @@ TEST_CASE("Measures on demand: names are no other's, pairs and cells come by pat
   std::vector<std::string> lines;
   for (const TakenMeasure& m : taken)
     if (m.name != "contact_share")
-      lines.push_back(m.name + " " + m.a.text() + " " + m.b.text() + " " +
-                      std::to_string(static_cast<int>(m.value)));
-  CHECK(lines == std::vector<std::string>{"generation AA  2", "generation AB  2", "generation B  1",
-                                          "kinship AA AB 1", "kinship AB B 2"});  // no clone has two cells
+      lines.push_back(m.name + " " + m.a.text() + " " + m.b.text() + " " + std::to_string(static_cast<int>(m.value)));
+  CHECK(lines == std::vector<std::string>{"generation AA  2", "generation AB  2", "generation B  1", "kinship AA AB 1",
+                                          "kinship AB B 2"});  // no clone has two cells
   // The disc in which two balls of radius 1 meet, 1.75 apart, over the ball's surface
   for (const TakenMeasure& m : taken)
     if (m.name == "contact_share") CHECK(m.value == Approx((1 - 0.875 * 0.875) / 4).epsilon(1e-12));
@@ -316,14 +309,12 @@ TEST_CASE("Of each cell: how the divisions that made it lay, its extents, and ho
   World world = makeWorld(scenes::ellipsoid(), {Isa::scalar, 1});
   while (!finished(world)) step(world);
   const Observation now(world);
-  std::vector<std::string> names{"axis_turn",       "axis_to_x",   "birth_share",
-                                 "birth_ambiguity", "extent_1",    "extent_2",
-                                 "extent_3",        "shell_share", "age"};
+  std::vector<std::string> names{"axis_turn", "axis_to_x",   "birth_share", "birth_ambiguity", "extent_1", "extent_2",
+                                 "extent_3",  "shell_share", "age"};
   const auto taken = takeMeasures(now, names);
   REQUIRE(taken.size() == world.cells.path.size() * names.size());
   const auto of = [&](const CellPath& cell, const std::string& name) {
-    return std::ranges::find_if(taken, [&](const TakenMeasure& m) { return m.a == cell && m.name == name; })
-        ->value;
+    return std::ranges::find_if(taken, [&](const TakenMeasure& m) { return m.a == cell && m.name == name; })->value;
   };
   const auto divisionOf = [&](const CellPath& mother) {
     return *std::ranges::find(world.divisions, mother, &DivisionRecord::path);
@@ -354,8 +345,7 @@ TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
                out = far - 1 / far;  // edges of l² = 8: the surface is l²/8far below a corner
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(1));
   CHECK(measureShellShare(shape, ShellParameters{{2, 2, 2}}) == 0);
-  for (std::size_t i = 1; i < 4; ++i)
-    shape.surface.vertices[i] *= 0.97;  // three faces lose their other corners
+  for (std::size_t i = 1; i < 4; ++i) shape.surface.vertices[i] *= 0.97;  // three faces lose their other corners
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(0.25).epsilon(0.02));
 }
 

@@ -25,11 +25,10 @@ Scene balls() {
 /// Policies that move the cells to other places.
 std::vector<std::pair<std::string, Scene>> policies() {
   std::vector<std::pair<std::string, Scene>> list;
-  for (const auto& [name, plane] :
-       {std::pair<std::string, PlaneChoice>{"along x", {DivisionPlane::axis, {1, 0, 0}}},
-        {"along (1, 2, 2)", {DivisionPlane::axis, {1, 2, 2}}},
-        {"random", {DivisionPlane::random, {}}},
-        {"parallel", {DivisionPlane::parallel, {}}}})
+  for (const auto& [name, plane] : {std::pair<std::string, PlaneChoice>{"along x", {DivisionPlane::axis, {1, 0, 0}}},
+                                    {"along (1, 2, 2)", {DivisionPlane::axis, {1, 2, 2}}},
+                                    {"random", {DivisionPlane::random, {}}},
+                                    {"parallel", {DivisionPlane::parallel, {}}}})
     for (const bool connected : {false, true}) {
       Scene s = balls();
       s.mechanics->division.otherwise = plane;
@@ -55,8 +54,7 @@ std::map<std::string, double> sharesOf(const World& world) {
 std::map<std::string, double> factorsOf(const World& world) {
   std::map<std::string, double> factors;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    factors[world.cells.path[i].text()] =
-        world.contacts->adhesion.kinds.factor.at(std::size_t(world.bodies->slots[i]));
+    factors[world.cells.path[i].text()] = world.contacts->adhesion.kinds.factor.at(std::size_t(world.bodies->slots[i]));
   return factors;
 }
 
@@ -67,8 +65,7 @@ std::map<std::string, double> tiltsOf(const World& world, const Vector& asked) {
   return tilts;
 }
 
-void checkSame(const std::map<std::string, double>& a, const std::map<std::string, double>& b,
-               double tolerance) {
+void checkSame(const std::map<std::string, double>& a, const std::map<std::string, double>& b, double tolerance) {
   REQUIRE(a.size() == b.size());
   for (const auto& [path, value] : a) {
     CAPTURE(path);
@@ -101,7 +98,7 @@ TEST_CASE(
     for (const auto& period : world.timeSteps) longest = std::max(longest, period.timeStep);
     for (const auto& period : first.timeSteps) longest = std::max(longest, period.timeStep);
     checkSame(birthsOf(first), birthsOf(world), 3 * longest);  // one for each of three divisions
-    checkSame(sharesOf(first), sharesOf(world), 1e-12);  // fluid is shared out exactly; the rest is rounding
+    checkSame(sharesOf(first), sharesOf(world), 1e-12);        // fluid is shared out exactly; the rest is rounding
     checkSame(factorsOf(first), factorsOf(world), 0);
   }
   Scene other = all[0].second;
@@ -125,8 +122,7 @@ TEST_CASE("An axis is tilted by the same angle, whatever direction it is tilted 
   Scene x = balls(), y = balls();
   x.mechanics->division.otherwise = {DivisionPlane::axis, {1, 0, 0}};
   y.mechanics->division.otherwise = {DivisionPlane::axis, {1, 2, 2}};
-  y.mechanics->connections =
-      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::both, 0.2, {}};
+  y.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::both, 0.2, {}};
   const auto a = tiltsOf(ranToEnd(x), {1, 0, 0}), b = tiltsOf(ranToEnd(y), {1, 2, 2});
   checkVaries(a, 1e-3);
   checkSame(a, b, 1e-13);  // the angle is drawn, and then turned into place by products and a square root

@@ -92,7 +92,6 @@ TEST_CASE(
     CHECK(narrowestIsa(8, Isa::scalar, precision) == Isa::scalar);
   }
   const World world = makeWorld(scenes::packed());
-  CHECK(world.stagesOfLanes[0].drift ==
-        physicsKernels(Isa::scalar).driftVelocityVerlet[int(ShellShape::surface)]);
+  CHECK(world.stagesOfLanes[0].drift == physicsKernels(Isa::scalar).driftVelocityVerlet[int(ShellShape::surface)]);
   CHECK(world.stagesOfLanes[7].drift == world.stages.drift);
 }

@@ -42,8 +42,7 @@ TEST_CASE("the shell is known, or that there is none") {
 
 TEST_CASE("a cell knows whom it is connected to, by path") {
   Scene scene = quiet();
-  scene.mechanics->connections =
-      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0, {}};
+  scene.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0, {}};
   World world = balls(scene, {{1, {}}, {1, {9, 0, 0}}, {1, {0, 9, 0}}});
   const auto path = [&](int i) { return world.cells.path[i]; };
   connect(*world.connections, path(2), path(0), 0);

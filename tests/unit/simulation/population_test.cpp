@@ -65,8 +65,7 @@ TEST_CASE("The lineage is that of the same DNA without bodies") {
 }
 
 TEST_CASE("A cell that dies leaves the physics and stays in the lineage") {
-  World world =
-      makeWorld(scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n", 4));
+  World world = makeWorld(scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n", 4));
   runTo(world, 1.5);
   REQUIRE(world.bodies->count == 2);
   const std::vector<Point> survivor = cellVertices(world, CellPath::parse("B"));
@@ -100,8 +99,7 @@ TEST_CASE("When everybody is dead the run is over") {
   }
 }
 
-TEST_CASE(
-    "A division that cannot be done leaves the world as it was, other divisions of that moment included") {
+TEST_CASE("A division that cannot be done leaves the world as it was, other divisions of that moment included") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9, makeIcosphere(2));
   scene.mechanics->contact = scenes::pairContact;
   scene.mechanics->connections = ConnectionParameters{};

@@ -42,8 +42,7 @@ TEST_CASE("Rank correlation is that of its definition, ties and all") {
 }
 
 TEST_CASE("Any rising curve gives 1, any falling one −1, and a constant nothing") {
-  const std::vector<double> x{-3, 0, 0.5, 2, 10}, cubes{-27, 0, 0.125, 8, 1000}, down{5, 4, 3, 2, 1},
-      flat(5, 1);
+  const std::vector<double> x{-3, 0, 0.5, 2, 10}, cubes{-27, 0, 0.125, 8, 1000}, down{5, 4, 3, 2, 1}, flat(5, 1);
   CHECK(*rankCorrelation(x, cubes) == Approx(1).epsilon(1e-15));
   CHECK(*rankCorrelation(x, down) == Approx(-1).epsilon(1e-15));
   CHECK_FALSE(rankCorrelation(x, flat));

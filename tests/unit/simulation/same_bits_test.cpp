@@ -12,9 +12,8 @@ std::vector<Scene> allScenes() {
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  std::vector<Scene> scenes{
-      scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
-      scenes::coarsening()};
+  std::vector<Scene> scenes{scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
+                            scenes::coarsening()};
   scenes.push_back(scenes::spheres());
   scenes.push_back(scenes::sensing());
   scenes.push_back(scenes::sticky());
@@ -25,8 +24,7 @@ std::vector<Scene> allScenes() {
   scenes.push_back(stickySpheres);
   scenes.push_back(scenes::turning());
   scenes.push_back(scenes::varied());
-  for (Scene single :
-       {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
+  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);

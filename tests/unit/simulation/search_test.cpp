@@ -56,8 +56,7 @@ TEST_CASE("Any skin leads to the same state: only the number of searches differs
 
 TEST_CASE("Births and deaths, growth and connections: trees like grids, step by step") {
   const Scene scene = scenes::life();
-  World grid = makeWorld(scene, {bestIsa(), 1}),
-        trees = makeWorld(scene, {bestIsa(), 2, {ContactSearch::aabbTree, 0}}),
+  World grid = makeWorld(scene, {bestIsa(), 1}), trees = makeWorld(scene, {bestIsa(), 2, {ContactSearch::aabbTree, 0}}),
         hashed = makeWorld(scene, {bestIsa(), 1, {ContactSearch::spatialHash, 0.3}});
   std::int64_t different = 0;
   while (!finished(grid)) {

@@ -66,9 +66,9 @@ TEST_CASE("Balls perceive who touches them, who has most of their contact and wh
         s.mechanics->contact = scenes::pairContact;
         return s;
       }(),
-      {sense("any", SenseKind::neighbours, {.atLeast = 1}),
-       sense("many", SenseKind::neighbours, {.atLeast = 2}), sense("most", SenseKind::majority, {}, "s"),
-       sense("near", SenseKind::near, {}, "s", 3.5), sense("touched", SenseKind::contact, {}, "s")});
+      {sense("any", SenseKind::neighbours, {.atLeast = 1}), sense("many", SenseKind::neighbours, {.atLeast = 2}),
+       sense("most", SenseKind::majority, {}, "s"), sense("near", SenseKind::near, {}, "s", 3.5),
+       sense("touched", SenseKind::contact, {}, "s")});
   CHECK(states == Names{"any s", "any many most near t touched x", "any t", "near t", "s"});
 }
 
@@ -89,9 +89,8 @@ TEST_CASE("A ball perceives what others release, by e^(-r/range)/r") {
 }
 
 TEST_CASE("Two cells that perceive each other do so of one instant") {
-  Scene scene =
-      balls({{.at = {-0.9, 0, 0}, .substances = Names{"p"}}, {.at = {0.9, 0, 0}, .substances = Names{"q"}}},
-            "START: p, q\ng1(q|p, byQ)\ng2(p|q, byP)\n", {"byP", "byQ"});
+  Scene scene = balls({{.at = {-0.9, 0, 0}, .substances = Names{"p"}}, {.at = {0.9, 0, 0}, .substances = Names{"q"}}},
+                      "START: p, q\ng1(q|p, byQ)\ng2(p|q, byP)\n", {"byP", "byQ"});
   scene.mechanics->contact = scenes::pairContact;
   const std::vector<SenseParameters> both{sense("byP", SenseKind::contact, {}, "p"),
                                           sense("byQ", SenseKind::contact, {}, "q")};
@@ -119,8 +118,7 @@ TEST_CASE("A cell on the shell perceives the share of its surface that lies ther
   CHECK(measureShellShare(octahedron, {{0.8, 4, 4}}) == Approx(2 / 6.0));
   CHECK(measureShellShare(octahedron, {{0.7, 0.7, 4}}) == Approx(4 / 6.0));
   ShellParameters planes;
-  planes.mesh =
-      std::make_shared<ConvexShell>(ConvexShell{{}, {{{1, 0, 0}, 1}, {{0, 0, -1}, 1}, {{0, 1, 0}, 2}}});
+  planes.mesh = std::make_shared<ConvexShell>(ConvexShell{{}, {{{1, 0, 0}, 1}, {{0, 0, -1}, 1}, {{0, 1, 0}, 2}}});
   CHECK(measureShellShare(octahedron, planes) == Approx(2 / 6.0));
   octahedron.isBall = true;
   CHECK(measureShellShare(octahedron, {{out, out, out}}) == 0);
@@ -154,17 +152,14 @@ TEST_CASE("A connection and a sister are perceived while they are there") {
 TEST_CASE("Turning a scene turns its result: cells perceive the same") {
   Scene scene = scenes::packed();
   scene.mechanics->physics.shell.reset();
-  scene.dna =
-      scenes::dnaThatSenses("START: a0\ng1(a0|a0)\ng2(x|a, b, c, d, e, f)\n", {"a", "b", "c", "d", "e", "f"});
+  scene.dna = scenes::dnaThatSenses("START: a0\ng1(a0|a0)\ng2(x|a, b, c, d, e, f)\n", {"a", "b", "c", "d", "e", "f"});
   scene.stop.time = 2;
   SenseParameters along = sense("d", SenseKind::position, {.above = 0.2});
   along.axis = {0.3, -1, 0.2};
-  const std::vector<SenseParameters> senses{sense("a", SenseKind::neighbours, {.atLeast = 3}),
-                                            sense("b", SenseKind::volume, {.below = 1.0}),
-                                            sense("c", SenseKind::majority, {}, "a"),
-                                            along,
-                                            sense("e", SenseKind::elongation, {.above = 1.05}),
-                                            sense("f", SenseKind::diffusion, {.above = 2.5}, "a0", 1.5)};
+  const std::vector<SenseParameters> senses{
+      sense("a", SenseKind::neighbours, {.atLeast = 3}),  sense("b", SenseKind::volume, {.below = 1.0}),
+      sense("c", SenseKind::majority, {}, "a"),           along,
+      sense("e", SenseKind::elongation, {.above = 1.05}), sense("f", SenseKind::diffusion, {.above = 2.5}, "a0", 1.5)};
   std::vector<Body> cells = flyingCells(scene.mechanics->mesh, 8, 1.75, 0.5);
   const auto run = [&](bool turn, const Execution& execution) {
     Scene s = scene;

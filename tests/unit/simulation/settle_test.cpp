@@ -31,8 +31,7 @@ double residualOf(const World& world) {
       left += dot(traction, traction);
       ++vertices;
     }
-    pressure +=
-        std::max(std::abs(b.pressure[slot]), 0.1 * b.parameters.membrane.stiffness / radius) / b.count;
+    pressure += std::max(std::abs(b.pressure[slot]), 0.1 * b.parameters.membrane.stiffness / radius) / b.count;
   }
   return std::sqrt(left / vertices) / pressure;
 }
@@ -118,8 +117,7 @@ TEST_CASE("How far from rest a settling ends is measured, and changes no bit") {
       double farthest = 0;
       for (int slot : there.bodies->slots)
         for (int v = 0; v < there.bodies->vertexCount(slot); ++v)
-          farthest =
-              std::max(farthest, norm(there.bodies->vertex(slot, v) - sampled.bodies->vertex(slot, v)));
+          farthest = std::max(farthest, norm(there.bodies->vertex(slot, v) - sampled.bodies->vertex(slot, v)));
       CHECK_THAT(*last.displacementLeft, Catch::Matchers::WithinRel(farthest, 1e-12));
       const double left = measureEnergy(sampled).total() - measureEnergy(there).total();
       // A difference of energies that are some thousand times as large.
@@ -188,8 +186,7 @@ TEST_CASE("Cells grow in small parts, each of which settles") {
     const double before = world.clock.time;
     step(world);
     if (fastest == 0) continue;
-    CHECK((world.clock.time - before) * fastest * scene.mechanics->physics.growth->rate <=
-          mostGrowth + 1e-12);
+    CHECK((world.clock.time - before) * fastest * scene.mechanics->physics.growth->rate <= mostGrowth + 1e-12);
     ++parts;
   }
   CHECK(parts >= 10);

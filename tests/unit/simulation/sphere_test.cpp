@@ -29,8 +29,7 @@ Vector velocityOf(const World& world, int cell) {
 }
 
 double distance(const World& world) {
-  return norm(world.bodies->vertex(world.bodies->slots[1], 0) -
-              world.bodies->vertex(world.bodies->slots[0], 0));
+  return norm(world.bodies->vertex(world.bodies->slots[1], 0) - world.bodies->vertex(world.bodies->slots[0], 0));
 }
 
 double radiusOf(const World& world, int cell) {
@@ -42,8 +41,8 @@ double radiusOf(const World& world, int cell) {
 // Relative motion with reduced mass ½ on a spring K: depth u/ω sin ωt with ω² = 2K, for half a period.
 TEST_CASE("Two spheres bounce as a spring between them does") {
   const double u = 2, omega = std::sqrt(60.0), meet = 1.0 / u;
-  World world = makeWorld(
-      loose({{.at = {-1.5, 0, 0}, .velocity = {1, 0, 0}}, {.at = {1.5, 0, 0}, .velocity = {-1, 0, 0}}}));
+  World world =
+      makeWorld(loose({{.at = {-1.5, 0, 0}, .velocity = {1, 0, 0}}, {.at = {1.5, 0, 0}, .velocity = {-1, 0, 0}}}));
   double worst = 0, deepest = 0;
   while (world.clock.time < 2 * meet + pi / omega) {
     step(world);
@@ -54,8 +53,7 @@ TEST_CASE("Two spheres bounce as a spring between them does") {
     worst = std::max(worst, std::abs(distance(world) - expected));
     deepest = std::max(deepest, 2 - distance(world));
   }
-  CHECK(worst <
-        2e-5);  // second order in a step of 2^-10, and up to one step from the meeting: ω²u Δt²/2 = 6e-5
+  CHECK(worst < 2e-5);  // second order in a step of 2^-10, and up to one step from the meeting: ω²u Δt²/2 = 6e-5
   CHECK(std::abs(deepest - u / omega) < 1e-5);
   CHECK(std::abs(velocityOf(world, 1).x - 1) < 2e-4);
   CHECK(velocityOf(world, 0) == -velocityOf(world, 1));  // not a bit of momentum is lost
@@ -131,8 +129,7 @@ TEST_CASE("No sphere leaves a spherical shell") {
   while (!finished(world)) {
     step(world);
     for (int i = 0; i < world.bodies->count; ++i)
-      outermost =
-          std::max(outermost, norm(world.bodies->vertex(world.bodies->slots[i], 0)) + radiusOf(world, i));
+      outermost = std::max(outermost, norm(world.bodies->vertex(world.bodies->slots[i], 0)) + radiusOf(world, i));
   }
   CHECK(world.cells.path.size() == 16);
   CHECK(outermost < 1 + 1e-14);
@@ -170,9 +167,8 @@ TEST_CASE("Where nothing limits it, an automatic time step is refused") {
     makeWorld(scene);
     FAIL("it was not refused");
   } catch (const InputError& e) {
-    CHECK(
-        std::string(e.what()) ==
-        "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a "
-        "number");
+    CHECK(std::string(e.what()) ==
+          "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a "
+          "number");
   }
 }

@@ -40,8 +40,7 @@ TEST_CASE("Paths are those of an egg that divided at time 0, in the order of the
     for (std::size_t i = 0; i < paths.size(); ++i) cells.push_back(at(3.0 * static_cast<double>(i)));
     const World world = makeWorld(withCells(cells));
     CHECK(pathsOf(world) == paths);
-    for (std::size_t i = 0; i < paths.size(); ++i)
-      CHECK(norm(centreOf(world, paths[i].c_str()) - cells[i].at) < 1e-12);
+    for (std::size_t i = 0; i < paths.size(); ++i) CHECK(norm(centreOf(world, paths[i].c_str()) - cells[i].at) < 1e-12);
     // A whole tree: every mother has divided, at once, before her daughters.
     REQUIRE(world.lineage.entries.size() == 2 * paths.size() - 1);
     std::size_t divided = 0;

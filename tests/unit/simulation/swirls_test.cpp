@@ -64,8 +64,7 @@ TEST_CASE("chirality: after one time constant 1/e of the angle is left") {
   Scene unturned = pair(oblique, {});
   unturned.stop.time = 1.4;
   const double turned = turnOf(ranToEnd(unturned), ranToEnd(scene), "A", oblique);
-  CHECK(turned ==
-        Approx(60 * (1 - std::exp(-1.0))).epsilon(0.05));  // the medium takes a moment to take it along
+  CHECK(turned == Approx(60 * (1 - std::exp(-1.0))).epsilon(0.05));  // the medium takes a moment to take it along
 }
 
 TEST_CASE("chirality: the other sign of the axis is the same hand, for it exchanges the daughters") {

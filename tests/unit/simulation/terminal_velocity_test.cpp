@@ -21,8 +21,7 @@ TEST_CASE("A cell that is pulled through the medium approaches its terminal velo
     evaluateForces(world);
     const auto velocityOf = [&](int slot) {
       Vector sum;
-      for (int v = 0; v < world.bodies->vertexCount(); ++v)
-        sum += world.bodies->read(world.bodies->velocity, slot, v);
+      for (int v = 0; v < world.bodies->vertexCount(); ++v) sum += world.bodies->read(world.bodies->velocity, slot, v);
       return sum / 42.0;
     };
     for (double time : {0.125, 0.5, 3.0}) {

@@ -241,9 +241,8 @@ TEST_CASE("Explicit Euler without drag is refused, automatic or not, and the mes
   p.integrator = Integrator::explicitEuler;
   for (const std::optional<double> timeStep : {std::optional<double>(), std::optional(1e-6)}) {
     p.timeStep = timeStep;
-    CHECK_THROWS_WITH(makeWorld(scene),
-                      ContainsSubstring("physics.integrator explicit-euler is stable with no") &&
-                          ContainsSubstring("physics.drag"));
+    CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("physics.integrator explicit-euler is stable with no") &&
+                                            ContainsSubstring("physics.drag"));
   }
   p.timeStep.reset();
   p.drag = 5;
@@ -295,8 +294,8 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
   PhysicsParameters& p = scene.mechanics->physics;
   p.integrator = Integrator::xpbd;
-  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none") &&
-                                          ContainsSubstring("give physics.time_step a number"));
+  CHECK_THROWS_WITH(makeWorld(scene),
+                    ContainsSubstring("this scene has none") && ContainsSubstring("give physics.time_step a number"));
   p.timeStep = 1;  // any other integrator is refused
   CHECK_NOTHROW(makeWorld(scene));
   p.timeStep.reset();
@@ -304,8 +303,8 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none"));
   scene.mechanics->contact = scenes::pairContact;
   World world = makeWorld(scene, {bestIsa(), 1});
-  const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness,
-                                    scenes::pairContact.damping, world.bodies->vertexMass[0]);
+  const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness, scenes::pairContact.damping,
+                                    world.bodies->vertexMass[0]);
   CHECK(world.clock.timeStep == powerOfTwoBelow(0.8 * limit));
   while (!finished(world)) step(world);
   CHECK(world.cells.path.size() == 8);
@@ -341,7 +340,7 @@ TEST_CASE(
   for (const std::uint64_t substeps : {1, 2, 8})
     for (const double damping : {0.0, 0.02}) {
       CAPTURE(substeps, damping);
-      CHECK(mostEnergy(substeps, damping, 0.95) < 1.01);  // they come with 1
+      CHECK(mostEnergy(substeps, damping, 0.95) < 1.01);               // they come with 1
       if (substeps == 1) CHECK(mostEnergy(substeps, damping, 6) > 2);  // at 5: 1.9 and 5.3
     }
 }

@@ -87,8 +87,7 @@ TEST_CASE("Two shells under a load share a disc on which their pressure bears it
     comeToRest(world, 1e-5);
     const double pressure = world.bodies->pressure[0], surface = measureCells(world)[0].at("area");
     const auto radius = [](double area) { return std::sqrt(area / std::numbers::pi); };
-    const double expected = radius(load / (pressure + load / surface)),
-                 found = radius(pressedArea(world, pressure)),
+    const double expected = radius(load / (pressure + load / surface)), found = radius(pressedArea(world, pressure)),
                  measured = radius(measureContactAreas(*world.contacts, *world.bodies).at(0).area);
     CAPTURE(load, pressure, surface, expected, found, measured);
     // The rim runs between vertices that are pressed and those that are not.

@@ -20,16 +20,15 @@ std::string endOf(Scene scene, std::uint64_t seed) {
 
 TEST_CASE("a scene says that it uses its seed exactly if another seed gives another result") {
   const std::string rests = "START: a0\ng1(a0|a0)\n";
-  const std::vector<std::pair<std::string, Scene>> scenes{
-      {"lineage", scenes::lineageOnly(scenes::uniqueFour, 4)},
-      {"bodies", scenes::withBodies(scenes::everybodyDivides, 2)},
-      {"bodies at rest", scenes::withBodies(rests, 2)},
-      {"packed", scenes::packed()},
-      {"ellipsoid", scenes::ellipsoid()},
-      {"life", scenes::life()},
-      {"spheres", scenes::spheres()},
-      {"mixed meshes", scenes::mixedMeshes()},
-      {"coarsening", scenes::coarsening()}};
+  const std::vector<std::pair<std::string, Scene>> scenes{{"lineage", scenes::lineageOnly(scenes::uniqueFour, 4)},
+                                                          {"bodies", scenes::withBodies(scenes::everybodyDivides, 2)},
+                                                          {"bodies at rest", scenes::withBodies(rests, 2)},
+                                                          {"packed", scenes::packed()},
+                                                          {"ellipsoid", scenes::ellipsoid()},
+                                                          {"life", scenes::life()},
+                                                          {"spheres", scenes::spheres()},
+                                                          {"mixed meshes", scenes::mixedMeshes()},
+                                                          {"coarsening", scenes::coarsening()}};
   for (const auto& [name, scene] : scenes)
     for (const DivisionPlane plane : {DivisionPlane::longest, DivisionPlane::axis, DivisionPlane::random}) {
       Scene s = scene;
@@ -37,16 +36,14 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
       s.stop = {.cycles = 2, .time = {}, .cells = {}};
       if (!s.mechanics && plane != DivisionPlane::longest) continue;
       if (s.mechanics) s.mechanics->division.otherwise.plane = plane;
-      if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere &&
-          plane == DivisionPlane::longest)
+      if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere && plane == DivisionPlane::longest)
         continue;  // a sphere has none
       CAPTURE(name, static_cast<int>(plane));
       CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));
     }
 }
 
-TEST_CASE(
-    "a scene whose rules or variation draw uses its seed exactly if another seed gives another result") {
+TEST_CASE("a scene whose rules or variation draw uses its seed exactly if another seed gives another result") {
   const std::string rests = "START: a0\ng1(a0|a0)\n";
   const auto changes = std::vector<std::pair<const char*, std::function<void(Scene&)>>>{
       {"nothing", [](Scene&) {}},

@@ -43,8 +43,7 @@ TEST_CASE("Each cell has a pace of its own, and divides when the cycles of its l
 
 TEST_CASE("A pace is for life: a cell that does not divide keeps it") {
   Scene scene = varied(0.2);
-  scene.dna =
-      parseDna("START: a0\ng1(a1|a0)\ng2(a0|a1)\ng3(divide|a0)\n", "test.dna");  // divides every other cycle
+  scene.dna = parseDna("START: a0\ng1(a1|a0)\ng2(a0|a1)\ng3(divide|a0)\n", "test.dna");  // divides every other cycle
   const World world = ranToEnd(scene);
   const auto births = birthsOf(world);
   const double egg = 1 + 0.2 * deviate(scene, {}, Purpose::cycleVariation);
@@ -103,8 +102,7 @@ TEST_CASE("A first cell stands off its place by a deviate along each axis") {
   scene.variation.start = 0.1;
   const double radius = scene.mechanics->physics.cell.radius;
   const Point egg = centreOf(makeWorld(scene), "");
-  const Vector expected{deviate(scene, {}, Purpose::startVariation, 0),
-                        deviate(scene, {}, Purpose::startVariation, 1),
+  const Vector expected{deviate(scene, {}, Purpose::startVariation, 0), deviate(scene, {}, Purpose::startVariation, 1),
                         deviate(scene, {}, Purpose::startVariation, 2)};
   CHECK(norm(egg - 0.1 * radius * expected) < 1e-14);
 
@@ -112,8 +110,7 @@ TEST_CASE("A first cell stands off its place by a deviate along each axis") {
   const World two = makeWorld(scene);
   for (const auto& [path, at] : {std::pair("A", Point{-2, 0, 0}), std::pair("B", Point{2, 0, 0})}) {
     const CellPath cell = CellPath::parse(path);
-    const Vector by{deviate(scene, cell, Purpose::startVariation, 0),
-                    deviate(scene, cell, Purpose::startVariation, 1),
+    const Vector by{deviate(scene, cell, Purpose::startVariation, 0), deviate(scene, cell, Purpose::startVariation, 1),
                     deviate(scene, cell, Purpose::startVariation, 2)};
     CHECK(norm(centreOf(two, path) - at - 0.1 * radius * by) < 1e-14);
   }
@@ -161,8 +158,7 @@ TEST_CASE("Rules share out volumes, of meshes as of spheres, and the record says
 }
 
 TEST_CASE("A state that was saved between two divisions goes on with the same deviations") {
-  World whole = makeWorld(scenes::varied(), {Isa::scalar, 1}),
-        part = makeWorld(scenes::varied(), {Isa::scalar, 1});
+  World whole = makeWorld(scenes::varied(), {Isa::scalar, 1}), part = makeWorld(scenes::varied(), {Isa::scalar, 1});
   while (part.divisions.empty()) step(part);
   World resumed = makeWorld(scenes::varied(), {Isa::scalar, 1});
   restoreState(resumed, saveState(part));
@@ -191,8 +187,7 @@ TEST_CASE("A scene turned about turns its divisions: shares, paces and angles of
     CAPTURE(i);
     CHECK(a.divisions[i].time == b.divisions[i].time);
     CHECK(a.divisions[i].share == Approx(b.divisions[i].share).epsilon(1e-14));
-    CHECK(dot(a.divisions[i].axis, axes[i]) ==
-          Approx(dot(b.divisions[i].axis, turn(axes[i]))).epsilon(1e-13));
+    CHECK(dot(a.divisions[i].axis, axes[i]) == Approx(dot(b.divisions[i].axis, turn(axes[i]))).epsilon(1e-13));
     CHECK(dot(a.divisions[i].axis, axes[i]) < 1);
   }
 }

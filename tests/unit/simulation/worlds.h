@@ -26,8 +26,7 @@ inline World ranToEnd(const Scene& scene, const Execution& execution = {Isa::sca
 }
 
 /// A world in which the given bodies live, under paths of equal length, and never run a cell cycle.
-inline World worldOf(const Scene& scene, const std::vector<Body>& bodies,
-                     const Execution& execution = {Isa::scalar, 1},
+inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const Execution& execution = {Isa::scalar, 1},
                      std::unique_ptr<BiologicalUnit> biology = nullptr) {
   World world = biology ? makeWorld(scene, std::move(biology), execution) : makeWorld(scene, execution);
   const StateId state = world.cells.state[0];

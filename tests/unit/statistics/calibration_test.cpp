@@ -69,8 +69,7 @@ TEST_CASE(
   for (const std::size_t n : seedCounts) {
     const auto covers = [&](std::uint64_t study, bool skewed) {
       Numbers numbers(1000 * n + study + (skewed ? 1'000'000 : 0));
-      const auto i =
-          intervalOfMean(sample(n, [&] { return skewed ? numbers.skewed() : numbers.normal() + 1; }));
+      const auto i = intervalOfMean(sample(n, [&] { return skewed ? numbers.skewed() : numbers.normal() + 1; }));
       return i->low <= 1 && 1 <= i->high;
     };
     const double normal = percent([&](std::uint64_t s) { return covers(s, false); });
@@ -78,8 +77,7 @@ TEST_CASE(
     CHECK(normal >= 94);
     CHECK(normal <= 96);
     if (n >= 10)
-      CHECK(percent([&](std::uint64_t s) { return covers(s, true); }) ==
-            Approx(n == 10 ? 90 : 92).margin(1.5));
+      CHECK(percent([&](std::uint64_t s) { return covers(s, true); }) == Approx(n == 10 ? 90 : 92).margin(1.5));
   }
   CHECK(!intervalOfMean(std::vector<double>(10, 0.1)));
   CHECK(!intervalOfMean(std::vector<double>{3}));
@@ -126,8 +124,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "Different and equivalent are said wrongly in 5 % of studies, with a margin below and above the error") {
+TEST_CASE("Different and equivalent are said wrongly in 5 % of studies, with a margin below and above the error") {
   for (const std::size_t n : seedCounts)
     for (const double margin : {0.02, 1., 5.}) {  // in standard errors
       const double difference = margin * std::sqrt(2. / double(n));
@@ -135,8 +132,7 @@ TEST_CASE(
       for (std::uint64_t study = 0; study < studies; ++study) {
         Numbers numbers(6'000'000 + 1000 * n + study + std::uint64_t(1e6 * margin));
         std::vector<double> a, b;
-        for (std::size_t i = 0; i < n; ++i)
-          a.push_back(numbers.normal() + difference), b.push_back(numbers.normal());
+        for (std::size_t i = 0; i < n; ++i) a.push_back(numbers.normal() + difference), b.push_back(numbers.normal());
         const auto e = testEquivalence(comparePaired(a, b), difference);
         different += verdictOf(1, e.pBeyond) == Equivalent::no;
         equivalent += verdictOf(e.p, 1) == Equivalent::yes;
@@ -158,8 +154,7 @@ std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
   for (std::size_t r = 0; r < n; ++r)
     for (std::size_t policy = 0; policy < 2; ++policy) {
       const double placed = numbers.normal();
-      for (std::size_t way = 0; way < 5; ++way)
-        values[(5 * policy + way) * n + r] = placed + 0.05 * numbers.normal();
+      for (std::size_t way = 0; way < 5; ++way) values[(5 * policy + way) * n + r] = placed + 0.05 * numbers.normal();
     }
   return values;
 }
@@ -171,8 +166,7 @@ std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size
   for (std::size_t r = 0; r < n; ++r) {
     const double shared = numbers.normal();
     double spread = 1;
-    for (std::size_t l = 0; l < levels; ++l, spread *= ratio)
-      values[l * n + r] = shared + spread * numbers.normal();
+    for (std::size_t l = 0; l < levels; ++l, spread *= ratio) values[l * n + r] = shared + spread * numbers.normal();
   }
   return values;
 }
@@ -193,8 +187,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "So it is with three and five levels of which some vary more than others, and almost so with nine") {
+TEST_CASE("So it is with three and five levels of which some vary more than others, and almost so with nine") {
   for (const std::size_t count : {3, 5, 9})
     for (const double ratio : {1., 0.7, 0.3})
       for (const std::size_t n : seedCounts) {
@@ -225,14 +218,13 @@ TEST_CASE(
         const double squares[] = {6 * size * size, 4};  // of one seed
         std::array<int, 2> held{};
         for (std::uint64_t study = 0; study < of; ++study) {
-          Numbers numbers(11'000'000 + 100'000 * n + study + std::uint64_t(1e7 * size) +
-                          (unlike ? 50'000 : 0));
+          Numbers numbers(11'000'000 + 100'000 * n + study + std::uint64_t(1e7 * size) + (unlike ? 50'000 : 0));
           std::vector<double> values(6 * n);
           for (std::size_t r = 0; r < n; ++r) {
             const double shared = numbers.normal();
             for (std::size_t cell = 0; cell < 6; ++cell)
-              values[cell * n + r] = shared + (cell < 3 ? size : -size) + (double(cell % 3) - 1) +
-                                     deviations[cell % 3] * numbers.normal();
+              values[cell * n + r] =
+                  shared + (cell < 3 ? size : -size) + (double(cell % 3) - 1) + deviations[cell % 3] * numbers.normal();
           }
           const auto analysis = analyseFactorial(levels, values);
           for (std::size_t e = 0; e < 2; ++e) {
@@ -249,8 +241,7 @@ TEST_CASE(
       }
 }
 
-TEST_CASE(
-    "The exact test tries all choices of signs, and its smallest p is that of one direction throughout") {
+TEST_CASE("The exact test tries all choices of signs, and its smallest p is that of one direction throughout") {
   CHECK(signFlipP(std::vector<double>{1, 1, 1}) == 0.25);
   CHECK(signFlipP(std::vector<double>{1, 1, 1, 1, 1}) == smallestSignFlipP(5));
   CHECK(signFlipP(std::vector<double>{0, 0, 0}) == 1);

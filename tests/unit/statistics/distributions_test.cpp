@@ -34,8 +34,7 @@ TEST_CASE("Student's t has the closed forms of 1, 2 and 4 degrees of freedom") {
   CHECK(studentAbove(0, 7) == 0.5);
 }
 
-TEST_CASE(
-    "Fisher's F of 1 and n degrees of freedom is the square of Student's t, and of 2 has a closed form") {
+TEST_CASE("Fisher's F of 1 and n degrees of freedom is the square of Student's t, and of 2 has a closed form") {
   Worst error;
   for (const double n : {1., 2., 5., 9.5, 40., 1000.})
     for (double t = 0.1; t < 20; t *= 1.7) {
@@ -48,8 +47,7 @@ TEST_CASE(
 
 TEST_CASE("The normal distribution is that of erfc, and many degrees of freedom come to it") {
   Worst error;
-  for (double z = -9; z <= 9; z += 0.13)
-    error.see(std::abs(normalBelow(z) - 0.5 * std::erfc(-z / std::sqrt(2))));
+  for (double z = -9; z <= 9; z += 0.13) error.see(std::abs(normalBelow(z) - 0.5 * std::erfc(-z / std::sqrt(2))));
   CHECK(error < 1e-15);
   CHECK(studentQuantile(0.975, 1e6) == Approx(normalQuantile(0.975)).epsilon(3e-6));  // differs by z³/4 df
 }
@@ -62,16 +60,14 @@ TEST_CASE(
       const double y2 = f / (1 + f), y4 = f / (2 + f),
                    mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
       INFO("λ " << lambda << ", F " << f);
-      CHECK(noncentralFisherAbove(f, 2, 2, lambda) ==
-            Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
+      CHECK(noncentralFisherAbove(f, 2, 2, lambda) == Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
       CHECK(noncentralFisherAbove(f, 2, 4, lambda) ==
             Approx(1 - y4 * std::exp(-mu * (1 - y4)) * (1 + (1 - y4) * (1 + mu * y4))).margin(1e-10));
       CHECK(noncentralFisherAbove(f, 3, 7, 0) == Approx(fisherAbove(f, 3, 7)).epsilon(1e-12));
     }
   for (const double df2 : {2., 9., 40.})
     for (const double f : {300., 1000., 3000.})
-      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) <
-            0.005);
+      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) < 0.005);
   CHECK(noncentralFisherAbove(0, 1, 5, 3) == 1);
 }
 

@@ -57,8 +57,7 @@ double share(int found, int of = repetitions) { return double(found) / of; }
 
 }  // namespace
 
-TEST_CASE(
-    "A planted effect of one standard deviation is found with 20 seeds in 95 % of 200 studies and more") {
+TEST_CASE("A planted effect of one standard deviation is found with 20 seeds in 95 % of 200 studies and more") {
   const double length = shiftedLength();
   CHECK(length == Approx(1 + std::sqrt(2.) * 0.1 * 0.9866 / 2).epsilon(0.06));  // two cycles of 10 %
   int found = 0, unpaired = 0;

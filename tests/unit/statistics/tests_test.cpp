@@ -24,8 +24,7 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   CHECK(paired.difference == Approx(1.58));
   CHECK(paired.t == Approx(4.0621).epsilon(1e-4));
   CHECK(studentBeyond(paired.t, 9) == Approx(0.002833).epsilon(1e-3));
-  CHECK(paired.p ==
-        2. / 512);  // hours to one decimal repeat, so that the exact test counts: 2 of 512 choices of signs
+  CHECK(paired.p == 2. / 512);  // hours to one decimal repeat, so that the exact test counts: 2 of 512 choices of signs
   CHECK(paired.interval->low == Approx(0.7001142).epsilon(1e-6));
   const auto unpaired = compareUnpaired(second, first);
   CHECK(unpaired.difference == Approx(1.58));
@@ -39,8 +38,7 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   CHECK(effectSizes(second, first).dz == Approx(4.0621 / std::sqrt(10)).epsilon(1e-4));
 }
 
-TEST_CASE(
-    "Where the difference does not vary it is as sure as an exact test of its signs, and has no interval") {
+TEST_CASE("Where the difference does not vary it is as sure as an exact test of its signs, and has no interval") {
   const std::vector<double> a{0.1, 0.2, 0.7}, b{1.1, 1.2, 1.7};
   const std::vector<double> one(3, 0.1), two(3, 0.2);
   const auto certain = comparePaired(one, two);
@@ -119,8 +117,7 @@ std::vector<double> designed(double interaction, double noise, double shared, st
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 2; ++b)
       for (std::uint32_t r = 0; r < n; ++r)
-        values.push_back(2. * a + 5. * b + interaction * (a == 2 && b == 1) +
-                         shared * randomNormal({1, {}}, r) +
+        values.push_back(2. * a + 5. * b + interaction * (a == 2 && b == 1) + shared * randomNormal({1, {}}, r) +
                          noise * randomNormal({2 + std::uint64_t(2 * a + b), {}}, r));
   return values;
 }
@@ -142,8 +139,7 @@ TEST_CASE("Effects that add up have no interaction, and shares of all effects su
   CHECK(levelMeans(threeByTwo, designed(0, 0, 0), 1) == std::vector<double>{2, 7});
 }
 
-TEST_CASE(
-    "With the errors of all effects and what seeds have in common, sums of squares add up to the whole one") {
+TEST_CASE("With the errors of all effects and what seeds have in common, sums of squares add up to the whole one") {
   const auto values = designed(1.5, 0.3, 0.8);
   const auto analysis = analyseFactorial(threeByTwo, values);
   double sum = 0;

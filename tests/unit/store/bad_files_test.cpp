@@ -3,9 +3,9 @@
 #include <unistd.h>
 
 #include "catch.h"
-#include "store/schema.h"
 #include "database/store_error.h"
 #include "example_run.h"
+#include "store/schema.h"
 #include "store/store.h"
 #include "temporary_folder.h"
 
@@ -27,9 +27,7 @@ void refuses(const std::filesystem::path& file, const std::string& because) {
   REQUIRE(readText(file) == before);
 }
 
-Database emptyDatabase(const std::filesystem::path& file) {
-  return Database(file, Database::Mode::create, 1s);
-}
+Database emptyDatabase(const std::filesystem::path& file) { return Database(file, Database::Mode::create, 1s); }
 
 }  // namespace
 
@@ -77,8 +75,7 @@ TEST_CASE("no file, no directory, a directory") {
   REQUIRE_FALSE(std::filesystem::exists(folder / "none.db"));
   REQUIRE_THROWS_WITH(Store::openForWriting(folder / "none/none.db"),
                       ContainsSubstring("none does not exist; make it"));
-  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()),
-                      ContainsSubstring("it is a directory; give a file"));
+  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()), ContainsSubstring("it is a directory; give a file"));
 }
 
 TEST_CASE("an empty file is a new database, but nothing to read from") {

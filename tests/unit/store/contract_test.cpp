@@ -1,8 +1,8 @@
 // The tables as other programs meet them: names, types, keys and numbers, asked for in plain SQL.
 #include "catch.h"
-#include "store/schema.h"
 #include "database/store_error.h"
 #include "example_run.h"
+#include "store/schema.h"
 #include "store/store.h"
 #include "temporary_folder.h"
 
@@ -36,8 +36,8 @@ TEST_CASE("the tables have the columns that others rely on") {
     INFO(table);
     for (const char* column : columns) {
       INFO(column);
-      REQUIRE(f.db.integer(std::string("SELECT count(*) FROM pragma_table_info('") + table +
-                           "') WHERE name = '" + column + "'") == 1);
+      REQUIRE(f.db.integer(std::string("SELECT count(*) FROM pragma_table_info('") + table + "') WHERE name = '" +
+                           column + "'") == 1);
     }
     REQUIRE(f.db.integer(std::string("SELECT strict FROM pragma_table_list('") + table + "')") == 1);
     REQUIRE(f.db.integer(std::string("SELECT count(*) FROM ") + table) > 0);
@@ -45,8 +45,8 @@ TEST_CASE("the tables have the columns that others rely on") {
   expectColumns("run", {"run_id", "scenario", "seed", "status", "state_hash", "started", "ended"});
   expectColumns("cell", {"run_id", "path", "parent", "born", "ended", "fate", "state", "name"});
   expectColumns("sample", {"run_id", "time", "cells"});
-  expectColumns("cell_sample", {"run_id", "time", "path", "volume", "area", "pressure", "x", "y", "z",
-                                "sphericity", "neighbours"});
+  expectColumns("cell_sample",
+                {"run_id", "time", "path", "volume", "area", "pressure", "x", "y", "z", "sphericity", "neighbours"});
   expectColumns("contact", {"run_id", "time", "a", "b", "area"});
   expectColumns("connection", {"run_id", "a", "b", "made", "released", "cause"});
   expectColumns("check_result", {"run_id", "check", "kind", "expected", "actual", "tolerance", "passed"});
@@ -103,8 +103,7 @@ TEST_CASE("the tables refuse what they are not made for") {
   };
   refuses("INSERT INTO time_step VALUES (" + id + ", 'soon', 0, 1)",
           "cannot store TEXT value in INTEGER column");  // STRICT
-  refuses("INSERT INTO time_step VALUES (" + id + ", 9, 'half', 1)",
-          "cannot store TEXT value in REAL column");
+  refuses("INSERT INTO time_step VALUES (" + id + ", 9, 'half', 1)", "cannot store TEXT value in REAL column");
   refuses("INSERT INTO time_step VALUES ('nobody', 9, 0, 1)", "FOREIGN KEY");
   refuses("INSERT INTO time_step VALUES (" + id + ", 0, 0, 1)", "UNIQUE");
   refuses("INSERT INTO time_step VALUES (" + id + ", 9, NULL, 1)", "NOT NULL");  // what a NaN would become

@@ -24,9 +24,8 @@ inline RunRecord exampleRecord() {
   r.scenario = "unique-four";
   r.scenarioHash = "0123456789abcdef0123456789abcdef";
   r.seed = 20080617;
-  r.documents = {
-      {"scenario", "scenarios/thesis/unique-four.yaml", std::string("morula: 1\n\0 bytes \xff", 19)},
-      {"resolved", "", "morula: 1\nseed: 20080617\n"}};
+  r.documents = {{"scenario", "scenarios/thesis/unique-four.yaml", std::string("morula: 1\n\0 bytes \xff", 19)},
+                 {"resolved", "", "morula: 1\nseed: 20080617\n"}};
   r.command = "morula run scenarios/thesis/unique-four.yaml";
   r.isa = "avx2";
   r.threads = 2;
@@ -77,14 +76,11 @@ inline RunResults exampleResults() {
   r.timeSteps = {{0, 0, 0.00048828125}, {1.0 / 3, 683, 0.000244140625}};
   r.divisions = {{{}, 1.0 / 3, 683, {0.6, -0.8, 1e-17}, 0.58, 1.0000000000000002},
                  {CellPath::parse("A"), 0.1 + 0.2, 700, {0, 0, 1}, 0.5, {}}};
-  r.chain = {{0, {1, 2}, {{3, 4}, {5, 6}, {{CellPath(), {7, 8}}}, {}, {9, 10}}},
-             {512,
-              {0xffffffffffffffffu, 0},
-              {{11, 12},
-               {13, 14},
-               {{CellPath::parse("A"), {15, 16}}, {CellPath::parse("B"), {17, 18}}},
-               {19, 20},
-               {21, 22}}}};
+  r.chain = {
+      {0, {1, 2}, {{3, 4}, {5, 6}, {{CellPath(), {7, 8}}}, {}, {9, 10}}},
+      {512,
+       {0xffffffffffffffffu, 0},
+       {{11, 12}, {13, 14}, {{CellPath::parse("A"), {15, 16}}, {CellPath::parse("B"), {17, 18}}}, {19, 20}, {21, 22}}}};
   CheckResult check;
   check.check = "values final/*/volume";
   check.kind = "golden";

@@ -159,17 +159,15 @@ TEST_CASE("the same run with another state hash is reported, and the first one k
       FAIL("nothing was reported");
     } catch (const NondeterminismError& e) {
       REQUIRE_THAT(e.what(), ContainsSubstring("NONDETERMINISM") && ContainsSubstring(id) &&
-                                 ContainsSubstring(Hash{1, 0}.text()) &&
-                                 ContainsSubstring(Hash{2, 0}.text()));
+                                 ContainsSubstring(Hash{1, 0}.text()) && ContainsSubstring(Hash{2, 0}.text()));
       REQUIRE(e.runId == id);
       REQUIRE(e.stored == Hash{1, 0}.text());
       REQUIRE(e.computed == Hash{2, 0}.text());
     }
   }
   SECTION("a failure where there was a result") {
-    REQUIRE_THROWS_AS(
-        other.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, {}),
-        NondeterminismError);
+    REQUIRE_THROWS_AS(other.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, {}),
+                      NondeterminismError);
   }
   SECTION("half a run says nothing") {
     other.finish(id, {.status = RunStatus::killed, .stateHash = {}, .failure = {}}, {});

@@ -176,8 +176,7 @@ TEST_CASE("a sample that falls on the end is taken once") {
 }
 
 TEST_CASE("a step over several multiples gives one sample") {
-  Run run(fourCells(false),
-          {.every = 0.03125, .hashEvery = {}});  // lineage only: from cycle to cycle, 0.125 each
+  Run run(fourCells(false), {.every = 0.03125, .hashEvery = {}});  // lineage only: from cycle to cycle, 0.125 each
   const RunResults results = run.recorder.take(run.world);
   CHECK(results.samples.size() == run.world.clock.step + 1);
   CHECK(results.samples.back().cells.empty());
@@ -304,8 +303,7 @@ std::vector<double> durationsOf(const RunResults& results, const std::string& a,
 
 }  // namespace
 
-TEST_CASE(
-    "how long two cells have touched counts from the first of the samples in a row, also in a resumed run") {
+TEST_CASE("how long two cells have touched counts from the first of the samples in a row, also in a resumed run") {
   const RecordOptions options{.every = 1, .measures = {"contact_duration"}};
   // 1.5: between two samples with contact; 0.5, 3.5: what only a stop sees; 3: at a sample without
   for (const double stopped : {-1.0, 0.5, 1.0, 1.5, 3.0, 3.5, 4.5, 5.0}) {
@@ -379,8 +377,8 @@ TEST_CASE("what is recorded goes to the store while the run goes on, and is the 
 
   World world = makeWorld(fourCells(true));
   int times = 0;
-  Recorder recorder(much,
-                    [&](const RunResults& records) { poured.store.record(poured.id, records), ++times; }, 1e5);
+  Recorder recorder(
+      much, [&](const RunResults& records) { poured.store.record(poured.id, records), ++times; }, 1e5);
   double most = 0;
   for (recorder.observe(world); !finished(world); recorder.observe(world)) {
     step(world);
@@ -408,8 +406,7 @@ TEST_CASE("a run that is stopped and goes on takes as much memory for its record
     first.observe(world);
     for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, and more that is lost
       while (world.clock.time < until) step(world), first.observe(world);
-      kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"},
-                                first.records());
+      kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"}, first.records());
     }
     Store again = Store::openForWriting(kept.folder / "runs.db");
     REQUIRE(again.resume(kept.record));

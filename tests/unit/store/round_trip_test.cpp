@@ -11,9 +11,7 @@ using namespace morula;
 
 namespace {
 
-bool sameBits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 /// What was not measured comes back as not measured.
 bool sameBits(const std::optional<double>& a, const std::optional<double>& b) {

@@ -130,8 +130,7 @@ TEST_CASE("surfaces are kept at their times, of every living cell, and at the en
   CHECK(results.meshes[0].faces == makeIcosphere(1).faces);
 }
 
-TEST_CASE(
-    "the end keeps surfaces, also where a sample was due there anyway; without being asked nothing is kept") {
+TEST_CASE("the end keeps surfaces, also where a sample was due there anyway; without being asked nothing is kept") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
   scene.stop = {.cycles = {}, .time = 0.5, .cells = {}};
   Watched due(scene, {.every = 0.25, .meshes = 0.4});
@@ -171,8 +170,7 @@ TEST_CASE("each mesh's faces are kept once, and cells say which is theirs; spher
   REQUIRE(round.meshes.size() == 1);
   CHECK(round.samples.back().surfaces.size() == 2);
   const Bodies& b = *spheres.world.bodies;
-  for (const CellSurface& c :
-       round.samples.back().surfaces) {  // on the ball, in the directions of the egg's vertices
+  for (const CellSurface& c : round.samples.back().surfaces) {  // on the ball, in the directions of the egg's vertices
     const int slot = b.slots[cellNumber(spheres.world.cells, c.path)];
     std::vector<Point> exact = cellMesh(spheres.world, c.path).vertices;
     for (Point& p : exact) {

@@ -66,8 +66,8 @@ TEST_CASE(
   Store::openForWriting(folder / "new.db");
   {
     Database db(file, Database::Mode::existing, 1s);
-    for (const char* column : {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity",
-                               "bullet_sample DROP COLUMN z"})
+    for (const char* column :
+         {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z"})
       db.execute(std::string("ALTER TABLE ") + column);
   }
   {
@@ -95,6 +95,5 @@ TEST_CASE("a value where there must be none, and none where there must be one, a
   };
   refuses("UPDATE cell SET ended = NULL WHERE path = 'B'", "ended: 'NULL'");
   refuses("UPDATE cell SET ended_step = NULL WHERE path = 'B'", "ended_step: 'NULL'");
-  refuses("UPDATE division SET axis_y = 9e999",
-          "axis_y: 'Inf' is not what Morula writes there; needs a finite number");
+  refuses("UPDATE division SET axis_y = 9e999", "axis_y: 'Inf' is not what Morula writes there; needs a finite number");
 }

@@ -88,8 +88,7 @@ TEST_CASE("Seeds that change nothing give one task; seeds that do, one each") {
   CHECK(describe(plan).find("division: x, connections: both") != std::string::npos);
 }
 
-TEST_CASE(
-    "Every replicate finds its task: the first that needs it names it, and all of one task mean the same") {
+TEST_CASE("Every replicate finds its task: the first that needs it names it, and all of one task mean the same") {
   const TemporaryFolder folder;
   const Plan plan = planIn(folder);
   std::set<std::size_t> found;
@@ -118,9 +117,8 @@ TEST_CASE("Conditions that mean the same share their runs, however they are writ
   CHECK(plan.tasks.size() == 8);
   // Where pictures are kept, colours count.
   const Plan pictures = planIn(
-      folder,
-      ballStudyWith("connections: {none: {}", "connections: {none: {}, colour: {colours: {a0: '#102030'}}") +
-          "keep: {pictures: all}\n");
+      folder, ballStudyWith("connections: {none: {}", "connections: {none: {}, colour: {colours: {a0: '#102030'}}") +
+                  "keep: {pictures: all}\n");
   CHECK(conditionsThatShare(pictures).empty());
 }
 
@@ -150,10 +148,8 @@ TEST_CASE("What is measured, when, and what is kept is part of a task's id; limi
   for (const std::string& study :
        {ballStudyWith(", clone_radius", ", sphericity"),
         ballStudyWith("sister-contact, clone_radius", "clone_radius, sister-contact"),
-        ballStudyWith("[sister-contact, clone_radius]",
-                      "{names: [sister-contact, clone_radius], when: each-division}"),
-        ballStudyWith("[sister-contact, clone_radius]",
-                      "{names: [sister-contact, clone_radius], when: {every: 0.5}}"),
+        ballStudyWith("[sister-contact, clone_radius]", "{names: [sister-contact, clone_radius], when: each-division}"),
+        ballStudyWith("[sister-contact, clone_radius]", "{names: [sister-contact, clone_radius], when: {every: 0.5}}"),
         ballStudy + "keep: {hashes: all}\n", ballStudy + "keep: {samples: all}\n",
         ballStudy + "keep: {pictures: all}\n"}) {
     CAPTURE(study);
@@ -204,8 +200,7 @@ TEST_CASE("What measures compare with counts where one is taken, and is gone whe
   writeText(folder / "b.yaml", ballScenario + compared);
   std::string other = compared;
   writeText(folder / "c.yaml", ballScenario + other.replace(other.find("BBB"), 3, "ABB"));
-  const std::string study =
-      "morula-study: 1\nname: three\nbase: [a.yaml, b.yaml, c.yaml]\nseeds: [1, 2]\nmeasures: ";
+  const std::string study = "morula-study: 1\nname: three\nbase: [a.yaml, b.yaml, c.yaml]\nseeds: [1, 2]\nmeasures: ";
   const Plan with = planIn(folder, study + "[contact-f1]\n");
   CHECK(conditionsThatShare(with) == std::vector<std::vector<std::size_t>>{{0, 1}});
   CHECK(with.conditions[0].scenario.check.reference->contacts.size() == 1);
@@ -241,12 +236,12 @@ TEST_CASE("A plan's file is the plan, without the files that it was made from") 
   {
     const TemporaryFolder folder;
     writeText(folder / "tree.dna", "START: a0\ng1(a0|a0)\ng2(divide|a0)\n");
-    plan = planIn(folder,
-                  ballStudyWith("none: {}",
-                                "none: {}, other: {dna: {file: tree.dna}, stop: {time: 0.123456789012345}}") +
-                      "summary: 'ein Versuch: \"ü\"'\nkeep: {hashes: none, pictures: first-seed}\n"
-                      "limits: {cpu-per-run: 1.5, memory-per-run: 2G}\n",
-                  true);
+    plan =
+        planIn(folder,
+               ballStudyWith("none: {}", "none: {}, other: {dna: {file: tree.dna}, stop: {time: 0.123456789012345}}") +
+                   "summary: 'ein Versuch: \"ü\"'\nkeep: {hashes: none, pictures: first-seed}\n"
+                   "limits: {cpu-per-run: 1.5, memory-per-run: 2G}\n",
+               true);
     text = writePlan(plan);
   }
   again = readPlan(text, "plan.json");

@@ -35,8 +35,7 @@ inline std::string ballStudyWith(const std::string& text, const std::string& by)
 }
 
 /// Writes both scenarios and the study into the folder, and plans it.
-inline Plan planIn(const TemporaryFolder& folder, const std::string& study = ballStudy,
-                   bool predict = false) {
+inline Plan planIn(const TemporaryFolder& folder, const std::string& study = ballStudy, bool predict = false) {
   writeText(folder / "balls.yaml", ballScenario);
   writeText(folder / "tree.yaml", lineageScenario);
   writeText(folder / "s.study.yaml", study);

@@ -73,10 +73,8 @@ TEST_CASE("Seeds are a number, a range, or a list of both, in their order") {
 
 TEST_CASE("Measures may say when they are taken, and limits have units") {
   const std::string names = "[sister-contact, clone_radius]";
-  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: each-division}")).when ==
-        When{Moments::eachDivision, 0});
-  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: {every: 0.25}}")).when ==
-        When{Moments::every, 0.25});
+  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: each-division}")).when == When{Moments::eachDivision, 0});
+  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: {every: 0.25}}")).when == When{Moments::every, 0.25});
   CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: end}")).when == When{});
   CHECK(studyOf(ballStudyWith(names, "[cell.volume, world.volume]")).measures ==
         std::vector<std::string>{"cell.volume", "world.volume"});
@@ -96,37 +94,32 @@ TEST_CASE("Every measure of every table has one name in studies, and finds its r
     CHECK(findMeasure(dashed)->name == m.name);
     CHECK(findMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
   }
-  CHECK(names.size() ==
-        measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
+  CHECK(names.size() == measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
   CHECK(!findMeasure("volume"));  // of the organism, or of a cell?
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
-  CHECK(studyOf(ballStudyWith(
-                    "[sister-contact, clone_radius]",
-                    "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
-            .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin",
-                                                  "elongation of generation 3", "cell.volume of s*"});
+  CHECK(studyOf(ballStudyWith("[sister-contact, clone_radius]",
+                              "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
+            .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin", "elongation of generation 3",
+                                                  "cell.volume of s*"});
   const auto wrong = [](const char* measure) -> std::string {
     try {
       studyOf(ballStudyWith("[sister-contact, clone_radius]", "['" + std::string(measure) + "']"));
       return "";
     } catch (const InputError& error) { return error.what(); }
   };
-  CHECK(studyOf(
-            ballStudyWith("[sister-contact, clone_radius]", "[age of clones, clone-radius of generation 3]"))
+  CHECK(studyOf(ballStudyWith("[sister-contact, clone_radius]", "[age of clones, clone-radius of generation 3]"))
             .measures == std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*",
                                                   "clone_radius of generation 3"});
-  CHECK_THAT(wrong("lumen of AAA*"),
-             ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("lumen of AAA*"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
   CHECK_THAT(wrong("clone-radius of AAA*"), ContainsSubstring("'clone-radius' is of all clones, in the mean; "
                                                               "needs generation N behind 'of'"));
   CHECK_THAT(wrong("age of genration 3"), ContainsSubstring("selects no cells; did you mean generation 3?"));
   CHECK_THAT(wrong("shell-share of A*B"), ContainsSubstring("'A*B' selects no cells; needs a path (AAA"));
-  CHECK_THAT(wrong("shell-share of generation x"),
-             ContainsSubstring("is no generation; needs a whole number"));
+  CHECK_THAT(wrong("shell-share of generation x"), ContainsSubstring("is no generation; needs a whole number"));
   CHECK_THAT(wrong("shel-share of AAA"), ContainsSubstring("did you mean shell_share?"));
   CHECK_THAT(wrong("count"), ContainsSubstring("say of which cells, as count of skin"));
 }
@@ -154,11 +147,10 @@ TEST_CASE("A selection has the cells that it says") {
 }
 
 TEST_CASE("A value in a study is the same value in an override") {
-  for (const char* text :
-       {"longest", "0.5", "-1e-3", "'0.5'", "\"a: b\"", "[1, 0, 0]", "{axis: [1, 0, 0]}", "{}", "[]", "null",
-        "'null'", "{of: [skin, 'P*'], plane: random, why: null}", "{a: 'it''s \"so\"', 'b c': [[1], []]}",
-        "|\n  START: a0\n  g1(a0|a0)\n", "a text, with [brackets] and {braces}",
-        "why:\n  - one\n  - '# no remark'\n", "'-'"}) {
+  for (const char* text : {"longest", "0.5", "-1e-3", "'0.5'", "\"a: b\"", "[1, 0, 0]", "{axis: [1, 0, 0]}", "{}", "[]",
+                           "null", "'null'", "{of: [skin, 'P*'], plane: random, why: null}",
+                           "{a: 'it''s \"so\"', 'b c': [[1], []]}", "|\n  START: a0\n  g1(a0|a0)\n",
+                           "a text, with [brackets] and {braces}", "why:\n  - one\n  - '# no remark'\n", "'-'"}) {
     CAPTURE(text);
     const auto node = nodeOf(text);
     const std::string line = overrideText(node);
@@ -192,8 +184,7 @@ TEST_CASE("A study is told from a scenario by its name or its first key") {
 TEST_CASE("Scenarios of a study lie in its folder unless that is allowed otherwise") {
   const TemporaryFolder folder, other;
   writeText(other / "balls.yaml", ballScenario);
-  writeText(folder / "s.study.yaml",
-            ballStudyWith("balls.yaml", "'" + (other / "balls.yaml").string() + "'"));
+  writeText(folder / "s.study.yaml", ballStudyWith("balls.yaml", "'" + (other / "balls.yaml").string() + "'"));
   CHECK_THROWS_WITH(makePlan(loadStudy(folder / "s.study.yaml"), {.predict = false}),
                     ContainsSubstring("lies outside"));
   CHECK(makePlan(loadStudy(folder / "s.study.yaml", true), {.predict = false}).conditions.size() == 4);

@@ -139,9 +139,8 @@ TEST_CASE("merged, the same tasks make the same bytes, and times and machines st
     CHECK(db.integer("SELECT count(*) FROM timing") == 2);
     CHECK(db.integer("SELECT count(*) FROM run WHERE started = '' AND cpu = '' AND condition_id = 0") == 2);
     CHECK(db.integer("SELECT count(*) FROM cell") == 6);
-    CHECK(
-        db.integer("SELECT count(*) FROM condition JOIN condition_key USING (condition_id) WHERE division = "
-                   "'longest' AND \"division.plane\" = 'longest'") == 1);
+    CHECK(db.integer("SELECT count(*) FROM condition JOIN condition_key USING (condition_id) WHERE division = "
+                     "'longest' AND \"division.plane\" = 'longest'") == 1);
     CHECK(db.integer("SELECT count(*) FROM pragma_foreign_key_check") == 0);
     db.execute("DELETE FROM timing");
     db.execute("VACUUM INTO '" + (*f / "plain.db").string() + "'");

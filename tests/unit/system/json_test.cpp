@@ -57,10 +57,8 @@ TEST_CASE("JSON may be nested as deep as YAML, and no deeper") {
 }
 
 TEST_CASE("whole numbers are those that fit") {
-  CHECK(wholeFrom<std::uint64_t>(parseJson("18446744073709551615")) ==
-        std::numeric_limits<std::uint64_t>::max());
-  CHECK(wholeFrom<std::int64_t>(parseJson("-9223372036854775808")) ==
-        std::numeric_limits<std::int64_t>::min());
+  CHECK(wholeFrom<std::uint64_t>(parseJson("18446744073709551615")) == std::numeric_limits<std::uint64_t>::max());
+  CHECK(wholeFrom<std::int64_t>(parseJson("-9223372036854775808")) == std::numeric_limits<std::int64_t>::min());
   CHECK(wholeFrom<int>(Json(2)) == 2);
   for (const char* wrong : {"1e300", "-1e300", "2.0", "3000000000", "-3000000000", "true", "null", "\"2\""})
     CHECK_THROWS_AS(wholeFrom<int>(parseJson(wrong)), Json::exception);

@@ -19,8 +19,7 @@ TEST_CASE("a study is computed, and computed once") {
   StudyStatus status = statusOf(study);
   CHECK((status.done == 2 && status.missing.size() == 6 && !status.isComplete()));
   const RunStudyReport rest = s.run(study, {}, 2);
-  CHECK((rest.asked == 8 && rest.already == 2 && rest.computed == 6 && rest.isComplete() &&
-         rest.failed.empty()));
+  CHECK((rest.asked == 8 && rest.already == 2 && rest.computed == 6 && rest.isComplete() && rest.failed.empty()));
   CHECK(s.run(study).computed == 0);
   status = statusOf(study);
   CHECK((status.isComplete() && status.done == 8 && !status.isMerged));
@@ -83,8 +82,7 @@ TEST_CASE("a failure is a result with its reason") {
   CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("memory limit: "));
   CHECK(report.isComplete());
   TaskFile file(study.folder.task(study.plan.tasks[0].id));
-  CHECK((file.task().status == "failed" && file.run().status == RunStatus::failed &&
-         file.whatIsWrong().empty()));
+  CHECK((file.task().status == "failed" && file.run().status == RunStatus::failed && file.whatIsWrong().empty()));
   CHECK_FALSE(file.task().isComputed());
   CHECK(s.run(study).computed == 0);
   CHECK(s.run(study, {}, 1, true).computed == 1);
@@ -125,8 +123,7 @@ TEST_CASE("a changed study is not mixed with what was planned before") {
   s.run(study);
   writeText(s.folder / "trees.study.yaml", smallStudy + "keep: {hashes: none}\n");
   CHECK_THROWS_WITH(s.open(), ContainsSubstring("--resume goes on with the plan that is there"));
-  const StudyChoice choice{.what = (s.folder / "trees.study.yaml").string(),
-                           .to = (s.folder / "out").string()};
+  const StudyChoice choice{.what = (s.folder / "trees.study.yaml").string(), .to = (s.folder / "out").string()};
   StudyChoice resume = choice, update = choice;
   resume.resume = update.update = true;
   CHECK(openStudy(resume, {}).plan.id == study.plan.id);

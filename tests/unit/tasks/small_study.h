@@ -32,8 +32,7 @@ struct SmallStudy {
                      bool retryFailed = false) const {
     if (tasks.empty())
       for (std::size_t t = 0; t < study.plan.tasks.size(); ++t) tasks.push_back(t);
-    return runStudy(
-        study, {.tasks = tasks, .jobs = jobs, .retryFailed = retryFailed, .settings = {}, .quiet = true});
+    return runStudy(study, {.tasks = tasks, .jobs = jobs, .retryFailed = retryFailed, .settings = {}, .quiet = true});
   }
 };
 

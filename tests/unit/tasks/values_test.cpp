@@ -23,8 +23,7 @@ TEST_CASE("a measure of cells is their mean, of the world itself, and what is no
               {Scope::cell, "generation", CellPath::parse("A"), {}, 1},
               {Scope::cell, "generation", CellPath::parse("BA"), {}, 2},
               {Scope::pair, "kinship", CellPath::parse("A"), CellPath::parse("B"), 3}};
-  const auto rows =
-      valuesOf({start, end}, {}, {"cells", "sphericity", "lineage_space", "generation", "kinship"});
+  const auto rows = valuesOf({start, end}, {}, {"cells", "sphericity", "lineage_space", "generation", "kinship"});
   const std::vector<ResultRow> expected{{"cells", 0, 1},          {"cells", 2, 2},
                                         {"sphericity", 2, 0.625}, {"lineage_space", 2, 0.25},
                                         {"generation", 2, 1.5},   {"kinship", 2, 3}};
@@ -71,8 +70,7 @@ TEST_CASE("names that two tables have are told apart") {
   sample.cells[0]["volume"] = 3, sample.cells[1]["volume"] = 5;
   for (const AskedMeasure& m : allMeasures())
     if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 4);
-    else if (m.row == "volume" && m.scope == Scope::world)
-      CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 8);
+    else if (m.row == "volume" && m.scope == Scope::world) CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 8);
 }
 
 TEST_CASE("shares are all of the tasks, each once, and even") {

@@ -20,8 +20,7 @@ TEST_CASE("plain decimal numbers are read to the last bit") {
   CHECK(!std::signbit(parseReal("-0").value));
   CHECK(parseNatural("9223372036854775807").value == 9223372036854775807u);
   CHECK(parseNatural("+7").value == 7);
-  for (const auto* text : {"1", "-2.5", "+.5", "5.", "0.1", "1e-3", "1E+3", "0"})
-    CHECK(parseReal(text).wrong.empty());
+  for (const auto* text : {"1", "-2.5", "+.5", "5.", "0.1", "1e-3", "1E+3", "0"}) CHECK(parseReal(text).wrong.empty());
 }
 
 TEST_CASE("everything else is refused, with the reason") {
@@ -33,8 +32,7 @@ TEST_CASE("everything else is refused, with the reason") {
     CHECK(!parseReal(text).wrong.empty());
     CHECK(!parseNatural(text).wrong.empty());
   }
-  for (const auto* text : {"1.5", "1e3", "-1", "99999999999999999999"})
-    CHECK(!parseNatural(text).wrong.empty());
+  for (const auto* text : {"1.5", "1e3", "-1", "99999999999999999999"}) CHECK(!parseNatural(text).wrong.empty());
   CHECK(parseReal("1.0 s").wrong == "has trailing text 's'");
   CHECK(parseReal("010").wrong == "has a leading zero, which could mean octal");
   CHECK(parseReal("-.inf").wrong == "is not a finite number");
