@@ -40,7 +40,7 @@ try 0 "$morula" check
 try 0 "$morula" review
 sed -i 's/constant: 172/constant: 190/' scenarios/one.yaml
 try 1 "$morula" check --reports reports
-has "a check that differs" "kept for \`morula review\`: golden/.pending/one-"
+has "a check that differs" "kept for \`morula review scenarios/one.yaml\`: golden/.pending/one-"
 try 1 "$morula" review
 has "review" "picture  golden/.pending/one-"
 try 0 "$morula" check scenarios/one.yaml --help
