@@ -34,7 +34,10 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
 
 }  // namespace
 
-double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 11.0, 40.0); }
+double textSizeFor(int width, int height) {
+  const int side = std::min(width, height);
+  return std::clamp(side / 56.0, side < 300 ? 10.0 : 11.0, 40.0);  // in a small picture cells need the room, too
+}
 
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize) {
   const double size = textSize > 0 ? textSize : textSizeFor(width, height);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/error.h"
 #include "simulation/asked_measure.h"
 
 namespace morula {
@@ -47,8 +48,9 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
 }
 
 std::string unitOfMeasure(const std::string& measure) {
-  const auto known = findMeasure(measure);
-  return known ? known->unit : "";
+  try {
+    return readMeasure(measure, IfSeveral::first).unit;
+  } catch (const InputError&) { return ""; }
 }
 
 std::string titleOfMeasure(const std::string& measure, const Units& units) {
