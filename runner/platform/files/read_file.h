@@ -16,7 +16,7 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes =
 /// The first `count` bytes, or as many as there are. Throws FileError if it is no regular file, or cannot be read.
 std::string readBeginning(const std::filesystem::path& file, std::size_t count);
 
-/// The same; "" if it is no regular file that can be opened. Throws FileError if reading it fails.
+/// The same; "" if it is not there, or no regular file.
 std::string readHead(const std::filesystem::path& file, std::size_t count);
 
 /// Throws FileError if there is something else than a regular file.

@@ -11,7 +11,7 @@ import type { Measures, News, Order, Read, Written } from "./talk";
 declare const PLAYGROUND_WORKER: string; // the program of worker.ts (build.mjs)
 
 /** As runner/publish/report/playground.cpp writes it. */
-interface Told { scenarios: { name: string; summary: string; text: string; files: [string, string, string][] }[]; schema: unknown; scale: string[]; series: string[]; program: string }
+interface Told { scenarios: { name: string; summary: string; text: string; files: [string, string, string][] }[]; schema: unknown; scale: string[]; series: string[]; clones: Record<string, string>; program: string }
 
 const secondsText = (s: number) => (s < 1 ? "about a second" : s < 90 ? `${Math.round(s)} s or more` : s < 5400 ? `${Math.round(s / 60)} minutes or more` : `${Math.round(s / 3600)} hours or more`);
 const counted = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
