@@ -6,6 +6,7 @@
 #include "store/records.h"
 #include "system/json.h"
 #include "values/cell_names.h"
+#include "values/units.h"
 
 namespace morula::cli {
 

@@ -37,7 +37,7 @@ std::string wordsOf(const MeasuredThing& key, const AskedMeasure& measure, const
   return measure.scope == Scope::cell ? a : a + "–" + nameOrPath(key.b, scenario);
 }
 
-constexpr int founders = Colouring{}.founders;
+const int founders = Colouring{}.founders;
 
 }  // namespace
 

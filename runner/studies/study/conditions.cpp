@@ -35,8 +35,7 @@ std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
                      "move it there, or give --allow-outside if you trust this study with your files");
       else file.bytes = readFile(file.path);
     } catch (const FileError& error) {
-      std::error_code ignored;
-      if (std::filesystem::is_regular_file(file.path, ignored)) throw;  // no mistake of the study
+      if (isPlainFile(file.path)) throw;  // no mistake of the study
       problems.add(base.place, "base", error.what(), "names count from the study's folder");
     }
   }
