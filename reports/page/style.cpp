@@ -136,7 +136,7 @@ button, select, input { font: inherit; color: inherit; }
   .long { min-width: 0; } .compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }
-  h2, h3 { break-after: avoid; } figure, tr, li { break-inside: avoid; }
+  h2, h3 { break-after: avoid; } figure, tr, li { break-inside: avoid; } figure img { max-height: 22cm; width: auto; }
   .pictures, .charts { grid-template-columns: 1fr 1fr; }
 }
 )css";
