@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# What ccache keeps of precompiled headers: the headers as they are, also where a folder holds what they were precompiled
+# to before. gcc reads that in their place, so ccache would know two edits of the headers for the same one.
+#
+#   precompiled.sh COMPILE.SH COMPILER    the launcher that CMakeLists.txt writes
+#
+# Exit codes: 0 so it is, 1 not so, 77 no ccache, or another compiler than gcc.
+set -euo pipefail
+launcher=$1
+compiler=$2
+if [ ! -e "$launcher" ] || ! "$compiler" --version | grep -q 'Free Software Foundation'; then
+  echo "not tried: no ccache, or no gcc"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CCACHE_DIR=$work/cache
+unset CCACHE_DISABLE
+precompile() { # FOLDER, as CMake does
+  (cd "$1" && "${@:2}" "$compiler" -x c++-header -include all.h -o all.h.gch -c all.cxx)
+}
+value() { # FOLDER: what a source that uses the precompiled header sees
+  (cd "$1" && printf 'int main() { return value; }\n' >use.cpp && "$compiler" -Winvalid-pch -Werror -include all.h use.cpp -o use &&
+    if ./use; then echo 0; else echo $?; fi)
+}
+# Two folders that begin alike, each of which goes on with an edit of its own.
+try() { # LAUNCHER...: prints what the second sees
+  local folder
+  for folder in one two; do
+    rm -rf "${work:?}/$folder"
+    mkdir "$work/$folder"
+    printf '#include "value.h"\n' >"$work/$folder/all.h"
+    : >"$work/$folder/all.cxx"
+    printf 'constexpr int value = 1;\n' >"$work/$folder/value.h"
+  done
+  precompile "$work/one" "$@"
+  cp -p "$work/one/all.h.gch" "$work/two/"
+  printf 'constexpr int value = 2;\n' >"$work/one/value.h"
+  precompile "$work/one" "$@"
+  printf 'constexpr int value = 3;\n' >"$work/two/value.h"
+  precompile "$work/two" "$@"
+  value "$work/two"
+}
+planted=$(try env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1 ccache)
+if [ "$planted" = 3 ]; then echo "note: this ccache does not have the fault; the launcher is not needed for it"; fi
+rm -rf "$CCACHE_DIR"
+seen=$(try sh "$launcher")
+if [ "$seen" != 3 ]; then
+  echo "a header was precompiled to what another folder made of another edit: value is $seen, not 3"
+  exit 1
+fi
