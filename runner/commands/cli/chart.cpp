@@ -67,7 +67,9 @@ int act(const ChartOptions& options) {
   std::optional<AskedMeasure> measure;
   if (options.what != "contacts" && options.what != "divisions") try {
       measure = readMeasure(options.what, IfSeveral::first);
-    } catch (const InputError& error) { throw UsageError(std::string(error.what()) + "; or contacts, or divisions"); }
+    } catch (const InputError& error) {
+      throw UsageError(std::string("a chart shows a measure, contacts or divisions: ") + error.what());
+    }
   if (options.time && options.what != "contacts")
     throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);

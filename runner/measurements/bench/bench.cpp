@@ -40,6 +40,8 @@ BenchReport runBench(const BenchOptions& asked) {
     options.bullet = false;
     report.remarks.push_back("Bullet is left out: this program was built without it");
   }
+  if (options.bullet && options.singleBullet.empty())
+    report.remarks.push_back("Bullet in single precision is left out: it is built with the tests, by ./morula test");
   LimitMeter meter(options.isas);
   for (const PlannedScene& scene : plan(options))
     for (BenchRow& row : measureScene(scene, options, meter)) report.rows.push_back(std::move(row));

@@ -41,6 +41,7 @@ struct BenchOptions {
   int mostBulletCells = 256;
   std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
   std::string program;           // that answers to `engine-worker`
+  std::string singleBullet;      // the same by Bullet in single precision; "": none was built
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 

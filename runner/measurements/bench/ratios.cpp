@@ -24,8 +24,11 @@ class BenchTable {
   const BenchRow* free(Stage stage, int cells, const std::string& isa) const {
     return find(rows_, "free", "morula", stage, cells, cellVertices, isa);
   }
-  const BenchRow* other(const std::string& engine, Stage stage, int cells) const {
-    return find(rows_, "packed", engine, stage, cells, cellVertices, "");
+  const BenchRow* other(const std::string& engine, Stage stage, int cells, const std::string& scene = "packed") const {
+    return find(rows_, scene, engine, stage, cells, cellVertices, "");
+  }
+  const BenchRow* single(Stage stage, int cells, const std::string& isa) const {
+    return find(rows_, "packed-single", "morula", stage, cells, cellVertices, isa);
   }
   const std::set<std::string>& isas() const { return isas_; }
   const std::set<int>& cells() const { return cells_; }
@@ -41,13 +44,17 @@ class BenchTable {
 double ns(const BenchRow& row) { return row.nsPerVertexStep; }
 
 void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
-  for (const int cells : {64, 128, 256}) {
-    const BenchRow *ours = t.packed(Stage::step, cells, t.reference()),
-                   *bullet = t.other("bullet-b1", Stage::step, cells);
-    if (ours && bullet)
-      ratios.push_back({fmt::format("times faster than Bullet B1, {} cells, {}", cells, t.reference()),
-                        ns(*bullet) / ns(*ours), 25, true});
-  }
+  for (const int cells : {64, 128, 256})
+    for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+      const bool single = precision == Precision::binary32;
+      const BenchRow *ours = single ? t.single(Stage::step, cells, t.reference())
+                                    : t.packed(Stage::step, cells, t.reference()),
+                     *bullet = t.other("bullet-b1", Stage::step, cells, single ? "packed-single" : "packed");
+      if (ours && bullet)
+        ratios.push_back({fmt::format("times faster than Bullet B1, both in {} precision, {} cells, {}",
+                                      nameOf(precision), cells, t.reference()),
+                          ns(*bullet) / ns(*ours), 25, true});
+    }
 }
 
 void againstOrdinaryCode(const BenchTable& t, std::vector<BenchRatio>& ratios) {

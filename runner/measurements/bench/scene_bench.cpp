@@ -27,6 +27,7 @@ class SceneBench {
         whole_(whole),
         everyStage_(whole || !packed.contact || packed.precision == Precision::binary32),
         isas_(everyStage_ ? options.isas : std::vector{options.isas.back()}),
+        bulletProgram_(bulletProgram()),
         subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                  options.tell) {
     // By the size alone, so that what is counted on the way is the same everywhere.
@@ -40,7 +41,7 @@ class SceneBench {
       series("scalar", Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
     if (needsSteps() && subject_.touching()) measureSearches();
     if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
-    if (whole_ && options_.bullet && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
+    if (!bulletProgram_.empty() && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
       if (bullets_.empty())
         for (const Baseline baseline : {Baseline::b1, Baseline::b2})
           bullets_.emplace_back(baseline, bulletSubject(baseline));
@@ -67,6 +68,12 @@ class SceneBench {
 
   bool wants(Stage stage) const {
     return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
+  }
+
+  /// What asks Bullet in the scene's precision; "" where it is not asked.
+  std::string bulletProgram() const {
+    if (!options_.bullet) return "";
+    return whole_ ? options_.program : packed_.precision == Precision::binary32 ? options_.singleBullet : "";
   }
 
   bool needsSteps() const { return wants(Stage::step) || wants(Stage::rebuild); }
@@ -149,7 +156,7 @@ class SceneBench {
     // step.
     scene.cells = settledBodies(packed_, options_.folder, options_.tell);
     return {scene, shareRadius(packed_.cells),
-            [program = options_.program](const BulletRequest& request) { return runInBullet(request, program); }};
+            [program = bulletProgram_](const BulletRequest& request) { return runInBullet(request, program); }};
   }
 
   void finish(const BulletSubject& subject, Baseline baseline, std::vector<BenchRow>& rows) const {
@@ -222,6 +229,7 @@ class SceneBench {
   std::string name_;
   bool whole_, everyStage_;
   std::vector<Isa> isas_;
+  std::string bulletProgram_;
   Subject subject_;
   int steps_;  // of a round
   std::vector<Series> all_;

@@ -119,7 +119,7 @@ StoredRun Store::find(const std::string& id) {
   }
   Statement s(db_, sqlTable<StoredRun>().select(db_, "substr(run_id, 1, ?) = ?", "run_id LIMIT 2"));
   const std::vector<StoredRun> found = allRuns(std::move(s.start(id.size(), id)));
-  if (found.empty()) throw StoreError(file + ": no run " + id + "; `morula export` without a run lists them");
+  if (found.empty()) throw StoreError(file + ": no run " + id + "; `morula export " + file + "` lists them");
   if (found.size() > 1) throw StoreError(file + ": several runs begin with " + id + "; give more digits");
   return found.front();
 }

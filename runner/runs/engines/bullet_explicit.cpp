@@ -62,7 +62,7 @@ struct ExplicitEngine final : BulletEngine {
         visit(bodies[i]->m_nodes[v], notebook.at(static_cast<int>(i), v));
   }
   static btVector3 read(const Reals& array, std::size_t at) {
-    return {array[at], array[at + blockLanes], array[at + 2 * blockLanes]};
+    return {btScalar(array[at]), btScalar(array[at + blockLanes]), btScalar(array[at + 2 * blockLanes])};
   }
   static void write(Reals& array, std::size_t at, const btVector3& a) {
     array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
