@@ -45,12 +45,18 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   rows.push_back(free);
   free.stage = Stage::internal, free.nsPerVertexStep = 8;
   rows.push_back(free);
+  for (const auto& [engine, nanoseconds] : {std::pair{"morula", 30.0}, {"bullet-b1", 600.0}}) {
+    rows.push_back(row(engine, Stage::step, 64, nanoseconds, engine == std::string("morula") ? "avx2" : ""));
+    rows.back().scene = "packed-single", rows.back().precision = Precision::binary32;
+  }
 
   const auto ratios = findRatios(rows);
-  REQUIRE(find(ratios, "Bullet B1, 64 cells"));
-  CHECK(find(ratios, "Bullet B1, 64 cells")->value == 50);
-  CHECK(find(ratios, "Bullet B1, 64 cells")->holds());
-  CHECK_FALSE(find(ratios, "Bullet B1, 128 cells"));
+  REQUIRE(find(ratios, "Bullet B1, both in double precision, 64 cells"));
+  CHECK(find(ratios, "Bullet B1, both in double precision, 64 cells")->value == 50);
+  CHECK(find(ratios, "Bullet B1, both in double precision, 64 cells")->holds());
+  CHECK(find(ratios, "Bullet B1, both in single precision, 64 cells")->value == 20);
+  CHECK_FALSE(find(ratios, "Bullet B1, both in single precision, 64 cells")->holds());
+  CHECK_FALSE(find(ratios, "Bullet B1, both in double precision, 128 cells"));
   CHECK(find(ratios, "256 over 128 cells")->value == 1.5);
   CHECK_FALSE(find(ratios, "256 over 128 cells")->holds());
   CHECK_FALSE(find(ratios, "2048 over 64"));
