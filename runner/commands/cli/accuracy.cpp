@@ -206,7 +206,8 @@ void addAccuracy(CLI::App& app, Action& action) {
             "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
             "and error");
   auto& words = verb.does<AccuracyWords>(act);
-  verb.needs("scenario", words.scenarios, "FILE", "A scenario file; several with --into-golden; of --stated golden files");
+  verb.needs("scenario", words.scenarios, "FILE",
+             "A scenario file; several with --into-golden; of --stated golden files");
   verb.takes("--until", words.options.until, "T", number(scenario::positive),
              "Compare up to this time; default: before chaos sets in");
   verb.takes("--target", words.target, "ERROR", number(scenario::positive),

@@ -103,8 +103,8 @@ void listFields(T& l, auto&& field) {
 
 template <IsA<MeshError> T>
 void listFields(T& mesh, auto&& field) {
-  auto& [unknown, limit, none, levels, own, order, orderIsObserved, atStart, until, partedAt, cut, touch,
-         timeError, cpuSeconds] = mesh;
+  auto& [unknown, limit, none, levels, own, order, orderIsObserved, atStart, until, partedAt, cut, touch, timeError,
+         cpuSeconds] = mesh;
   field({"error"}, ValueOf{[&] { return mesh.error(); }, notRead});
   field({"unknown"}, NullIf{unknown.empty(), unknown});
   field({"limit"}, NullIf{limit.empty(), limit});

@@ -308,9 +308,8 @@ class Experiment {
                               "difference decides",
                               *ratio)
                 : std::string(),
-          options_.brief && angle > anotherPlane
-              ? "the error is stated up to before"
-              : "their errors are those of another plane, whatever the time step"));
+          options_.brief && angle > anotherPlane ? "the error is stated up to before"
+                                                 : "their errors are those of another plane, whatever the time step"));
     }
     if (const auto& cut = study_.error.cut)
       report_.remarks.push_back(fmt::format(

@@ -58,6 +58,11 @@ std::string whyNoError(const AccuracyReport& report) {
   return "";
 }
 
+/// Why the comparison ended sooner than the times allow.
+std::string whyShorter(double until, bool parted, const std::string& otherwise) {
+  return fmt::format("after {}: {}", numberText(until, 3), parted ? "other cells live" : otherwise);
+}
+
 std::vector<GoldenItem> statedIn(const AccuracyReport& report) {
   if (const std::string why = whyNoError(report); !why.empty()) return {GoldenUnstated{"time", {shortly(why)}}};
   const AccuracyRow& own = report.own;
@@ -72,8 +77,14 @@ std::vector<GoldenItem> statedIn(const AccuracyReport& report) {
     if (level) e.mesh = twoDigits(level->worst.*q.of), e.meshUntil = mesh.until;
     stated.push_back(e);
   }
+  const std::string plane = "a cell divides across another plane";
+  if (own.until < report.times.back())
+    stated.push_back(GoldenUnstated{"time", {whyShorter(own.until, own.partedAt.has_value(), plane)}});
   if (!mesh.none && !level)
     stated.push_back(GoldenUnstated{"mesh", {shortly(mesh.unknown.empty() ? mesh.limit : mesh.unknown)}});
+  else if (level && mesh.until < own.until)
+    stated.push_back(GoldenUnstated{
+        "mesh", {whyShorter(mesh.until, mesh.partedAt.has_value(), mesh.cut ? plane : shortly(mesh.limit))}});
   return stated;
 }
 
@@ -123,9 +134,10 @@ Document statedErrors(const Golden& golden) {
       {"Of the mesh", [=](const ErrorQuantity& q) { return sizeCell(of(q).mesh); }},
       {"up to time", [=](const ErrorQuantity& q) { return number(of(q).meshUntil); }},
   };
-  if (!rows.empty()) text.add(tableOf("Errors of these settings", fields, rows));
+  if (!rows.empty())
+    text.add(tableOf("Errors of these settings", fields, rows))
+        .note("Each is the largest over all cells and times of comparison; later no path is left to be compared.");
   if (const std::string why = whyUnstated(golden); !why.empty()) text.say("Not stated: " + why + ".");
-  std::vector<GoldenStatistic> statistics = golden.statistics;
   const std::vector<FieldOf<GoldenStatistic>> means{
       {"Mean at the end of", [](const GoldenStatistic& s) { return s.measure; }},
       {"against", [](const GoldenStatistic& s) { return s.against; }},
@@ -134,7 +146,7 @@ Document statedErrors(const Golden& golden) {
       {"to, in 95 of 100", [](const GoldenStatistic& s) { return number(s.high, 3); }},
       {"Runs of each", [](const GoldenStatistic& s) { return s.runs; }},
   };
-  if (!statistics.empty()) text.add(tableOf("Beyond, over many runs", means, statistics));
+  if (!golden.statistics.empty()) text.add(tableOf("Beyond, over many runs", means, golden.statistics));
   return text;
 }
 
@@ -154,13 +166,14 @@ std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
   fields.push_back({"until, mesh", [=](const Golden& g) { return until(g, &GoldenError::meshUntil); }});
   fields.push_back({"not stated", whyUnstated});
   std::string units;
-  for (const ErrorQuantity& q : errorQuantities) units += (units.empty() ? "" : ", ") + nameOf(q) + " [" + q.unit + "]";
+  for (const ErrorQuantity& q : errorQuantities) units += "- " + nameOf(q) + " [" + q.unit + "]\n";
   return "# The errors that goldens state\n\n"
-         "`morula accuracy --stated golden/*/*.golden` prints this file. Each size is that of the time step / of the mesh, ?\n"
-         "where it is not known, up to the time that stands beside it: the end of the scene, before chaos sets in, or before\n"
-         "the first event that differs (other cells, a division across another plane). Scenes without bodies have none. [How\n"
-         "they are measured](../runner/measurements/accuracy/README.md).\n\n" +
-         units + ".\n\n" + markdownOf(tableOf("Errors", fields, goldens));
+         "`morula accuracy --stated golden/*/*.golden` prints this file. Each size is the largest over all cells and times of\n"
+         "comparison, that of the time step / of the mesh, ? where it is not known, up to the time that stands beside it: the\n"
+         "end of the scene, before chaos sets in, or before the first event that differs (other cells, a division across\n"
+         "another plane). Neighbours are a share over all times. Scenes without bodies have no errors. [How they are\n"
+         "measured](../runner/measurements/accuracy/README.md).\n\n" +
+         units + "\n" + markdownOf(tableOf("Errors", fields, goldens));
 }
 
 }  // namespace morula

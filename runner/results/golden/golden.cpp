@@ -235,7 +235,8 @@ Golden readGolden(const std::string& text, const std::string& file) {
       continue;
     }
     if (line.starts_with("error time "))
-      lines.fail("an error as older versions stated it; accept the result again, and let `morula accuracy` measure anew");
+      lines.fail(
+          "an error as older versions stated it; accept the result again, and let `morula accuracy` measure anew");
     GoldenItem item = readItem(line, lines.place());
     std::visit([&](auto& i) { i.line = lines.number(); }, item);
     expectNew(idOf(item));

@@ -119,7 +119,7 @@ struct GoldenError {
   int line = 0;
 };
 
-/// Why no error of the `time` step, and none either, or of the `mesh` is stated.
+/// Why no error of the `time` step or of the `mesh` is stated, or none beyond a time.
 struct GoldenUnstated {
   static constexpr const char *form = "unstated of why", *check = "stated";
   std::string of;
