@@ -168,9 +168,9 @@ std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
   std::string units;
   for (const ErrorQuantity& q : errorQuantities) units += "- " + nameOf(q) + " [" + q.unit + "]\n";
   return "# The errors that goldens state\n\n"
-         "`morula accuracy --stated golden/*/*.golden` prints this file. Each size is the largest over all cells and times of\n"
-         "comparison, that of the time step / of the mesh, ? where it is not known, up to the time that stands beside it: the\n"
-         "end of the scene, before chaos sets in, or before the first event that differs (other cells, a division across\n"
+         "`morula accuracy --stated golden/*/*.golden` prints this file. Each size is the largest over all cells and times\n"
+         "of comparison, that of the time step / of the mesh, ? where it is not known, up to the time that stands beside it:\n"
+         "the end of the scene, before chaos sets in, or before the first event that differs (other cells, a division across\n"
          "another plane). Neighbours are a share over all times. Scenes without bodies have no errors. [How they are\n"
          "measured](../runner/measurements/accuracy/README.md).\n\n" +
          units + "\n" + markdownOf(tableOf("Errors", fields, goldens));
