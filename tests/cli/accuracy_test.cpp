@@ -143,7 +143,10 @@ TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and
   CAPTURE(run.err);
   REQUIRE(run.code == 0);
   CHECK(run.out.find("as it is   error ") != std::string::npos);
-  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") != std::string::npos);
+  for (const char* line : {"\nerror position ", "\nerror pressure "})
+    CHECK_THAT(readWhole(bench.folder / "swinging.golden"), ContainsSubstring(line));
+  CHECK_THAT(readWhole(bench.folder / "swinging.golden"), !ContainsSubstring("\nerror neighbours "));
+  CHECK_THAT(launch({"accuracy", "--stated", bench.folder / "swinging.golden"}).out, ContainsSubstring("swinging |"));
   CHECK(launch({"check", bench.folder / "swinging.yaml"}).code == 0);
   REQUIRE(accept().code == 0);  // the same scenario: its error stays
   CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") != std::string::npos);

@@ -35,7 +35,7 @@ struct AccuracyWords {
   AccuracyOptions options{.budget = 120};
   std::optional<double> target;
   std::string out = "results", picture;
-  bool only = false, intoGolden = false, quick = false;
+  bool only = false, intoGolden = false, quick = false, stated = false;
   InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
@@ -128,8 +128,8 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   if (!words.intoGolden && !words.target && scenario.scene.mechanics &&
       kindOf(scenario.scene.mechanics->physics.integrator).settles)
     return tellSettlings(words, scenario);
-  refuseWithoutError(scenario);
   if (words.intoGolden) refuseIntoGolden(scenario);
+  else refuseWithoutError(scenario);
   World start = makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
   const auto options = optionsOf(words, scenario, std::move(start));
   if (words.options.until)
@@ -138,12 +138,11 @@ int actOn(const AccuracyWords& words, const std::string& file) {
                                    numberText(*end)));
   const auto folder = std::filesystem::path(words.out) / "accuracy";
   makeFolder(folder);
-  const auto report = measureAccuracy(read, options);
+  const auto report = words.intoGolden ? stateInGolden(read, options) : measureAccuracy(read, options);
 
   auto picture = words.picture;
   if (picture.empty() && !options.brief) picture = (folder / (report.scenario + ".png")).string();
   if (!picture.empty()) writePicture(drawAccuracy(report), picture);
-  if (words.intoGolden) writeIntoGolden(scenario, report);
   Json json = words.output.json ? toJson(report, picture) : Json();
   std::string text = words.output.json ? "" : textOf(describe(report));
   bool held = true;
@@ -161,6 +160,15 @@ int actOn(const AccuracyWords& words, const std::string& file) {
     printJson(json);
   } else print(text + (picture.empty() ? "" : "\npicture  " + picture + "\n"));
   return held ? fine : differs;
+}
+
+/// What golden files state, of scenes with bodies.
+int tellStated(const AccuracyWords& words) {
+  std::vector<Golden> goldens;
+  for (const std::string& file : words.scenarios) goldens.push_back(readGoldenFile(file));
+  std::erase_if(goldens, [](const Golden& g) { return !hasBodies(g); });
+  print(statedErrorsAsMarkdown(goldens));
+  return fine;
 }
 
 /// Several, into their goldens: what has none to state is said, and the others go on.
@@ -184,6 +192,7 @@ int actOnAll(const AccuracyWords& words) {
 }
 
 int act(const AccuracyWords& words) {
+  if (words.stated) return tellStated(words);
   if (words.scenarios.size() == 1) return actOn(words, words.scenarios.front());
   if (!words.intoGolden || words.output.json)
     throw UsageError("accuracy takes several scenarios only with --into-golden and without --json");
@@ -197,7 +206,8 @@ void addAccuracy(CLI::App& app, Action& action) {
             "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
             "and error");
   auto& words = verb.does<AccuracyWords>(act);
-  verb.needs("scenario", words.scenarios, "FILE", "A scenario file; several with --into-golden");
+  verb.needs("scenario", words.scenarios, "FILE",
+             "A scenario file; several with --into-golden; of --stated golden files");
   verb.takes("--until", words.options.until, "T", number(scenario::positive),
              "Compare up to this time; default: before chaos sets in");
   verb.takes("--target", words.target, "ERROR", number(scenario::positive),
@@ -210,6 +220,8 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb.takes("--bullet", words.options.bullet, "Beside Bullet's soft bodies, where the scene can be put to them");
   verb.takes("--into-golden", words.intoGolden,
              "Write the error of the scenario as it is into its golden file; nothing else is tried");
+  verb.takes("--stated", words.stated,
+             "Print what these golden files state, as golden/ERRORS.md does, and compute nothing");
   verb.takes("--budget", words.options.budget, "SECONDS", number(scenario::positive),
              "CPU time that runs on finer meshes may take, and those of --target to their ends");
   verb.takes("--only", words.only, "No other meshes, precision, contact law or cell model than the scenario's");

@@ -47,6 +47,8 @@ struct AccuracyRow : Outcome {
   ErrorParts parts;
   std::optional<DividedElsewhere> cut;  // the first division whose plane is another than the reference's
   StateError errors;
+  double until = 0;                // [time] of the last comparison in them
+  bool touch = false;              // whether cells of the reference do by then
   double birthTimes = 0;           // [cycle lengths] largest difference of births
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
   bool resolved = false;           // whether the reference is ten times as good at least

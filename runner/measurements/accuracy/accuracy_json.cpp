@@ -42,19 +42,21 @@ void listFields(T& parts, auto&& field) {
   field({"model"}, model);
 }
 
+template <IsA<StateError> T>
+void listFields(T& errors, auto&& field) {
+  for (const ErrorQuantity& q : errorQuantities) field({q.name}, errors.*q.of);
+}
+
 template <IsA<AccuracyRow> T>
 void listFields(T& row, auto&& field) {
   ValueOf sum{[&] { return row.parts.sum(); }, notRead};
   ValueOf errors{[&] {
-                   return Json{{"centroid", row.errors.centroid},
-                               {"volume", row.errors.volume},
-                               {"surface", row.errors.surface},
-                               {"birth_times", row.birthTimes}};
+                   Json json = toJson(row.errors);
+                   json["birth_times"] = row.birthTimes;
+                   return json;
                  },
                  [&](const auto& json) {
-                   readMember(json.at("centroid"), row.errors.centroid);
-                   readMember(json.at("volume"), row.errors.volume);
-                   readMember(json.at("surface"), row.errors.surface);
+                   row.errors = fromJson<StateError>(json);
                    readMember(json.at("birth_times"), row.birthTimes);
                  }};
   field({"settings"}, row.setting);
@@ -67,6 +69,7 @@ void listFields(T& row, auto&& field) {
   field({"errors"}, NullIf{!row.error, errors});
   field({"resolved"}, row.resolved);
   field({"lineages_part_at"}, row.partedAt);
+  field({"until"}, row.until);
   field({"cpu_seconds"}, row.cpuSeconds);
   field({"force_evaluations"}, row.forceEvaluations);
   field({"vertex_steps"}, row.vertexSteps);
@@ -89,15 +92,6 @@ void listFields(T& r, auto&& field) {
   field({"agrees"}, agrees);
 }
 
-template <IsA<MeshMeasures> T>
-void listFields(T& m, auto&& field) {
-  field({"position"}, m.centroid);
-  field({"volume"}, m.volume);
-  field({"surface"}, m.surface);
-  field({"pressure"}, m.pressure);
-  field({"contact_area"}, m.contactArea);
-}
-
 template <IsA<LevelError> T>
 void listFields(T& l, auto&& field) {
   auto& [level, worst, atEnd] = l;
@@ -109,7 +103,7 @@ void listFields(T& l, auto&& field) {
 
 template <IsA<MeshError> T>
 void listFields(T& mesh, auto&& field) {
-  auto& [unknown, limit, none, levels, own, order, orderIsObserved, atStart, until, partedAt, cut, timeError,
+  auto& [unknown, limit, none, levels, own, order, orderIsObserved, atStart, until, partedAt, cut, touch, timeError,
          cpuSeconds] = mesh;
   field({"error"}, ValueOf{[&] { return mesh.error(); }, notRead});
   field({"unknown"}, NullIf{unknown.empty(), unknown});
@@ -127,6 +121,7 @@ void listFields(T& mesh, auto&& field) {
   field({"until"}, until);
   field({"lineages_part_at"}, partedAt);
   field({"divided_elsewhere"}, cut);
+  field({"cells_touch"}, touch);
   field({"time_error"}, timeError);
   field({"cpu_seconds"}, cpuSeconds);
 }
@@ -223,13 +218,14 @@ std::string accuracyCsv(const Json& rows) {
     std::string of, prefix;  // of: "" for those of the row itself
     std::vector<const char*> names;
   };
-  static const Members all[] = {
+  Members all[] = {
       {"", "", {"series", "engine"}},
       {"settings", "", {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
       {"parts", "error_of_", {"time", "mesh", "precision", "model"}},
-      {"errors", "error_in_", {"centroid", "volume", "surface", "birth_times"}},
+      {"errors", "error_in_", {"birth_times"}},
       {"", "", {"error", "error_on_scenario_mesh", "resolved", "lineages_part_at", "cpu_seconds"}},
       {"", "", {"force_evaluations", "vertex_steps", "steps", "failed", "failure"}}};
+  for (const ErrorQuantity& q : errorQuantities) all[3].names.push_back(q.name);
   Table table{"Settings", {}};
   for (const Members& members : all)
     for (const char* name : members.names) table.columns.push_back({"", members.prefix + name, ""});

@@ -21,9 +21,11 @@ void tellReference(const AccuracyReference& r, Table& facts) {
                                   r.witnessLeft.error, r.agrees ? "they agree" : "THEY DO NOT AGREE")));
 }
 
-std::string measuresText(const MeshMeasures& m) {
-  return fmt::format("position {:.2g}, volume {:.2g}, surface {:.2g}, pressure {:.2g}, contact area {:.2g}", m.centroid,
-                     m.volume, m.surface, m.pressure, m.contactArea);
+std::string measuresText(const StateError& e) {
+  std::string text;
+  for (const ErrorQuantity& q : errorQuantities)
+    text += fmt::format("{}{} {:.2g}", text.empty() ? "" : ", ", nameOf(q), e.*q.of);
+  return text;
 }
 
 void tellMesh(const MeshError& mesh, Table& facts) {
@@ -47,7 +49,7 @@ void tellMesh(const MeshError& mesh, Table& facts) {
                   mesh.cpuSeconds));
   if (mesh.atStart > 0) say(fmt::format("of the surface's {:.2g} at time 0 already: faces are flat", mesh.atStart));
   if (mesh.partedAt) say(fmt::format("from {} on other cells live on another mesh", numberText(*mesh.partedAt)));
-  if (!mesh.limit.empty()) say("no finer one took part: " + mesh.limit);
+  if (!mesh.limit.empty()) say("finer ones: " + mesh.limit);
 }
 
 void tellOwn(const AccuracyReport& report, Table& facts) {
@@ -65,6 +67,7 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
       line("as it is",
            fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}", p.mesh ? "" : "at least ", p.sum(),
                        orUnknown(p.time), own.resolved ? "" : "~", orUnknown(p.mesh), p.precision.value_or(0))));
+  say(fmt::format("on its mesh, up to {}: {}", numberText(own.until), measuresText(own.errors)));
   say(fmt::format("in {:.4f} s, {} evaluations, time step {}{}", own.cpuSeconds, own.forceEvaluations,
                   stepText(own.setting), own.setting.automatic ? " at least" : ""));
   if (own.partedAt) say(fmt::format("up to {}: then other cells live", numberText(*own.partedAt)));

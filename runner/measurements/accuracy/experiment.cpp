@@ -220,20 +220,24 @@ class Experiment {
     static_cast<Outcome&>(row) = t;
     row.series = series, row.engine = engine, row.set = changesFor(row.setting);
     if (row.failure.empty()) {
-      const RunDistance d = compareRuns(t, reference_, radius_);
+      // What a golden states ends before the first event that differs; other rows tell of it in their notes.
+      const auto other = options_.brief ? findDividedElsewhere(t.divisions, reference_.divisions, anotherPlane)
+                                        : std::optional<DividedElsewhere>();
+      const double before = other ? other->time : INFINITY;
+      const RunDistance d = compareRuns(t, reference_, radius_, before);
       row.partedAt = d.partedAt;
-      row.errors = d.worst, row.error = d.error();
+      row.errors = d.worst, row.error = d.error(), row.until = d.until, row.touch = d.touch;
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
       row.cut = findDividedElsewhere(t.divisions, reference_.divisions);
-      if (row.error) row.parts = partsOf(row, t);
+      if (row.error) row.parts = partsOf(row, t, before);
     }
     return row;
   }
 
   /// By the triangle inequality: from the row to the converged solution on its own mesh, and on to that on
   /// the finest mesh.
-  ErrorParts partsOf(const AccuracyRow& row, const Trial& t) const {
+  ErrorParts partsOf(const AccuracyRow& row, const Trial& t, double before) const {
     const Setting& s = row.setting;
     ErrorParts parts;
     parts.mesh = study_.error.error();
@@ -252,7 +256,7 @@ class Experiment {
       parts.mesh = study_.error.errorOf(*s.level);
     }
     if (s.precision == Precision::binary64) {
-      parts.time = compareRuns(t, *converged, radius_).error();
+      parts.time = compareRuns(t, *converged, radius_, before).error();
       parts.precision = report_.horizon->rounding / radius_;
       return parts;
     }
@@ -260,8 +264,8 @@ class Experiment {
     twin.precision = Precision::binary64;
     const Trial wide = runs_->trial(twin, 1);
     if (!wide.failure.empty()) return parts;
-    parts.time = compareRuns(wide, *converged, radius_).error();
-    parts.precision = compareRuns(t, wide, radius_).error();
+    parts.time = compareRuns(wide, *converged, radius_, before).error();
+    parts.precision = compareRuns(t, wide, radius_, before).error();
     return parts;
   }
 
@@ -298,17 +302,19 @@ class Experiment {
       const auto& ratio = list.front().extentRatio;
       report_.remarks.push_back(fmt::format(
           "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from "
-          "it{}; their errors are those of another plane, whatever the time step",
+          "it{}; {}",
           list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
           ratio ? fmt::format(": its largest extent is {:.4f} times its second largest, so that a small "
                               "difference decides",
                               *ratio)
-                : std::string()));
+                : std::string(),
+          options_.brief && angle > anotherPlane ? "the error is stated up to before"
+                                                 : "their errors are those of another plane, whatever the time step"));
     }
     if (const auto& cut = study_.error.cut)
       report_.remarks.push_back(fmt::format(
           "on another mesh {} divides at {} across another plane, {:.0f} degrees from it{}: the mesh's error "
-          "is that of another plane",
+          "is stated up to before",
           cellText(cut->mother), numberText(cut->time), cut->angle,
           cut->extentRatio ? fmt::format(" (its two largest extents are {:.4f} to 1)", *cut->extentRatio)
                            : std::string()));

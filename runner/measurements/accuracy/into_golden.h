@@ -1,13 +1,24 @@
 #pragma once
-// accuracy --into-golden: the error of a scenario as it lies there goes into its golden file.
+// accuracy --into-golden: the error of a scenario as it lies there goes into its golden file, and what golden files state.
 #include "accuracy/accuracy.h"
+#include "document/document.h"
+#include "golden/golden.h"
 
 namespace morula {
 
 /// Throws InputError where there is no golden of this very scenario, or none may be written.
 void refuseIntoGolden(const Scenario& scenario);
 
-/// Throws InputError for a report without an error, FileError if the file cannot be written.
-void writeIntoGolden(const Scenario& scenario, const AccuracyReport& report);
+/// Measures up to the latest time up to which there is an error, unless `options` say it, and writes it into the golden, or
+/// why there is none. Throws InputError for a scene without a report, which the golden tells, FileError if the file cannot
+/// be written.
+AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options);
+
+/// Whether its scene has: what the others hold is exact.
+bool hasBodies(const Golden& golden);
+/// What a golden states, a row a quantity; empty where it states nothing.
+Document statedErrors(const Golden& golden);
+/// Of many, a row each, by name: golden/ERRORS.md.
+std::string statedErrorsAsMarkdown(std::vector<Golden> goldens);
 
 }  // namespace morula

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "accuracy/convergence.h"
 #include "base/error.h"
@@ -9,10 +11,6 @@
 namespace morula {
 
 namespace {
-
-constexpr double MeshMeasures::*meshMeasures[] = {&MeshMeasures::centroid, &MeshMeasures::volume,
-                                                  &MeshMeasures::surface, &MeshMeasures::pressure,
-                                                  &MeshMeasures::contactArea};
 
 double largestPressure(const Shapes& shapes) {
   double largest = 0;
@@ -33,51 +31,62 @@ double pressureDifference(const Shapes& a, const Shapes& b) {
   return largest;
 }
 
-double areaOf(const Shapes& shapes, const ContactMeasures& pair) {
-  for (const ContactMeasures& c : shapes.contacts)
-    if (c.a == pair.a && c.b == pair.b) return c.at("area");
-  return 0;
+/// Of the pairs that touch in either.
+struct PairDifference {
+  double area = 0;  // the largest
+  int pairs = 0, inOneAlone = 0;
+};
+
+PairDifference comparePairs(const Shapes& a, const Shapes& b) {
+  std::map<std::pair<CellPath, CellPath>, std::vector<double>> areas;
+  for (const ContactMeasures& pair : a.contacts) areas[{pair.a, pair.b}].push_back(pair.at("area"));
+  for (const ContactMeasures& pair : b.contacts) areas[{pair.a, pair.b}].push_back(-pair.at("area"));
+  PairDifference d;
+  for (const auto& [pair, of] : areas) {
+    d.area = std::max(d.area, std::abs(std::accumulate(of.begin(), of.end(), 0.0)));
+    ++d.pairs, d.inOneAlone += of.size() == 1;
+  }
+  return d;
 }
 
-/// A pair that touches on one mesh alone differs by all of its area.
-double areaDifference(const Shapes& a, const Shapes& b) {
-  double largest = 0;
-  for (const Shapes* side : {&a, &b})
-    for (const ContactMeasures& pair : side->contacts)
-      largest = std::max(largest, std::abs(areaOf(a, pair) - areaOf(b, pair)));
-  return largest;
-}
-
-/// 0 where both are 0.
-double over(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
+/// 0 where both are 0; all of it where the reference has none.
+double over(double difference, double scale) { return difference == 0 ? 0 : scale == 0 ? 1 : difference / scale; }
 
 }  // namespace
 
 std::optional<double> RunDistance::error() const { return until > 0 ? std::optional(worst.largest()) : std::nullopt; }
 
-RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius) {
+RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius, double before) {
   RunDistance d;
-  double pressure = 0, pressureScale = 0, area = 0, areaScale = 0;
+  double pressure = 0, pressureScale = 0, area = 0, areaScale = 0, pairs = 0, inOneAlone = 0;
   for (std::size_t i = 0; i < std::min(trial.shapes.size(), reference.shapes.size()); ++i) {
     const Shapes &a = trial.shapes[i], &b = reference.shapes[i];
+    if (b.time >= before) break;
     if (!haveSameCells(a, b)) {
       d.partedAt = b.time;
       break;
     }
-    const StateError e = compareShapes(a, b, eggRadius);
+    StateError e = compareShapes(a, b, eggRadius);
     if (i == 0) {
       d.atStart = e.surface;
       continue;
     }
-    const double p = pressureDifference(a, b), s = areaDifference(a, b);
-    d.atEnd = {e, over(p, largestPressure(b)), over(s, largestArea(b))};
+    const double p = pressureDifference(a, b);
+    const PairDifference pair = comparePairs(a, b);
+    e.pressure = over(p, largestPressure(b)), e.contactArea = over(pair.area, largestArea(b));
+    e.neighbours = over(pair.inOneAlone, pair.pairs);
+    d.atEnd = e;
     pressure = std::max(pressure, p), pressureScale = std::max(pressureScale, largestPressure(b));
-    area = std::max(area, s), areaScale = std::max(areaScale, largestArea(b));
-    for (const auto m : meshMeasures) d.worst.*m = std::max(d.worst.*m, d.atEnd.*m);
+    area = std::max(area, pair.area), areaScale = std::max(areaScale, largestArea(b));
+    pairs += pair.pairs, inOneAlone += pair.inOneAlone;
+    for (const ErrorQuantity& q : errorQuantities) d.worst.*q.of = std::max(d.worst.*q.of, e.*q.of);
     d.until = b.time;
   }
-  // A pressure passes through 0, and so does an area: over all times their largest is the scale.
+  // A pressure passes through 0, and so does an area: over all times their largest is the scale. A pair begins to touch a
+  // moment sooner in one than in the other: the share is of all times.
   d.worst.pressure = over(pressure, pressureScale), d.worst.contactArea = over(area, areaScale);
+  d.worst.neighbours = over(inOneAlone, pairs);
+  d.touch = pairs > 0;
   return d;
 }
 
@@ -104,14 +113,18 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   error.until = INFINITY;
   std::vector<RunDistance> toFinest;
   for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
-    const RunDistance d = compareRuns(*solved[i].trial, *solved.back().trial, eggRadius);
-    error.until = std::min(error.until, d.until);
+    const auto cut = findDividedElsewhere(solved[i].trial->divisions, solved.back().trial->divisions, anotherPlane);
+    if (cut && (!error.cut || cut->time < error.cut->time)) error.cut = cut;
+  }
+  const double before = error.cut ? error.cut->time : INFINITY;
+  for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
+    const RunDistance d = compareRuns(*solved[i].trial, *solved.back().trial, eggRadius, before);
+    error.until = std::min(error.until, d.until), error.touch = d.touch;
     if (d.partedAt && (!error.partedAt || *d.partedAt < *error.partedAt)) error.partedAt = d.partedAt;
     toFinest.push_back(d);
   }
-  error.cut = findDividedElsewhere(solved.front().trial->divisions, solved.back().trial->divisions);
   if (error.until == 0) {
-    error.unknown = "on other meshes other cells live from the first comparison on";
+    error.unknown = "on other meshes other cells live, or divide across another plane, from the first comparison on";
     return error;
   }
   const RunDistance fine = toFinest.back();
@@ -119,7 +132,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   RunDistance coarse;       // from the third level to the second
   error.orderIsObserved = solved.size() > 2;
   if (error.orderIsObserved)
-    coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius);
+    coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius, before);
   const auto left = [&](double coarseToMiddle, double middleToFine) -> LeftError {
     if (error.orderIsObserved) return estimateByRichardson(coarseToMiddle, middleToFine, assumedMeshOrder);
     return {middleToFine / (std::exp2(assumedMeshOrder) - 1), assumedMeshOrder};
@@ -136,10 +149,12 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
       if (l.order >= leastMeshOrder) to += l.error;
       else if (isFinest) to = std::max(coarseToMiddle, middleToFine);
     };
-    for (const auto m : meshMeasures) {
-      add(level.worst.*m, coarse.worst.*m, fine.worst.*m);
-      add(level.atEnd.*m, coarse.atEnd.*m, fine.atEnd.*m);
+    for (const ErrorQuantity& q : errorQuantities) {
+      if (q.of == &StateError::neighbours) continue;  // whether a pair touches has no order: the distance stands
+      add(level.worst.*q.of, coarse.worst.*q.of, fine.worst.*q.of);
+      add(level.atEnd.*q.of, coarse.atEnd.*q.of, fine.atEnd.*q.of);
     }
+    if (isFinest) level.worst.neighbours = fine.worst.neighbours, level.atEnd.neighbours = fine.atEnd.neighbours;
     if (level.level == own) error.atStart = toFinest[i].atStart;
     error.levels.push_back(level);
   }

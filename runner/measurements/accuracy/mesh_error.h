@@ -1,6 +1,7 @@
 #pragma once
 // How far two runs are apart, and what a mesh costs: the same scene on meshes of several fineness, all with
 // converged time steps.
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,24 +11,22 @@
 
 namespace morula {
 
-/// Between two runs, each the largest over the cells or pairs of cells. Flat faces count in the surfaces;
-/// `largest` is of what rows are compared by, without these two.
-struct MeshMeasures : StateError {
-  double pressure = 0;     // [1] over the reference's largest
-  double contactArea = 0;  // [1] over the reference's largest
-};
-
+/// Between two runs. Flat faces count in the surfaces.
 struct RunDistance {
-  MeshMeasures worst, atEnd;       // of all times after the start; at the last one compared
+  StateError worst, atEnd;         // of all times after the start; at the last one compared
   double atStart = 0;              // [radii of the egg] surfaces at time 0: faces are flat, cells are not
   double until = 0;                // [time] of the last comparison; 0: there was none
+  bool touch = false;              // whether cells of the reference do
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
   /// Absent: there was no comparison.
   std::optional<double> error() const;
 };
 
-/// Up to where other cells live. The meshes may differ.
-RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius);
+/// Up to where other cells live, and before that time. The meshes may differ.
+RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius, double before = INFINITY);
+
+/// [degrees] Axes of one division that are farther apart are two events, and what follows is compared no more.
+inline constexpr double anotherPlane = 10;
 
 /// The scene on one mesh, with converged time steps.
 struct SolvedMesh {
@@ -38,7 +37,7 @@ struct SolvedMesh {
 /// The error of one mesh: distance to the finest, and by Richardson what is left of the finest's own.
 struct LevelError {
   std::uint64_t level = 0;
-  MeshMeasures worst, atEnd;
+  StateError worst, atEnd;
 };
 
 struct MeshError {
@@ -52,7 +51,8 @@ struct MeshError {
   double atStart = 0;                   // [radii of the egg] of it: surfaces at time 0 against the finest's
   double until = 0;                     // [time] compared so far
   std::optional<double> partedAt;       // [time] other cells live on another mesh from then on
-  std::optional<DividedElsewhere> cut;  // on another mesh a cell divides across another plane
+  std::optional<DividedElsewhere> cut;  // on another mesh a cell divides across another plane: compared up to before
+  bool touch = false;                   // whether cells do, on the finest
   double timeError = 0;                 // left in the finer runs
   double cpuSeconds = 0;                // of all of them
 

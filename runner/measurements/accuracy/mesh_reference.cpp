@@ -29,7 +29,7 @@ class Study {
   MeshStudy run(const std::vector<std::uint64_t>& furtherLevels) {
     std::string limit;
     const bool first = addFiner(limit);
-    if (first && level_ + 2 <= finestLevel) addFinest(limit);
+    if (first && limit.empty() && level_ + 2 <= finestLevel) addFinest(limit);
     std::uint64_t finest = level_;
     while (at(finest + 1)) ++finest;
     // Three neighbouring levels show the order; where there are not enough above, one or two below do.
@@ -103,11 +103,13 @@ class Study {
     }
     double timeStep = step_ / 2;
     Trial coarse = solve(level_ + 1, timeStep);
-    if (!coarse.failure.empty()) {
-      limit = coarse.failure;
-      return false;
-    }
     fine_ = timeStep;
+    if (!coarse.failure.empty()) {  // compared as far as it came
+      limit = coarse.failure;
+      const bool came = coarse.shapes.size() > 1;
+      if (came) result_.solved[level_ + 1] = std::move(coarse);
+      return came;
+    }
     for (int i = 0; i < mostHalvings; ++i) {
       timeStep = fine_ / 2;
       Trial fine = solve(level_ + 1, timeStep);

@@ -51,11 +51,13 @@ Shapes takeShapes(const World& world) {
   return shapes;
 }
 
-double StateError::largest() const { return std::max({centroid, volume, surface}); }
-
-StateError larger(const StateError& a, const StateError& b) {
-  return {std::max(a.centroid, b.centroid), std::max(a.volume, b.volume), std::max(a.surface, b.surface)};
+std::string nameOf(const ErrorQuantity& quantity) {
+  std::string name = quantity.name;
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
+
+double StateError::largest() const { return std::max({centroid, volume, surface}); }
 
 bool haveSameCells(const Shapes& a, const Shapes& b) {
   return std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
@@ -67,8 +69,9 @@ StateError compareShapes(const Shapes& shapes, const Shapes& reference, double e
   StateError worst;
   for (std::size_t i = 0; i < shapes.cells.size(); ++i) {
     const ComparedCell &a = shapes.cells[i], &b = reference.cells[i];
-    worst = larger(worst, {norm(a.centroid - b.centroid) / eggRadius, std::abs(a.volume / b.volume - 1),
-                           measureSurfaceDistance(a.surface, b.surface) / eggRadius});
+    worst.centroid = std::max(worst.centroid, norm(a.centroid - b.centroid) / eggRadius);
+    worst.volume = std::max(worst.volume, std::abs(a.volume / b.volume - 1));
+    worst.surface = std::max(worst.surface, measureSurfaceDistance(a.surface, b.surface) / eggRadius);
   }
   return worst;
 }

@@ -2,6 +2,7 @@
 // How far one world is from another that should be the same.
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/cell_path.h"
@@ -34,20 +35,42 @@ ComparedCell comparedCell(const CellPath& path, Mesh surface);
 /// The world has bodies.
 Shapes takeShapes(const World& world);
 
-/// Each the largest over the cells.
+/// Each but the neighbours the largest over the cells or pairs of cells.
 struct StateError {
   double centroid = 0;  // [radii of the egg] distance of the centroids
   double volume = 0;    // [1] difference of volumes over the reference's
   double surface = 0;   // [radii of the egg] root mean square distance of the surfaces
+  double pressure = 0;  // [1] over the reference's largest
+  double contactArea =
+      0;  // [1] over the reference's largest; a pair that touches in one alone differs by all of its area
+  double neighbours = 0;  // [1] share of the pairs that touch in either, over all times, that do so in one alone
+  /// Of centroids, volumes and surfaces: what rows are compared by.
   double largest() const;
 };
 
-StateError larger(const StateError& a, const StateError& b);
+/// What an error is stated of, wherever it is: at a terminal, on pages, in JSON, in goldens.
+struct ErrorQuantity {
+  const char *name, *unit;
+  double StateError::*of;
+  bool ofPairs = false;  // there is none where no two cells touch
+};
+
+/// "contact area"
+std::string nameOf(const ErrorQuantity& quantity);
+
+inline constexpr ErrorQuantity errorQuantities[] = {
+    {"position", "radii of the egg", &StateError::centroid},
+    {"surface", "radii of the egg", &StateError::surface},
+    {"volume", "of the cell's", &StateError::volume},
+    {"pressure", "of the largest", &StateError::pressure},
+    {"contact_area", "of the largest", &StateError::contactArea, true},
+    {"neighbours", "of all pairs that touch", &StateError::neighbours, true},
+};
 
 /// True if the same cells live in both.
 bool haveSameCells(const Shapes& a, const Shapes& b);
 
-/// Of two with the same cells.
+/// Centroids, volumes and surfaces of two with the same cells.
 StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius);
 
 /// Two runs whose cells divide at the same times, but across other planes: a round cell has no longest extent,

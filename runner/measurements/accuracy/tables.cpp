@@ -70,13 +70,12 @@ Document settingTables(const AccuracyReport& report) {
       {"precision", [](const Row& row) { return number(row.parts.precision, 3); }},
       {"model", [](const Row& row) { return number(row.parts.model, 3); }},
       {"on mesh", [](const Row& row) { return number(row.error, 3); }},
-      {"centroid", [=](const Row& row) { return ifKnown(row, row.errors.centroid); }},
-      {"volume", [=](const Row& row) { return ifKnown(row, row.errors.volume); }},
-      {"surface", [=](const Row& row) { return ifKnown(row, row.errors.surface); }},
-      {"births", [=](const Row& row) { return ifKnown(row, row.birthTimes); }},
-      {"CPU time [s]", [](const Row& row) { return number(row.cpuSeconds, 3); }},
-      {"Forces", [](const Row& row) { return row.forceEvaluations; }},
   };
+  for (const ErrorQuantity& q : errorQuantities)
+    fields.push_back({nameOf(q), [=](const Row& row) { return ifKnown(row, row.errors.*q.of); }});
+  fields.push_back({"births", [=](const Row& row) { return ifKnown(row, row.birthTimes); }});
+  fields.push_back({"CPU time [s]", [](const Row& row) { return number(row.cpuSeconds, 3); }});
+  fields.push_back({"Forces", [](const Row& row) { return row.forceEvaluations; }});
   if (std::ranges::any_of(rows, [&](const Row& row) { return !note(row).empty(); })) fields.push_back({"", note});
   Document body;
   body.say(
@@ -84,9 +83,10 @@ Document settingTables(const AccuracyReport& report) {
           "model; ≥ where the mesh's is "
           "not known. Another contact law, cell model or engine is stated with its time step, under model. "
           "On mesh: against the "
-          "reference, on the scenario's mesh; the largest of centroids and surfaces [radii of the egg] and "
+          "reference, on the scenario's mesh; the largest of positions and surfaces [radii of the egg] and "
           "volumes [relative], of "
-          "all cells and times. Births: the latest against the reference's [cycle lengths]. Forces: how "
+          "all cells and times. Pressure and contact area: over the largest; neighbours: the share of the pairs that "
+          "touch in one alone. Births: the latest against the reference's [cycle lengths]. Forces: how "
           "often they were evaluated.")
       .add(tableOf("Settings", fields, rows));
   if (Table failed = failureTable(report.rows); !failed.rows.empty())

@@ -1,6 +1,8 @@
 // Runs on a page, from the verdict to the downloads.
 #include <algorithm>
+#include <set>
 
+#include "accuracy/into_golden.h"
 #include "files/printable.h"
 #include "report/bullet_block.h"
 #include "report/check_tables.h"
@@ -42,6 +44,21 @@ Document checksOfAll(const std::vector<RunFacts>& runs) {
   return all;
 }
 
+/// What goldens state of the scenarios, each once.
+Document errorsOf(const std::vector<RunFacts>& runs) {
+  Document all;
+  std::set<std::string> said;
+  for (const RunFacts& run : runs) {
+    if (run.golden.empty() || !run.unusableGolden.empty()) continue;
+    const Golden golden = readGoldenFile(run.golden);
+    if (golden.data.scenarioHash != run.run.record.scenarioHash || !said.insert(golden.data.scenario).second) continue;
+    Document errors = statedErrors(golden);
+    if (runs.size() > 1 && !errors.empty()) all.heading(golden.data.scenario);
+    all.add(std::move(errors));
+  }
+  return all;
+}
+
 }  // namespace
 
 PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
@@ -67,6 +84,8 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
       part.sections.back().commands = {programWord() + " check " + shellWord(sourceOf(runs[0])),
                                        programWord() + " explain " + shellWord(sourceOf(runs[0]))};
   }
+  if (Document errors = errorsOf(runs); !errors.empty())
+    part.sections.push_back({"errors", "How exact it is", std::move(errors)});
   part.sections.push_back(provenanceSection(runs));
   part.sections.push_back(parameterSection(runs));
   part.sections.push_back(downloadSection(runs, mostBytes / 10));

@@ -27,11 +27,7 @@ std::string digestOf(const Golden& golden) {
       .field("seed")
       .add(data.seed);
   for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
-  if (golden.error) {
-    hasher.field("error").add(golden.error->time);
-    if (golden.error->mesh) hasher.field("mesh").add(*golden.error->mesh);
-    hasher.add(golden.error->until);
-  }
+  for (const GoldenItem& item : golden.stated) hasher.add(write(item));
   for (const GoldenStatistic& statistic : golden.statistics) add(hasher, statistic);
   for (const auto& [key, value] : data.parameters) hasher.field("parameter").add(key).add(value);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
@@ -119,35 +115,6 @@ GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::ve
   return {*size, *step};
 }
 
-/// "error time 2.8e-4 mesh 1.3e-2 until 6", "error time 2.8e-4 mesh unknown until 6"; and as goldens said it
-/// before meshes were compared: "error 2.8e-4 until 6".
-GoldenError readError(const Lines& lines, std::string_view line) {
-  const auto word = [&] { return takeWord(line); };
-  const auto refuse = [&] { lines.fail("`error time SIZE mesh SIZE until TIME` is expected"); };
-  word();
-  std::string_view text = word();
-  const bool apart = text == "time";
-  if (apart) text = word();
-  GoldenError error;
-  const auto time = readReal(text);
-  if (!time || !(*time >= 0)) refuse();
-  error.time = *time;
-  if (apart) {
-    if (word() != "mesh") refuse();
-    text = word();
-    if (text != "unknown") {
-      const auto mesh = readReal(text);
-      if (!mesh || !(*mesh >= 0)) refuse();
-      error.mesh = *mesh;
-    }
-  }
-  if (word() != "until") refuse();
-  const auto until = readReal(line);
-  if (!until || !(*until > 0)) refuse();
-  error.until = *until;
-  return error;
-}
-
 std::pair<std::string, std::string> readParameter(const Lines& lines, std::string_view line) {
   takeWord(line);
   const std::string_view key = takeWord(line);
@@ -162,6 +129,16 @@ void checkGrowth(const Lines& lines, const Golden& golden) {
     if (count->name == "steps" && golden.growth.back().step > count->count)
       lines.fail("growth: step " + std::to_string(golden.growth.back().step) + " is after the run's last, " +
                  std::to_string(count->count) + "; restore the file from git");
+}
+
+/// Each kind under a heading, so that the file can be read without its description.
+void addItems(const std::vector<GoldenItem>& items, std::string& text) {
+  const GoldenItem* before = nullptr;
+  for (const GoldenItem& item : items) {
+    if (!before || before->index() != item.index()) text += '\n' + headingOf(item) + '\n';
+    before = &item;
+    text += write(item) + '\n';
+  }
 }
 
 }  // namespace
@@ -190,11 +167,7 @@ std::string writeGolden(const Golden& golden) {
     text += "\n# growth size step: one unit in the last place, moved at the start, grows to so many radii\n";
   for (const GoldenGrowth& g : golden.growth)
     text += "growth " + exactText(g.size) + ' ' + std::to_string(g.step) + '\n';
-  if (golden.error)
-    text += "\n# error time mesh until: of these settings, by morula accuracy\nerror time " +
-            exactText(golden.error->time) + " mesh " +
-            (golden.error->mesh ? exactText(*golden.error->mesh) : "unknown") + " until " +
-            exactText(golden.error->until) + '\n';
+  addItems(golden.stated, text);
   if (!golden.statistics.empty())
     text +=
         "\n# statistic measure: at the end, the mean under these settings less that under others, with its "
@@ -203,12 +176,7 @@ std::string writeGolden(const Golden& golden) {
   for (const GoldenStatistic& statistic : golden.statistics) text += write(statistic) + '\n';
   if (!data.parameters.empty()) text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
-  const GoldenItem* before = nullptr;
-  for (const GoldenItem& item : data.items) {
-    if (!before || before->index() != item.index()) text += '\n' + headingOf(item) + '\n';
-    before = &item;
-    text += write(item) + '\n';
-  }
+  addItems(data.items, text);
   return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(golden) + '\n';
 }
 
@@ -256,11 +224,6 @@ Golden readGolden(const std::string& text, const std::string& file) {
       expectNew("parameter " + data.parameters.back().first);
       continue;
     }
-    if (line.starts_with("error ")) {
-      if (golden.error) lines.fail("`error` stands twice; restore the file from git");
-      golden.error = readError(lines, line);
-      continue;
-    }
     if (line.starts_with("statistic ")) {
       const auto statistic = readStatistic(line);
       if (!statistic)
@@ -271,10 +234,13 @@ Golden readGolden(const std::string& text, const std::string& file) {
       golden.statistics.push_back(*statistic);
       continue;
     }
+    if (line.starts_with("error time "))
+      lines.fail(
+          "an error as older versions stated it; accept the result again, and let `morula accuracy` measure anew");
     GoldenItem item = readItem(line, lines.place());
     std::visit([&](auto& i) { i.line = lines.number(); }, item);
     expectNew(idOf(item));
-    data.items.push_back(std::move(item));
+    (checkOf(item) == "stated" ? golden.stated : data.items).push_back(std::move(item));
   }
   lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
 }

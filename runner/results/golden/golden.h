@@ -26,11 +26,15 @@ struct GoldenData {
 
 /// The items of one kind, in their order.
 template <class Item>
-std::vector<const Item*> all(const GoldenData& data) {
+std::vector<const Item*> all(const std::vector<GoldenItem>& of) {
   std::vector<const Item*> items;
-  for (const GoldenItem& item : data.items)
+  for (const GoldenItem& item : of)
     if (const auto* one = std::get_if<Item>(&item)) items.push_back(one);
   return items;
+}
+template <class Item>
+std::vector<const Item*> all(const GoldenData& data) {
+  return all<Item>(data.items);
 }
 
 /// How fast runs of this scenario part: by which step one unit in the last place of one coordinate, moved at
@@ -40,14 +44,6 @@ struct GoldenGrowth {
   std::uint64_t step = 0;
 };
 
-/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured.
-struct GoldenError {
-  double time = 0;             // of the time step, and of the precision if it is single: the largest of centroids and
-                               // surfaces [radii of the egg] and volumes [relative]
-  std::optional<double> mesh;  // the same of the mesh; 0 for spheres, which have none; absent: not known
-  double until = 0;            // [time] compared up to here
-};
-
 struct Golden {
   GoldenData data;
   std::string acceptedBy;  // who
@@ -55,7 +51,7 @@ struct Golden {
   std::vector<ToleranceRule> rules;
   std::string file = {};                         // where it was read from
   std::vector<GoldenGrowth> growth = {};         // by size; empty: not measured
-  std::optional<GoldenError> error = {};         // not measured
+  std::vector<GoldenItem> stated = {};           // errors, and why there are none; empty: not measured
   std::vector<GoldenStatistic> statistics = {};  // at the end, beside the error of the path; empty: not measured
 };
 

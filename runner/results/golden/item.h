@@ -108,9 +108,28 @@ struct GoldenValue {
   int line = 0;
 };
 
-/// The kinds in their order in the file.
-using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits, GoldenLink,
-                                GoldenImage, GoldenCost, GoldenValue>;
+/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured; stated, and compared
+/// with no run.
+struct GoldenError {
+  static constexpr const char *form = "error quantity time until mesh mesh_until", *check = "stated";
+  std::string quantity;             // [accuracy/state_error.h]
+  double time = 0, until = 0;       // of the time step, and of single precision; compared up to this time
+  std::optional<double> mesh;       // the same of the mesh, 0 for spheres, which have none; absent: not known
+  std::optional<double> meshUntil;  // [time]
+  int line = 0;
+};
+
+/// Why no error of the `time` step or of the `mesh` is stated, or none beyond a time.
+struct GoldenUnstated {
+  static constexpr const char *form = "unstated of why", *check = "stated";
+  std::string of;
+  RestOfLine why;
+  int line = 0;
+};
+
+/// The kinds in their order in the file; those stated first.
+using GoldenItem = std::variant<GoldenError, GoldenUnstated, GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep,
+                                GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue>;
 
 // Each value has one text, so that equal text is equal bits and the other way round.
 std::string goldenText(std::uint64_t value);
@@ -146,6 +165,9 @@ auto goldenFields(Item& item) {
   } else if constexpr (count == 3) {
     auto& [a, b, c, line] = item;
     return std::tie(a, b, c);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e, line] = item;
+    return std::tie(a, b, c, d, e);
   } else {
     auto& [a, b, c, d, e, f, g, line] = item;
     return std::tie(a, b, c, d, e, f, g);

@@ -68,7 +68,7 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
       const Golden old = readAccepted(scenario, file);
       golden.rules = old.rules;
       if (old.data.scenarioHash == golden.data.scenarioHash)
-        golden.error = old.error, golden.statistics = old.statistics;
+        golden.stated = old.stated, golden.statistics = old.statistics;
       golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
       accepted.text = changeInWords(old.data, golden.data) + describeGoldenDiff(old, golden.data);
     } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it

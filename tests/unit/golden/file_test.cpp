@@ -52,35 +52,36 @@ int lastLine() { return static_cast<int>(linesOf(writeGolden(exampleGolden())).s
 
 }  // namespace
 
-TEST_CASE("the error of a scenario's settings is kept, and sealed") {
+TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compared with no run") {
   Golden golden = exampleGolden();
-  golden.error = GoldenError{2.8e-4, 0.013, 1.6875};
-  const std::string text = writeGolden(golden), line = "error time 0.00028 mesh 0.013 until 1.6875";
-  CHECK(text.find("\n" + line + "\n") != text.npos);
+  const GoldenData observed = golden.data;
+  golden.stated = {GoldenError{"position", 2.8e-4, 1.6875, 0.013, 1.5}, GoldenError{"volume", 1e-3, 1.6875, {}, {}},
+                   GoldenUnstated{"mesh", {"none is finer"}}};
+  const std::string text = writeGolden(golden), line = "error position 0.00028 1.6875 0.013 1.5";
+  CHECK(text.find("\n# error quantity time until mesh mesh_until\n" + line + "\nerror volume 0.001 1.6875 - -\n") !=
+        text.npos);
+  CHECK(text.find("\nunstated mesh none is finer\n") != text.npos);
   const Golden again = readGolden(text, "x.golden");
-  REQUIRE(again.error);
-  CHECK((again.error->time == 2.8e-4 && again.error->mesh == 0.013 && again.error->until == 1.6875));
+  CHECK(std::ranges::equal(again.stated, golden.stated, [](const auto& a, const auto& b) { return agree(a, b); }));
   CHECK(writeGolden(again) == text);
+  CHECK(again.data.items.size() == exampleGolden().data.items.size());
+  CHECK(compareGolden(again, observed).passed());
   const auto replaced = [&](const std::string& by) {
     std::string other = text;
     return other.replace(other.find(line), line.size(), by);
   };
-  complains(replaced("error time 0.00027 mesh 0.013 until 1.6875"), 0, "edited");
-  complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
-  complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
-  for (const char* broken : {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
-                             "error time 1 until 2", "error time 1 mesh until 2", "error time 1 mesh -1 until 2",
-                             "error time 1 mesh 1 until 0", "error time 1 mesh 1 until 2 3"})
-    CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
-                      ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
-  complains(replaced("error"), 0, "'error' begins no line");
+  for (const char* other : {"error position 0.00027 1.6875 0.013 1.5", "error position 0.00028 1.6875 0.014 1.5",
+                            "error position 0.00028 1.6875 - -", "error surface 0.00028 1.6875 0.013 1.5"})
+    complains(replaced(other), 0, "edited");
+  complains(replaced("error position 1 2 3"), 0, "the line is cut short; mesh_until is expected");
+  complains(replaced("error position x 2 3 4"), 0, "time: 'x'");
+  complains(replaced("error time 0.0028 mesh 0.01 until 2"), 0, "as older versions stated it");
   complains(replaced(line + "\n" + line), 0, "stands twice");
-  CHECK_FALSE(readGolden(writeGolden(exampleGolden()), "x.golden").error);
+  CHECK(readGolden(writeGolden(exampleGolden()), "x.golden").stated.empty());
 }
 
 TEST_CASE("statistics of the end are kept in their order, and sealed") {
   Golden golden = exampleGolden();
-  golden.error = GoldenError{2.8e-4, 0.013, 1.6875};
   golden.statistics = {{"clone_radius", "half-step", -0.0012, -0.0041, 0.0017, 8},
                        {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20}};
   const std::string text = writeGolden(golden);
@@ -105,17 +106,6 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
                              "statistic clone_radius than a difference 1 low 0 high 1 runs 8"})
     complains(replaced(broken), 0, "`statistic MEASURE against LABEL difference X low X high X runs N` is expected");
   complains(replaced(line + "\n" + line), 0, "stands twice");
-}
-
-TEST_CASE("an error without a mesh is not known there, and goldens once said it shorter") {
-  Golden golden = exampleGolden();
-  golden.error = GoldenError{2.8e-4, std::nullopt, 1.6875};
-  std::string text = writeGolden(golden);
-  const std::string line = "error time 0.00028 mesh unknown until 1.6875";
-  CHECK(text.find("\n" + line + "\n") != text.npos);
-  CHECK_FALSE(readGolden(text, "x.golden").error->mesh);
-  text.replace(text.find(line), line.size(), "error 0.00028 until 1.6875");
-  CHECK(readGolden(text, "x.golden").error->time == 2.8e-4);
 }
 
 TEST_CASE("the file is one value per line in a fixed order") {

@@ -16,7 +16,16 @@ Json setting(const std::string& integrator, double timeStep) {
           {"contact_law", nullptr},   {"cell_model", nullptr}, {"set", {"physics.integrator=" + integrator}}};
 }
 
+/// By quantity; that of volumes is the largest.
+Json sizes(double volume) {
+  Json json = Json::object();
+  for (const ErrorQuantity& q : errorQuantities) json[q.name] = q.of == &StateError::volume ? volume : 0.0;
+  return json;
+}
+
 Json row(const std::string& engine, const std::string& series, double timeStep, double error, double seconds) {
+  Json errors = sizes(error);
+  errors["birth_times"] = 0.0;
   return {{"settings", setting("rk4", timeStep)},
           {"engine", engine},
           {"series", series},
@@ -24,9 +33,10 @@ Json row(const std::string& engine, const std::string& series, double timeStep, 
           {"parts", {{"time", error}, {"mesh", 0.01}, {"precision", 1e-15}, {"model", nullptr}}},
           {"error_on_scenario_mesh", error},
           {"divided_elsewhere", nullptr},
-          {"errors", {{"centroid", 0.0}, {"volume", error}, {"surface", 0.0}, {"birth_times", 0.0}}},
+          {"errors", errors},
           {"resolved", true},
           {"lineages_part_at", nullptr},
+          {"until", 1.0},
           {"cpu_seconds", seconds},
           {"force_evaluations", 100},
           {"vertex_steps", 4200},
@@ -37,7 +47,7 @@ Json row(const std::string& engine, const std::string& series, double timeStep, 
 
 /// What accuracy --json would say of four runs.
 Json output() {
-  const Json most{{"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}};
+  const Json most = sizes(0.01);
   const Json level{{"icosphere", 2}, {"error", 0.01}, {"largest", most}, {"at_end", most}};
   Json rows = Json::array();
   rows.push_back(row("morula", "velocity-verlet", 0.25, 0.05, 1));
@@ -68,6 +78,7 @@ Json output() {
             {"until", 1.0},
             {"lineages_part_at", nullptr},
             {"divided_elsewhere", nullptr},
+            {"cells_touch", true},
             {"time_error", 0.0},
             {"cpu_seconds", 1.0}}},
           {"as_it_is", row("morula", "as it is", 0.25, 0.05, 1)},
