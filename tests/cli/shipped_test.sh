@@ -32,6 +32,6 @@ for scenario; do
   if [ -e "$work/start.png" ]; then drawn=1; fi
   # One that goes from rest to rest has no time step whose error could be measured. Runs on finer meshes, to which most of the
   # time would go, are made where they take little.
-  grep -q '^  integrator: fire' "$scenario" || try accuracy "$scenario" --quick --budget 0.5 --out "$work"
+  grep -q '^  integrator: fire' "$scenario" || try accuracy "$scenario" --quick --budget 0.1 --out "$work"
 done
 exit $failures
