@@ -1,6 +1,7 @@
 #include "organism/gl_context.h"
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 #include <sys/mman.h>
 
 #include <array>
@@ -27,6 +28,10 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 #endif
 
 namespace morula {
+
+#define MORULA_GL_FUNCTION(name) decltype(&::name) name = nullptr;
+MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
+#undef MORULA_GL_FUNCTION
 
 struct OffscreenContext::Handle {
   OSMesaContext context = nullptr;
@@ -62,6 +67,31 @@ void settleDriver() {
   });
 }
 
+decltype(&::OSMesaCreateContextAttribs) createContext = nullptr;
+decltype(&::OSMesaDestroyContext) destroyContext = nullptr;
+decltype(&::OSMesaMakeCurrent) makeContextCurrent = nullptr;
+
+template <class Function>
+void find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(::dlsym(library, name));
+  if (!function) throw FileError(std::string(MORULA_OSMESA) + " has no " + name);
+}
+
+/// Once; it stays to the end.
+void loadDriver() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    void* const library = ::dlopen(MORULA_OSMESA, RTLD_LAZY | RTLD_LOCAL);
+    if (!library) throw FileError(std::string("nothing can be drawn: ") + ::dlerror());
+    find(library, "OSMesaCreateContextAttribs", createContext);
+    find(library, "OSMesaDestroyContext", destroyContext);
+    find(library, "OSMesaMakeCurrent", makeContextCurrent);
+#define MORULA_GL_FUNCTION(name) find(library, #name, name);
+    MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
+#undef MORULA_GL_FUNCTION
+  });
+}
+
 /// [byte] Of address space: compiled shaders, threads, and what they draw into. With 320 MB it broke down now and then,
 /// as its threads happen to ask for memory.
 constexpr double ofContext = 450e6;
@@ -79,8 +109,11 @@ void requireMemoryToDraw(double bytes, const std::string& remedy) {
 }
 
 OffscreenContext::OffscreenContext() {
+  const std::string remedy = ", however small the picture; draw where there is more, or run with --no-pictures";
+  requireMemoryToDraw(ofContext, remedy);
   settleDriver();
-  requireMemoryToDraw(ofContext, ", however small the picture; draw where there is more, or run with --no-pictures");
+  loadDriver();
+  requireMemoryToDraw(ofContext, remedy);  // what the library itself took is no longer there
   handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,
@@ -93,7 +126,7 @@ OffscreenContext::OffscreenContext() {
                             OSMESA_CONTEXT_MINOR_VERSION,
                             3,
                             0};
-  handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
+  handle_->context = createContext(attributes, nullptr);
   if (!handle_->context) {
     delete handle_;
     throw BugError("OSMesa gives no OpenGL 4.3 context");
@@ -102,12 +135,12 @@ OffscreenContext::OffscreenContext() {
 }
 
 OffscreenContext::~OffscreenContext() {
-  OSMesaDestroyContext(handle_->context);
+  destroyContext(handle_->context);
   delete handle_;
 }
 
 void OffscreenContext::makeCurrent() {
-  if (!OSMesaMakeCurrent(handle_->context, handle_->pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+  if (!makeContextCurrent(handle_->context, handle_->pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
     throw BugError("OSMesa cannot make its context current");
 }
 

@@ -40,6 +40,7 @@ set(CPACK_PACKAGE_FILE_NAME morula-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what the program is linked with
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libosmesa6)  # what it loads to draw
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS fonts-dejavu-core)  # words in pictures and charts
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, g++, cmake, libtbb-dev")  # films; the library in programs of others
 include(CPack)

@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# Builds one program of ours as another compiler would, with other options or for another machine.
+# Builds programs of ours as another compiler would, with other options or for another machine.
 #
-#   build_as.sh BUILD DIRECTORY TARGET
+#   build_as.sh BUILD DIRECTORY TARGET...
 #
 # BUILD: gcc-O0, gcc-O2, gcc-O3, clang-O2, clang-O3; clang-O0: each source compiled by itself; gcc-O2-avx2 and
 # gcc-O2-avx512: every source compiled so, not the kernels alone; gcc-O3-portable: baseline kernels and no others;
 # aarch64-O2: for that machine; wasm-O3: as WebAssembly, for Node.js.
-# TARGET: hash_program or run_scene, for which the simulator alone is built, or morula.
+# TARGET: hash_program and run_scene, for which the simulator alone is built, or morula.
 # What the compiler says goes into DIRECTORY.log. Exit codes: 0 built, 1 failed, 2 usage, 77 the compiler is not here.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
-if [ $# -ne 3 ]; then
+if [ $# -lt 3 ]; then
   sed -n '2,10s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
-name=$1 build=$2 target=$3
+name=$1 build=$2
+shift 2
 flags=-O${name#*-O}
 options=()
 case $name in
@@ -44,10 +45,10 @@ if ! command -v $compiler >/dev/null; then
   exit 77
 fi
 case $name in aarch64-* | wasm-*) ;; *) options+=("-DCMAKE_CXX_COMPILER=$compiler") ;; esac
-if [ "$target" = morula ]; then source=$here/../.. options+=(-DBUILD_TESTING=OFF); else source=$here; fi
+if [ "$1" = morula ]; then source=$here/../.. options+=(-DBUILD_TESTING=OFF); else source=$here; fi
 mkdir -p "$(dirname "$build")"
 cmake -S "$source" -B "$build" -G Ninja "${options[@]}" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" >"$build.log" 2>&1 &&
-  cmake --build "$build" --target "$target" >>"$build.log" 2>&1 || {
+  cmake --build "$build" --target "$@" >>"$build.log" 2>&1 || {
   if grep -q '^FAILED:' "$build.log"; then sed -n '/^FAILED:/,$p' "$build.log" | head -n 40; else tail -n 40 "$build.log"; fi
   exit 1
 }

@@ -16,13 +16,14 @@ if [ $emulator ] && ! command -v $emulator >/dev/null; then
   echo "$emulator is not installed: skipped"
   exit 77
 fi
-for target in hash_program run_scene; do "$here/build_as.sh" "$name" "$build" $target; done
+"$here/build_as.sh" "$name" "$build" hash_program run_scene
 scene=$build/unique-four.scene
 "$write_scene" "$here/../../scenarios/thesis/unique-four.yaml" >"$scene"
 isas=$($emulator "$build/hash_program" --isas)
 different=0
 for isa in scalar ${isas##*[[:space:]]}; do # one cell at a time, and the widest
   "$here/compare.sh" "$name, $isa" $emulator "$build/hash_program" --isa "$isa" || different=1
-  "$here/compare_golden.sh" "$name, $isa" thesis/unique-four "$scene" $emulator "$build/run_scene" --isa "$isa" || different=1
 done
+# What is read from a file, and hashed on the way, is so in any instruction set.
+"$here/compare_golden.sh" "$name, $isa" thesis/unique-four "$scene" $emulator "$build/run_scene" --isa "$isa" || different=1
 exit $different

@@ -356,13 +356,14 @@ def main():
                 good.append(held_in(place.work))
                 time.sleep(1.1)  # times are told in seconds, and are to differ
             judge = Judge(verb, held_in(place.start), *good)
-            line = []
+            line, counts = [], {}  # how often an operation of a kind comes is the same whichever way it fails
             for kind, how in FILE_WAYS + MEMORY_WAYS:
                 if options.kind not in (kind, how, "") or (how == "killall" and verb.name not in STARTING):
                     continue
-                place.restore()
-                count = place.run(verb.command, f"{kind}:0:EIO").count
-                tried = 0
+                if kind not in counts:
+                    place.restore()
+                    counts[kind] = place.run(verb.command, f"{kind}:0:EIO").count
+                count, tried = counts[kind], 0
                 for n in [options.at] if options.at else numbers(count, kind, options.every):
                     wrong, fault = judged(place, judge, ended.code, kind, how, n)
                     tried += 1

@@ -25,26 +25,25 @@ constexpr int seeds = 20;
 
 }  // namespace
 
-TEST_CASE("shell shapes: from the tetrahedron over the diamond to the line, as the shell gets longer") {
-  const auto at = [&](double aspect) { return arrangements(aspect, seeds, ""); };
+TEST_CASE(
+    "shell shapes: from the tetrahedron over the diamond to the line, as the shell gets longer; cells that stick keep the "
+    "diamond in longer shells") {
+  const auto at = [&](double aspect, const std::string& adhesion = "") {
+    return arrangements(aspect, seeds, adhesion);
+  };
   auto round = at(1), oval = at(1.25);
   CHECK(round["tetrahedron"] + round["diamond"] == seeds);
   CHECK(round["tetrahedron"] > seeds / 2);
   CHECK(oval["tetrahedron"] > 0);
   CHECK(oval["diamond"] > 0);
   for (const double aspect : {1.5, 1.75, 2.0}) CHECK(at(aspect)["diamond"] >= seeds - 1);
-  auto between = at(2.25);
+  auto between = at(2.25), longer = at(2.5);
   CHECK(between["T"] > 0);
   CHECK(between["diamond"] < seeds);
   CHECK(between["linear"] < seeds);
-  for (const double aspect : {2.5, 3.0}) CHECK(at(aspect)["linear"] == seeds);
-}
-
-TEST_CASE("shell shapes: cells that stick keep the diamond in longer shells") {
-  const auto diamonds = [&](double aspect, const std::string& adhesion) {
-    return arrangements(aspect, seeds, adhesion)["diamond"];
-  };
-  CHECK(diamonds(2.25, "1") > diamonds(2.25, ""));
-  CHECK(diamonds(2.25, "2") >= seeds - 1);
-  CHECK(diamonds(2.5, "2") > diamonds(2.5, ""));
+  CHECK(longer["linear"] == seeds);
+  CHECK(at(3)["linear"] == seeds);
+  CHECK(at(2.25, "1")["diamond"] > between["diamond"]);
+  CHECK(at(2.25, "2")["diamond"] >= seeds - 1);
+  CHECK(at(2.5, "2")["diamond"] > longer["diamond"]);
 }

@@ -226,6 +226,8 @@ int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv
   auto* const start = next<decltype(__libc_start_main)>("__libc_start_main");
   return start(
       [](int count, char** words, char** environment) {
+        // The program would load it to draw; once it is there, its requests for memory are known.
+        if (isCounted(news) || isCounted(mallocs)) ::dlopen(MORULA_OSMESA, RTLD_LAZY);
         ::dl_iterate_phdr(findDrivers, nullptr);
         inMain = true;
         const int code = real(count, words, environment);

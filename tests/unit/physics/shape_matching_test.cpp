@@ -181,7 +181,7 @@ TEST_CASE("A stretched body rings at √k; with β its shape at √((1 − β) k
         return best;
       }();
       lab.start();
-      constexpr double dt = 0x1p-13;
+      constexpr double dt = 0x1p-12;
       const auto off = [&] { return lab.bodies.vertex(0, far).x - mesh.vertices[far].x; };
       double before = off(), first = 0, last = 0;
       int crossings = 0;
@@ -215,11 +215,11 @@ TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every
           lab.evaluate();
           const StabilityLimits limits = measureLimits(lab.bodies, 0);
           CHECK(limits.pressure == INFINITY);
-          const auto growth = [&](double timeStep) {
+          const auto growth = [&](double timeStep, int steps) {
             Lab swinging(p, mesh, {body}, bestIsa());
             swinging.start();
             Worst farthest;
-            for (int i = 0; i < 20000 && farthest < 2; ++i) {
+            for (int i = 0; i < steps && farthest < 2; ++i) {
               swinging.step(timeStep);
               if (i % 100 == 0)
                 for (int v = 0; v < 42; ++v)
@@ -232,8 +232,9 @@ TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every
             CHECK(limits.spring == 0);
             continue;
           }
-          CHECK(growth(0.95 * limits.spring) < 1.01);
-          CHECK_FALSE(growth(1.05 * limits.spring) < 1.5);
+          // A hundredth beyond the limit a step adds a fiftieth or more of what is off, but of explicit Euler some ten-thousandths.
+          CHECK(growth(0.95 * limits.spring, integrator == Integrator::explicitEuler ? 20000 : 2000) < 1.01);
+          CHECK_FALSE(growth(1.05 * limits.spring, 20000) < 1.5);
         }
 }
 

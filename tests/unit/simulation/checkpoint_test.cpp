@@ -92,14 +92,19 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
     }
     CHECK(checkpoints.size() == steps.size());
     const Hash hash = stateHash(world);
-    const std::string end = saveState(world);
-    for (const auto& [step, saved] : checkpoints) {
+    checkpoints[world.clock.step] = saveState(world);
+    // To the second checkpoint after it, and every fourth to the end: what a state does not hold shows where it is needed.
+    std::size_t place = 0;
+    for (auto from = checkpoints.begin(); std::next(from) != checkpoints.end(); ++from, ++place) {
+      const bool whole = place % 4 == 0 || checkpoints.size() - place <= 3;
+      const auto to = whole ? std::prev(checkpoints.end()) : std::next(from, 2);
       World restored = makeWorld(scene, executionNumber(number++));
-      restoreState(restored, saved);
-      runToEnd(restored);
-      CAPTURE(scene.name, step, last);
+      restoreState(restored, from->second);
+      while (!finished(restored) && (whole || restored.clock.step < to->first)) step(restored);
+      CAPTURE(scene.name, from->first, to->first);
+      CHECK((saveState(restored) == to->second));  // the history of time steps, and what was counted, too
+      if (!whole) continue;
       CHECK(stateHash(restored) == hash);
-      CHECK((saveState(restored) == end));  // the history of time steps, and what was counted, too
       CHECK((restored.divisions == world.divisions));
     }
   }

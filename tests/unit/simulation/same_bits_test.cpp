@@ -63,38 +63,44 @@ std::uint64_t evaluationsOf(const World& world) {
   return count;
 }
 
-/// Runs both side by side; the first step after which their states differ, or −1.
-std::int64_t firstDifference(World& a, World& b) {
-  if (stateHash(a) != stateHash(b)) return 0;
-  while (!finished(a)) {
-    step(a);
-    step(b);
-    if (stateHash(a) != stateHash(b)) return static_cast<std::int64_t>(a.clock.step);
+/// Runs all side by side; of each but the first, the first step after which its state differs from the first's, or −1.
+std::vector<std::int64_t> firstDifferences(std::vector<World>& worlds) {
+  std::vector<std::int64_t> differences(worlds.size() - 1, -1);
+  while (true) {
+    const Hash state = stateHash(worlds[0]);
+    const bool over = finished(worlds[0]);
+    for (std::size_t i = 1; i < worlds.size(); ++i)
+      if (differences[i - 1] == -1 && (stateHash(worlds[i]) != state || finished(worlds[i]) != over))
+        differences[i - 1] = static_cast<std::int64_t>(worlds[0].clock.step);
+    if (over) return differences;
+    for (World& world : worlds)
+      if (!finished(world)) step(world);
   }
-  return finished(b) ? -1 : static_cast<std::int64_t>(a.clock.step);
 }
 
 }  // namespace
 
-TEST_CASE("Every instruction set goes through the scalar one's states, step by step") {
-  for (const Scene& scene : allScenes())
-    for (Isa isa : availableIsas()) {
-      if (isa == Isa::scalar) continue;
-      World oracle = makeWorld(scene, {Isa::scalar, 1}), world = makeWorld(scene, {isa, 1});
-      CAPTURE(scene.name, name(isa));
-      CHECK(firstDifference(oracle, world) == -1);
-      CHECK(evaluationsOf(oracle) > (oracle.settlings ? 50 : 300));  // balls settle soon
-      CHECK(oracle.lineage.entries.size() >= 7);
+TEST_CASE(
+    "Every instruction set and any number of threads goes through the scalar one's states, and again in one process") {
+  std::vector<Execution> others;
+  for (const Isa isa : availableIsas())
+    if (isa != Isa::scalar) others.push_back({isa, 1});
+  for (const int threads : {2, 3, 7}) others.push_back({bestIsa(), threads});
+  for (const Scene& scene : allScenes()) {
+    std::vector<World> worlds;
+    worlds.push_back(makeWorld(scene, {Isa::scalar, 1}));
+    for (const Execution& other : others) worlds.push_back(makeWorld(scene, other));
+    const auto differences = firstDifferences(worlds);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      CAPTURE(scene.name, name(others[i].isa), others[i].threads);
+      CHECK(differences[i] == -1);
     }
-}
-
-TEST_CASE("Any number of threads goes through one thread's states, step by step") {
-  for (const Scene& scene : allScenes())
-    for (int threads : {2, 3, 7}) {
-      World one = makeWorld(scene, {bestIsa(), 1}), many = makeWorld(scene, {bestIsa(), threads});
-      CAPTURE(scene.name, threads);
-      CHECK(firstDifference(one, many) == -1);
-    }
+    CAPTURE(scene.name);
+    CHECK(evaluationsOf(worlds[0]) > (worlds[0].settlings ? 50 : 300));  // balls settle soon
+    CHECK(worlds[0].lineage.entries.size() >= 7);
+    ranToEnd(scenes::lineageOnly(scenes::uniqueFour, 5));  // another world in between
+    CHECK(stateHash(ranToEnd(scene, {bestIsa(), 1})) == stateHash(worlds[0]));
+  }
 }
 
 TEST_CASE("Seventeen cells on three blocks and several threads, lists built at different times") {
@@ -111,15 +117,6 @@ TEST_CASE("Seventeen cells on three blocks and several threads, lists built at d
   }
   CHECK(different == 0);
   CHECK(lazy.contacts->rebuilds < eager.contacts->rebuilds / 2);
-}
-
-TEST_CASE("Twice in one process, with another world in between") {
-  for (const Scene& scene : allScenes()) {
-    const Hash first = stateHash(ranToEnd(scene, {bestIsa(), 1}));
-    ranToEnd(scenes::lineageOnly(scenes::uniqueFour, 5));
-    CAPTURE(scene.name);
-    CHECK(stateHash(ranToEnd(scene, {bestIsa(), 1})) == first);
-  }
 }
 
 TEST_CASE("Another seed is another result where chance plays a part, and only there") {
