@@ -85,10 +85,13 @@ TEST_CASE(
                               Case{"thesis/unique-four", 1.06640625, 0.95, "0.00048828125", "0.00048828125", 0.35});
   const std::string root = MORULA_SOURCE_DIR;
   const std::string file = root + "/scenarios/" + scene.name + ".yaml";
-  const auto stated = readGoldenFile(root + "/golden/" + scene.name + ".golden").error;
-  REQUIRE((stated && stated->mesh));
+  double stated = 0;  // the largest of those that `difference` takes
+  for (const GoldenItem& item : readGoldenFile(root + "/golden/" + scene.name + ".golden").stated)
+    if (const auto* error = std::get_if<GoldenError>(&item);
+        error && (error->quantity == "position" || error->quantity == "surface" || error->quantity == "volume"))
+      stated = std::max(stated, error->mesh.value());
   const double found = difference(surfacesAt(file, "2", scene.timeStep, scene.time),
                                   surfacesAt(file, "4", scene.fineTimeStep, scene.time), scene.radius);
-  INFO(scene.name << ": stated " << *stated->mesh << ", found " << found);
-  CHECK(found == Approx(*stated->mesh).epsilon(scene.within));
+  INFO(scene.name << ": stated " << stated << ", found " << found);
+  CHECK(found == Approx(stated).epsilon(scene.within));
 }

@@ -1,6 +1,8 @@
 // Values of a study file: scenarios, seeds, measures and when they are taken.
 #include <algorithm>
-#include <set>
+#include <iterator>
+#include <map>
+#include <optional>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -50,14 +52,18 @@ void readBase(Study& study, const Node& node, Problems& problems) {
 
 const std::string seedsAllowed = "whole numbers: one, FIRST..LAST as 1..10, or a list of such";
 
-/// "7" or "1..10"; empty and a problem if it is neither.
-std::vector<std::uint64_t> readSeedRange(const Node& node, Problems& problems) {
+struct SeedRange {
+  std::uint64_t first = 0, last = 0;
+};
+
+/// "7" or "1..10"; absent and a problem if it is neither.
+std::optional<SeedRange> readSeedRange(const Node& node, Problems& problems) {
   const auto complain = [&](const std::string& what) {
     problems.add(node.place, "seeds", what, "needs " + seedsAllowed);
-    return std::vector<std::uint64_t>{};
+    return std::nullopt;
   };
   if (node.kind == Node::Kind::scalar && !node.isPlain()) return complain(describe(node) + " is in quotes");
-  if (!node.isPlain()) return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
+  if (!node.isPlain()) return scenario::refuse(node, "seeds", seedsAllowed, problems), std::nullopt;
   const auto dots = node.text.find("..");
   const auto first = scenario::parseNatural(node.text.substr(0, dots));
   const auto last = dots == node.text.npos ? first : scenario::parseNatural(node.text.substr(dots + 2));
@@ -66,26 +72,34 @@ std::vector<std::uint64_t> readSeedRange(const Node& node, Problems& problems) {
     if (end.value > scenario::largestNatural) return complain(node.text + " is out of range");
   }
   if (last.value < first.value) return complain(node.text + " runs backward");
-  if (last.value - first.value >= mostReplicates)
-    return complain(node.text + " are too many, more than " + std::to_string(mostReplicates));
-  std::vector<std::uint64_t> seeds;
-  for (auto seed = first.value; seed <= last.value; ++seed) seeds.push_back(seed);
-  return seeds;
+  return SeedRange{first.value, last.value};
 }
 
 void readSeeds(Study& study, const Node& node, Problems& problems) {
   const bool isList = node.kind == Node::Kind::sequence;
   if (isList) scenario::expectEntries(node, "seeds", seedsAllowed, problems);
-  std::set<std::uint64_t> known;
-  for (const Node& item : isList ? node.items : std::vector<Node>{node})
-    for (const std::uint64_t seed : readSeedRange(item, problems)) {
-      if (!known.insert(seed).second) {
-        problems.add(item.place, "seeds", std::to_string(seed) + " stands there twice",
-                     "each seed is run once: remove it");
-        break;
-      }
-      study.seeds.push_back(seed);
+  std::map<std::uint64_t, std::uint64_t> known;  // ranges without a seed in common, by their first
+  for (const Node& item : isList ? node.items : std::vector<Node>{node}) {
+    const auto range = readSeedRange(item, problems);
+    if (!range) continue;
+    const auto after = known.upper_bound(range->first);
+    const bool begun = after != known.begin() && std::prev(after)->second >= range->first;
+    if (begun || (after != known.end() && after->first <= range->last)) {
+      problems.add(item.place, "seeds", std::to_string(begun ? range->first : after->first) + " stands there twice",
+                   "each seed is run once: remove it");
+      continue;
     }
+    if (range->last - range->first >= mostReplicates - study.seeds.size()) {  // before any is kept
+      const std::string before =
+          study.seeds.empty() ? "" : " and the " + std::to_string(study.seeds.size()) + " before it";
+      problems.add(item.place, "seeds",
+                   item.text + before + " are too many, more than " + std::to_string(mostReplicates),
+                   "needs " + seedsAllowed);
+      break;
+    }
+    known.emplace(range->first, range->last);
+    for (auto seed = range->first; seed <= range->last; ++seed) study.seeds.push_back(seed);
+  }
 }
 
 const std::string measuresAllowed =
@@ -181,29 +195,17 @@ Key measuresKey() {
                                           {"properties", {{"every", scenario::numberSchema(scenario::positive)}}},
                                           {"required", Json::array({"every"})},
                                           {"additionalProperties", false}}})}};
-  return {"measures",
-          measuresAllowed,
-          "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that "
-          "live; of pairs, "
-          "in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a "
-          "path of daughters from "
-          "the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* "
-          "for all that begin so), "
-          "elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, "
-          "AA* to BB*; of "
-          "the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the "
-          "last state; "
-          "each-division: also of "
-          "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
-          "units of time. "
-          "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
-          "",
-          {{"oneOf", Json::array({names,
-                                  {{"type", "object"},
-                                   {"properties", {{"names", names}, {"when", when}}},
-                                   {"required", Json::array({"names"})},
-                                   {"additionalProperties", false}}})}},
-          readMeasures};
+  return {
+      "measures",
+      measuresAllowed,
+      "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that live; of pairs, in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a path of daughters from the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* for all that begin so), elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, AA* to BB*; of the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the last state; each-division: also of the first, and after each step in which cells divided; {every: T}: also of the first, and every T units of time. A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
+      "",
+      {{"oneOf", Json::array({names,
+                              {{"type", "object"},
+                               {"properties", {{"names", names}, {"when", when}}},
+                               {"required", Json::array({"names"})},
+                               {"additionalProperties", false}}})}},
+      readMeasures};
 }
 
 }  // namespace morula::study
