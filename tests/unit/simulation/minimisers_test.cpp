@@ -1,0 +1,120 @@
+// Two ways down the same energy end in the same place. The other one than FIRE is nonlinear conjugate gradients [Polak
+// and Ribière 1969] of all cells at once, with steps along a line by the secant of its forces; all it shares with the
+// simulator are the forces.
+//
+// What is compared are places of vertices, of cells that are taut and pressed together by a shell with three axes.
+// Slack membranes, and cells with more room, have other states of rest within reach, of other energies, and then the
+// two ways may part.
+#include "catch.h"
+#include "simulation/energy.h"
+#include "simulation/settle.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+using Field = std::vector<Vector>;  // [cell][vertex]
+
+double product(const Field& a, const Field& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
+  return sum;
+}
+
+double rms(const Field& a) { return std::sqrt(product(a, a) / static_cast<double>(a.size())); }
+
+double farthest(const Field& a, const Field& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, norm(a[i] - b[i]));
+  return most;
+}
+
+Field placesOf(const World& world) {
+  Field places;
+  for (int slot : world.bodies->slots)
+    for (int v = 0; v < world.bodies->vertexCount(slot); ++v) places.push_back(world.bodies->vertex(slot, v) - Point{});
+  return places;
+}
+
+Field forcesOf(const World& world) {
+  const Bodies& b = *world.bodies;
+  Field forces;
+  for (int slot : b.slots)
+    for (int v = 0; v < b.vertexCount(slot); ++v)
+      forces.push_back(b.vertexMass[slot] * b.read(b.acceleration, slot, v));
+  return forces;
+}
+
+/// Puts vertices `length` times along a direction from where they were, or to where the shell lets them.
+void moveAlong(World& world, const Field& from, const Field& direction, double length) {
+  Bodies& b = *world.bodies;
+  std::size_t i = 0;
+  for (int slot : b.slots)
+    for (int v = 0; v < b.vertexCount(slot); ++v, ++i) {
+      b.write(b.position, slot, v, from[i] + length * direction[i]);
+      b.write(b.velocity, slot, v, {});
+    }
+  evaluateForces(world);
+}
+
+/// Until the root mean square of forces is at most `force`; false after 5000 lines without it.
+bool conjugateGradients(World& world, double force) {
+  evaluateForces(world);
+  Field forces = forcesOf(world), direction = forces;
+  double length = 1e-3;
+  for (int line = 0; line < 5000; ++line) {
+    const double squares = product(forces, forces);
+    if (std::sqrt(squares / static_cast<double>(forces.size())) <= force) return true;
+    if (!(product(direction, forces) > 0)) direction = forces;
+    const double slope = product(direction, forces);
+    const Field places = placesOf(world);
+    const double trial = std::min(length, 0.01 / rms(direction));
+    moveAlong(world, places, direction, trial);
+    const double there = product(direction, forcesOf(world));
+    length = there < slope ? std::clamp(slope / (slope - there), 0.1, 3.0) * trial : 2 * trial;
+    moveAlong(world, places, direction, length);
+    const Field now = forcesOf(world);
+    const double kept = std::max(0.0, (product(now, now) - product(now, forces)) / squares);
+    for (std::size_t i = 0; i < now.size(); ++i) direction[i] = now[i] + kept * direction[i];
+    forces = now;
+  }
+  return false;
+}
+
+/// Four taut cells that fill an ellipsoid; their first settling ends at the tolerance.
+Scene pressed(double tolerance) {
+  Scene scene = scenes::settling(scenes::packed());
+  scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "still.dna");
+  scene.stop = {.cycles = {}, .time = 0.5, .cells = {}};
+  scene.mechanics->physics.shell = ShellParameters{{1.2, 1, 0.88}, {}, Held::vertices};
+  scene.mechanics->physics.pressure.constant = 260;
+  scene.mechanics->physics.settle = {.tolerance = tolerance, .evaluations = 100'000, .sample = {}};
+  for (const Point& at : {Point{1, 0.8, 0.7}, Point{1, -0.8, -0.7}, Point{-1, 0.8, -0.7}, Point{-1, -0.8, 0.7}})
+    scene.cells.push_back({.at = {0.45 * at.x, 0.45 * at.y, 0.45 * at.z}, .scale = 0.62});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Cells that press on each other come to rest where conjugate gradients end, too") {
+  // Sticky cells that begin farther from rest part.
+  for (const auto& [adhesion, begin] : {std::pair(0.0, 1.0), {0.0, 0.03}, {0.2, 0.03}}) {
+    Scene scene = pressed(begin);
+    if (adhesion > 0) scene.mechanics->contact->adhesion.emplace().strength = adhesion;
+    World settled = makeWorld(scene, {Isa::scalar, 1}), other = makeWorld(scene, {Isa::scalar, 1});
+    step(settled), step(other);
+    const Field start = placesOf(settled);
+    REQUIRE(farthest(start, placesOf(other)) == 0);
+
+    settled.bodies->parameters.settle.tolerance = 1e-11;
+    step(settled);
+    CAPTURE(adhesion, begin, settled.settlings->back().evaluations);
+    CHECK(settled.settlings->back().residual <= 1e-11);
+    CHECK(conjugateGradients(other, 1e-10));
+
+    CHECK(measureEnergy(other).contact > 0.05);
+    CHECK(farthest(placesOf(settled), start) > 0.02);
+    CHECK(farthest(placesOf(settled), placesOf(other)) <= 1e-6 * 0.62);  // radii of a cell
+  }
+}
