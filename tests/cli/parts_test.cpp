@@ -42,7 +42,7 @@ TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
   }
   CHECK(shares == Approx(1));
   CHECK(bytes == Approx(json["bytes"].get<double>()));
-  CHECK(part(json, "drag")["why"] == four + ":35:9: physics.drag");
+  CHECK(part(json, "drag")["why"] == four + ":33:9: physics.drag");
   CHECK(part(json, "hashes")["why"] == "golden file golden/thesis/unique-four.golden");
   CHECK(part(json, "growth")["engaged"] == false);
   CHECK(part(json, "pictures")["seconds"] > 0);
@@ -62,7 +62,7 @@ TEST_CASE("parts follows changes of the scene and of the search") {
   CHECK(part(changed, "search")["how"] == "aabb-tree");
   CHECK(part(changed, "search")["why"] == "--search");
   CHECK(part(changed, "golden")["engaged"] == false);  // a changed scene is not held against it
-  CHECK(part(changed, "hashes")["why"] == four + ":43:8: check");
+  CHECK(part(changed, "hashes")["why"] == four + ":41:8: check");
   CHECK(changed["isa"] == "scalar");
 }
 

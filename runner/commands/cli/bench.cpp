@@ -67,7 +67,7 @@ BenchOptions optionsOf(const BenchWords& words) {
   options.folder = std::filesystem::path(words.out) / "bench";
   options.program = ownProgram();
   const std::filesystem::path single = std::filesystem::path(options.program).replace_filename("morula-single-bullet");
-  if (std::filesystem::exists(single)) options.singleBullet = single.string();
+  if (fileExists(single)) options.singleBullet = single.string();
   options.tell = [quiet = words.output.quiet](const std::string& text) { tell("bench: " + text, quiet); };
   return options;
 }

@@ -252,7 +252,7 @@ TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   CHECK(sum > 0);
   const std::string text = textOf(describe(f, "unique-four"));
   CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") && ContainsSubstring("absent, and free") &&
-                       ContainsSubstring("unique-four.yaml:35:9: physics.drag"));
+                       ContainsSubstring("unique-four.yaml:33:9: physics.drag"));
 }
 
 TEST_CASE("Odd lives have predictions, too: nothing to do, everybody dead, far too many") {
