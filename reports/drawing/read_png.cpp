@@ -10,6 +10,7 @@ namespace morula {
 namespace {
 
 constexpr std::size_t headEnd = 24;  // the signature, and of the first chunk length, type, width and height
+constexpr std::size_t signature = 8, chunkFrame = 12;  // of each chunk length and type before it, a checksum behind it
 constexpr std::uint64_t mostPixels = 100'000'000;
 
 struct Reader {
@@ -31,6 +32,17 @@ std::uint64_t bigEndian(const std::string& bytes, std::size_t at) {
   return n;
 }
 
+/// Each chunk ends before the file does: libpng takes memory for as many bytes as a chunk says it has.
+bool chunksFit(const std::string& bytes) {
+  for (std::size_t at = signature; at < bytes.size();) {
+    const std::size_t left = bytes.size() - at;
+    if (left < chunkFrame || bigEndian(bytes, at) > left - chunkFrame) return false;
+    if (bytes.compare(at + 4, 4, "IEND") == 0) return true;  // what follows is not read
+    at += chunkFrame + bigEndian(bytes, at);
+  }
+  return false;
+}
+
 }  // namespace
 
 Image readPng(const std::string& bytes, const std::string& name) {
@@ -40,14 +52,15 @@ Image readPng(const std::string& bytes, const std::string& name) {
   if (width * height > mostPixels)
     throw InputError(name + ": a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                      " pixels is too large; needs at most " + std::to_string(mostPixels) + " pixels");
+  const InputError damaged(name + ": a damaged PNG picture, or of a kind that is not read");
+  if (!chunksFit(bytes)) throw damaged;
   Reader reader{bytes};
   const Surface surface(cairo_image_surface_create_from_png_stream(take, &reader));
   // What libpng refuses comes as want of memory in older versions of cairo: of a size that is fine, it is the file.
   const cairo_format_t format = cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS
                                     ? cairo_image_surface_get_format(surface.get())
                                     : CAIRO_FORMAT_INVALID;
-  if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)
-    throw InputError(name + ": a damaged PNG picture, or of a kind that is not read");
+  if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24) throw damaged;
   cairo_surface_flush(surface.get());
   Image image(static_cast<int>(width), static_cast<int>(height), paper);
   const unsigned char* data = cairo_image_surface_get_data(surface.get());

@@ -1,6 +1,8 @@
 // PNG files read back, and those that cannot be.
 #include "drawing/read_png.h"
 
+#include <sys/resource.h>
+
 #include "base/error.h"
 #include "catch.h"
 #include "drawing/drawing.h"
@@ -49,6 +51,21 @@ TEST_CASE("what is no PNG picture is refused by name", "[drawing]") {
   std::string flat = whole;
   flat[19] = 0;  // no width
   refused(flat, "damaged");
+}
+
+TEST_CASE("what a chunk says of its size takes no memory", "[drawing]") {
+  std::string promising = pngFile(speckled());
+  const std::size_t text = promising.find("tEXt");
+  REQUIRE(text != promising.npos);
+  promising[text - 4] = 0x60;  // 1.5 GiB
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // [KiB]
+  };
+  const long before = peak();
+  CHECK_THROWS_WITH(readPng(promising, "one.png"), ContainsSubstring("damaged"));
+  CHECK(peak() - before < 100'000);
 }
 
 }  // namespace morula
