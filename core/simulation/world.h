@@ -79,8 +79,8 @@ struct SettlingRecord {
   double residual = 0;            // [1] r of settle.h, at its end
   // How far from rest that is [SettleParameters::sample]: what cells lose and how far a vertex goes until r is a
   // hundredth of the tolerance, or `evaluations` have been made once more
-  std::optional<double> energyLeft;        // [force·length]
-  std::optional<double> displacementLeft;  // [length]
+  std::optional<double> energyLeft = {};        // [force·length]
+  std::optional<double> displacementLeft = {};  // [length]
 };
 
 struct World {

@@ -14,18 +14,18 @@
 namespace morula {
 
 struct AccuracyOptions {
-  std::optional<double> until;          // [time] compare up to here; absent: up to the horizon of chaos
-  std::vector<Integrator> integrators;  // to be compared
-  std::vector<std::uint64_t> levels;    // further meshes; the scene's own always takes part
+  std::optional<double> until = {};          // [time] compare up to here; absent: up to the horizon of chaos
+  std::vector<Integrator> integrators = {};  // to be compared
+  std::vector<std::uint64_t> levels = {};    // further meshes; the scene's own always takes part
   bool otherPrecision = true, otherLaw = true, cheaperModels = true;
-  bool bullet = false;  // compare with Bullet, where it can compute the scene
-  std::string program;  // that is asked: this one's own file
-  int halvings = 4;     // of the longest time step
-  int samples = 16;     // times of comparison, at most
-  int rounds = 3;       // of every run, for the CPU time
-  double budget = 60;   // [s] of CPU time, for the runs on other meshes
-  bool brief = false;   // only the scenario as it is; the reference then is as fine as that asks for
-  Execution execution;
+  bool bullet = false;       // compare with Bullet, where it can compute the scene
+  std::string program = {};  // that is asked: this one's own file
+  int halvings = 4;          // of the longest time step
+  int samples = 16;          // times of comparison, at most
+  int rounds = 3;            // of every run, for the CPU time
+  double budget = 60;        // [s] of CPU time, for the runs on other meshes
+  bool brief = false;        // only the scenario as it is; the reference then is as fine as that asks for
+  Execution execution = {};
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 

@@ -28,20 +28,20 @@ inline constexpr auto choices<Stage> = std::to_array<Choice<Stage>>({
 });
 
 struct BenchOptions {
-  std::vector<int> cells;        // of packed scenes
-  std::vector<int> levels{2};    // of the icosphere, for all of `cells`
-  std::vector<int> extraLevels;  // for scenes of `extraCells` only
+  std::vector<int> cells = {};        // of packed scenes
+  std::vector<int> levels{2};         // of the icosphere, for all of `cells`
+  std::vector<int> extraLevels = {};  // for scenes of `extraCells` only
   int extraCells = 64;
-  std::vector<Isa> isas;
+  std::vector<Isa> isas = {};
   std::vector<int> threads{1};
-  std::vector<Stage> stages;
+  std::vector<Stage> stages = {};
   int rounds = 5;          // measurements of each thing, one after the other in turn
   double stepsFactor = 1;  // factor of the number of steps in a round; less: shorter rounds
   bool bullet = true;
   int mostBulletCells = 256;
-  std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
-  std::string program;           // that answers to `engine-worker`
-  std::string singleBullet;      // the same by Bullet in single precision; "": none was built
+  std::filesystem::path folder = {};  // where packed scenes are kept; "": nowhere
+  std::string program = {};           // that answers to `engine-worker`
+  std::string singleBullet = {};      // the same by Bullet in single precision; "": none was built
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
