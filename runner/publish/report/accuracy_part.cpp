@@ -8,6 +8,7 @@
 #include "report/accuracy_blocks.h"
 #include "report/parts.h"
 #include "system/installation.h"
+#include "system/json_record.h"
 
 namespace morula {
 
@@ -115,7 +116,7 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
                 : "; what the mesh adds is not known")});
   if (t.at("icosphere_that_holds").is_number() && !holds)
     findings.push_back({Kind::warning, "For the whole error it needs icosphere " +
-                                           std::to_string(t.at("icosphere_that_holds").get<int>())});
+                                           std::to_string(wholeFrom<int>(t.at("icosphere_that_holds")))});
 }
 
 PageSection madeBy(const Json& json, const std::string& scenario, const std::string& file) {

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/read_hash.h"
 #include "golden/number_text.h"
-#include "system/json.h"
+#include "system/json_record.h"
 
 namespace morula {
 
@@ -27,7 +27,7 @@ Json toJson(const ChainLink& link) {
 /// `before`: the hash of the link before, if there is one.
 ChainLink linkFrom(const Json& j, const std::optional<Hash>& before) {
   ChainLink link;
-  j.at("step").get_to(link.step);
+  link.step = wholeFrom<std::uint64_t>(j.at("step"));
   link.state = {
       hashFrom(j.at("whole")), hashFrom(j.at("clock")), {}, hashFrom(j.at("connections")), hashFrom(j.at("lineage"))};
   for (const Json& cell : j.at("cells"))
@@ -50,7 +50,8 @@ HashTrace readHashTrace(const std::string& text) {
     HashTrace trace;
     for (const Json& j : json.at("links"))
       trace.links.push_back(linkFrom(j, trace.links.empty() ? std::nullopt : std::optional(trace.links.back().hash)));
-    json.at("last_step").get_to(trace.lastStep), json.at("failure").get_to(trace.failure);
+    trace.lastStep = wholeFrom<std::uint64_t>(json.at("last_step"));
+    json.at("failure").get_to(trace.failure);
     return trace;
   } catch (const Json::exception& error) {
     throw InputError(std::string("the trail is cut short, or another version's: ") + error.what());

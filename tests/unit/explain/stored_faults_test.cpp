@@ -160,6 +160,8 @@ TEST_CASE("A trail survives its way through text, and a damaged one is refused")
   CHECK_THROWS_WITH(readHashTrace(text.substr(0, text.size() / 2)), ContainsSubstring("cut short"));
   CHECK_THROWS_WITH(readHashTrace("link 0 12\nend 0\n"), ContainsSubstring("the trail is cut short, or another"));
   CHECK_THROWS_WITH(readHashTrace("{\"links\": []}"), ContainsSubstring("last_step"));
+  CHECK_THROWS_WITH(readHashTrace("{\"links\": [], \"last_step\": 3e86, \"failure\": \"\"}"),
+                    ContainsSubstring("needs a whole number"));
   const std::string hash = trace.links[0].state.whole.text();
   std::string wrong = text;
   wrong.replace(wrong.find(hash), 1, "x");
