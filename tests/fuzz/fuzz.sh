@@ -22,9 +22,10 @@ for reader in "${readers[@]}"; do
   mkdir -p "$corpus"
   build/fuzz/tests/fuzz/fuzz_mutations 0 "$reader" "$corpus" >/dev/null # writes the seeds there
   if [ -d "tests/fuzz/corpus/$reader" ]; then cp -n "tests/fuzz/corpus/$reader"/* "$corpus"; fi
+  touch "build/fuzz/$reader.begun"
   MORULA_FUZZ=$reader build/fuzz/tests/fuzz/fuzz_readers -max_total_time="$seconds" -timeout=1 -max_len=20000 \
     -artifact_prefix="build/fuzz/findings/$reader-" -print_final_stats=1 "$corpus" 2>"build/fuzz/$reader.log" || code=1
   echo "$reader: $(sed -n 's/^stat::number_of_executed_units: *//p' "build/fuzz/$reader.log") executions," \
-    "$(find build/fuzz/findings -name "$reader-*" | wc -l) findings"
+    "$(find build/fuzz/findings -name "$reader-*" -newer "build/fuzz/$reader.begun" | wc -l) findings"
 done
 exit $code

@@ -37,13 +37,12 @@ Shapes takeShapes(const World& world);
 
 /// Each but the neighbours the largest over the cells or pairs of cells.
 struct StateError {
-  double centroid = 0;  // [radii of the egg] distance of the centroids
-  double volume = 0;    // [1] difference of volumes over the reference's
-  double surface = 0;   // [radii of the egg] root mean square distance of the surfaces
-  double pressure = 0;  // [1] over the reference's largest
-  double contactArea =
-      0;  // [1] over the reference's largest; a pair that touches in one alone differs by all of its area
-  double neighbours = 0;  // [1] share of the pairs that touch in either, over all times, that do so in one alone
+  double centroid = 0;     // [radii of the egg] distance of the centroids
+  double volume = 0;       // [1] difference of volumes over the reference's
+  double surface = 0;      // [radii of the egg] root mean square distance of the surfaces
+  double pressure = 0;     // [1] over the reference's largest
+  double contactArea = 0;  // [1] the same; a pair that touches in one alone differs by all of its area
+  double neighbours = 0;   // [1] share of the pairs that touch in either, over all times, that do so in one alone
   /// Of centroids, volumes and surfaces: what rows are compared by.
   double largest() const;
 };

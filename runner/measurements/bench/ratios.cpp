@@ -24,11 +24,11 @@ class BenchTable {
   const BenchRow* free(Stage stage, int cells, const std::string& isa) const {
     return find(rows_, "free", "morula", stage, cells, cellVertices, isa);
   }
-  const BenchRow* other(const std::string& engine, Stage stage, int cells, const std::string& scene = "packed") const {
-    return find(rows_, scene, engine, stage, cells, cellVertices, "");
+  const BenchRow* other(const std::string& engine, Stage stage, int cells) const {
+    return find(rows_, "packed", engine, stage, cells, cellVertices, "");
   }
-  const BenchRow* single(Stage stage, int cells, const std::string& isa) const {
-    return find(rows_, "packed-single", "morula", stage, cells, cellVertices, isa);
+  const BenchRow* step(const std::string& scene, const std::string& engine, int cells, const std::string& isa) const {
+    return find(rows_, scene, engine, Stage::step, cells, cellVertices, isa);
   }
   const std::set<std::string>& isas() const { return isas_; }
   const std::set<int>& cells() const { return cells_; }
@@ -44,12 +44,12 @@ class BenchTable {
 double ns(const BenchRow& row) { return row.nsPerVertexStep; }
 
 void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
+  const std::pair<const char*, Precision> scenes[] = {{"packed", Precision::binary64},
+                                                      {"packed-single", Precision::binary32}};
   for (const int cells : {64, 128, 256})
-    for (const Precision precision : {Precision::binary64, Precision::binary32}) {
-      const bool single = precision == Precision::binary32;
-      const BenchRow *ours = single ? t.single(Stage::step, cells, t.reference())
-                                    : t.packed(Stage::step, cells, t.reference()),
-                     *bullet = t.other("bullet-b1", Stage::step, cells, single ? "packed-single" : "packed");
+    for (const auto& [scene, precision] : scenes) {
+      const BenchRow *ours = t.step(scene, "morula", cells, t.reference()),
+                     *bullet = t.step(scene, "bullet-b1", cells, "");
       if (ours && bullet)
         ratios.push_back({fmt::format("times faster than Bullet B1, both in {} precision, {} cells, {}",
                                       nameOf(precision), cells, t.reference()),
