@@ -14,8 +14,7 @@ inline const std::string everybodyDivides = "START: a0\ng1(a0|a0)\ng2(divide|a0)
 // Four leaves [Nilsson 2008, §5.2.1].
 inline const std::string uniqueFour =
     "START: a0\n"
-    "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(a4|a2,A)\ng7(a5|a2,B)\ng8(a6|a3,A)"
-    "\n"
+    "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(a4|a2,A)\ng7(a5|a2,B)\ng8(a6|a3,A)\n"
     "g9(a7|a3,B)\ng10(a4|a4)\ng11(a5|a5)\ng12(a6|a6)\ng13(a7|a7)\n";
 
 // Everything a cell can want: seven cells, then a death, growth, shrinkage, and connections made and released
@@ -24,8 +23,7 @@ inline const std::string eventful =
     "START: a0\n"
     "g1(a1|a0)\ng2(divide|a0)\n"
     "g3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(connect|a1)\n"
-    "g7(a4|a2,A)\ng8(a5|a2,B)\ng9(a6|a3,A)\ng10(a7|a3,B)\ng11(divide|a2,A)\ng12(divide|a3,B)\ng13(divide|a2,"
-    "B)\n"
+    "g7(a4|a2,A)\ng8(a5|a2,B)\ng9(a6|a3,A)\ng10(a7|a3,B)\ng11(divide|a2,A)\ng12(divide|a3,B)\ng13(divide|a2,B)\n"
     "g14(connect|a3)\ng15(grow|a4)\ng16(shrink|a6)\ng17(release|a5)\ng18(die|a6)\n"
     "g19(a4|a4)\ng20(a5|a5)\ng21(a7|a7)\ng22(connect|a7)\n";
 

@@ -30,14 +30,10 @@ struct PerIsa {
   const Table* avx512;
   const Table& operator[](Isa isa) const {
     switch (isa) {
-      case Isa::scalar:
-        return *scalar;
-      case Isa::narrow:
-        return *narrow;
-      case Isa::avx2:
-        return *avx2;
-      case Isa::avx512:
-        return *avx512;
+      case Isa::scalar: return *scalar;
+      case Isa::narrow: return *narrow;
+      case Isa::avx2: return *avx2;
+      case Isa::avx512: return *avx512;
     }
     return *scalar;
   }

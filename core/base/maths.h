@@ -84,14 +84,10 @@ inline SineAndCosine sineAndCosine(double angle) {
   const double sine = r + (r * odd + tail);
   const double cosine = most + (((1 - most) - half) - half * even - r * tail);
   switch (k & 3) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
+    case 0: return {sine, cosine};
+    case 1: return {cosine, -sine};
+    case 2: return {-sine, -cosine};
+    default: return {-cosine, sine};
   }
 }
 

@@ -142,8 +142,7 @@ class EffectCheck {
       if (gene.product.text == name) producers += (producers.empty() ? "" : ", ") + gene.name.text;
     if (producers == reader.name.text)
       return "only this gene produces " + quoted(name) +
-             ", and it needs it, so it is never active; add it to START or write another gene that produces "
-             "it";
+             ", and it needs it, so it is never active; add it to START or write another gene that produces it";
     return quoted(name) + " is never present, because what produces it (" + producers +
            ") is never active; add it to START or write another gene that produces it";
   }

@@ -16,16 +16,11 @@ int depth(Node node) { return std::bit_width(node) - 1; }
 
 std::string substanceOf(Node node) {
   switch (node) {
-    case 1:
-      return "P0";
-    case 2:
-      return "AB";
-    case 3:
-      return "P1";
-    case 6:
-      return "EMS";
-    case 7:
-      return "P2";
+    case 1: return "P0";
+    case 2: return "AB";
+    case 3: return "P1";
+    case 6: return "EMS";
+    case 7: return "P2";
   }
   return substanceOf(node / 2) + (isB(node) ? "b" : "a");
 }

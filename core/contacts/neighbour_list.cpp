@@ -36,18 +36,10 @@ NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
   NeighbourList list;
   list.kernels = &searchKernels(isa);
   switch (search) {
-    case ContactSearch::grid:
-      list.search = AnySearch{GridSearch{}};
-      break;
-    case ContactSearch::aabbTree:
-      list.search = AnySearch{TreeSearch{}};
-      break;
-    case ContactSearch::spatialHash:
-      list.search = AnySearch{SpatialHash{}};
-      break;
-    case ContactSearch::bruteForce:
-      list.search = AnySearch{BruteForce{}};
-      break;
+    case ContactSearch::grid: list.search = AnySearch{GridSearch{}}; break;
+    case ContactSearch::aabbTree: list.search = AnySearch{TreeSearch{}}; break;
+    case ContactSearch::spatialHash: list.search = AnySearch{SpatialHash{}}; break;
+    case ContactSearch::bruteForce: list.search = AnySearch{BruteForce{}}; break;
   }
   return list;
 }

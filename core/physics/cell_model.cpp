@@ -6,12 +6,9 @@ extern const CellModelKind shellCells, shapeMatchingCells, sphereCells;
 
 const CellModelKind& kindOf(CellModel model) {
   switch (model) {
-    case CellModel::shell:
-      return shellCells;
-    case CellModel::shapeMatching:
-      return shapeMatchingCells;
-    case CellModel::sphere:
-      return sphereCells;
+    case CellModel::shell: return shellCells;
+    case CellModel::shapeMatching: return shapeMatchingCells;
+    case CellModel::sphere: return sphereCells;
   }
   return shellCells;
 }

@@ -92,9 +92,8 @@ inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
      "the mesh's vertices: its faces lie deeper, so cells have less room than the shell encloses, and too "
      "high a pressure where they fill it"},
     {Held::surface, "surface",
-     "the surface that holds the mesh's volume, below its vertices: room and pressure are right to third "
-     "order in "
-     "the mesh's edges"},
+     "the surface that holds the mesh's volume, below its vertices: room and pressure are right to third order in the "
+     "mesh's edges"},
 });
 
 struct ShellParameters {

@@ -24,32 +24,22 @@ bool isPath(std::string_view text) {
 
 std::string CellSelection::text() const {
   switch (kind) {
-    case Kind::cell:
-      return path.text();
-    case Kind::clone:
-      return path.text() + "*";
-    case Kind::generation:
-      return std::string(generationWord) + std::to_string(generation);
-    case Kind::clones:
-      return std::string(clonesWord);
-    case Kind::substance:
-      break;
+    case Kind::cell: return path.text();
+    case Kind::clone: return path.text() + "*";
+    case Kind::generation: return std::string(generationWord) + std::to_string(generation);
+    case Kind::clones: return std::string(clonesWord);
+    case Kind::substance: break;
   }
   return substance;
 }
 
 bool CellSelection::has(const CellPath& cell, std::string_view substances) const {
   switch (kind) {
-    case Kind::cell:
-      return cell == path;
-    case Kind::clone:
-      return path.isAncestorOf(cell);
-    case Kind::generation:
-      return cell.depth() == generation;
-    case Kind::clones:
-      return cell.depth() >= cloneDepth;
-    case Kind::substance:
-      break;
+    case Kind::cell: return cell == path;
+    case Kind::clone: return path.isAncestorOf(cell);
+    case Kind::generation: return cell.depth() == generation;
+    case Kind::clones: return cell.depth() >= cloneDepth;
+    case Kind::substance: break;
   }
   return fitsAny(substance, substances);
 }

@@ -67,9 +67,8 @@ void checkDepth(const World& world) {
                     "it is pressed into cell " + nameOf(deepest.other) + ", more than the " +
                         numberText(c.radius[deepest.slot] * std::sqrt(deepestBulk)) +
                         " that contacts hold surfaces apart over: they would pass through each other",
-                    "raise physics.contact.stiffness, take a finer physics.mesh, move cells apart (cells: "
-                    "at), or lower what drives them "
-                    "into each other: speeds (cells: velocity), physics.pressure, connections");
+                    "raise physics.contact.stiffness, take a finer physics.mesh, move cells apart (cells: at), or "
+                    "lower what drives them into each other: speeds (cells: velocity), physics.pressure, connections");
 }
 
 }  // namespace
@@ -86,8 +85,7 @@ void checkBodies(const World& world) {
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out" : "its volume is not finite",
         "look at physics.time_step (now " + exactText(world.clock.timeStep) +
             "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
-            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, "
-            "connections");
+            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
   }
 }
 

@@ -15,17 +15,13 @@ namespace {
 bool has(const Observation& now, Needs needs) {
   const World& world = now.world;
   switch (needs) {
-    case Needs::nothing:
-      return true;
-    case Needs::shell:
-      return world.bodies && world.bodies->parameters.shell;
+    case Needs::nothing: return true;
+    case Needs::shell: return world.bodies && world.bodies->parameters.shell;
     case Needs::bodies:
     case Needs::contact:  // without contact no cells touch: 0, not unknown
       return world.bodies.has_value();
-    case Needs::referenceContacts:
-      return world.bodies && now.reference && !now.reference->contacts.empty();
-    case Needs::referencePositions:
-      return world.bodies && now.reference && !now.reference->positions.empty();
+    case Needs::referenceContacts: return world.bodies && now.reference && !now.reference->contacts.empty();
+    case Needs::referencePositions: return world.bodies && now.reference && !now.reference->positions.empty();
   }
   MORULA_CHECK(false, "a need that is not known");
 }

@@ -197,8 +197,7 @@ constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, 
 /// annex D].
 constexpr std::string_view ownMark{
     "\0\0\0\x0f"
-    "tEXtSoftware\0Morula"
-    "\x19"
+    "tEXtSoftware\0Morula\x19"
     "I\x11|",
     27};
 

@@ -29,21 +29,13 @@ Marker seriesMarker(std::size_t i) {
 void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Marker marker) {
   const auto shape = [&](const std::vector<Spot>& points) { drawShape(drawing, centre, radius, colour, points); };
   switch (marker) {
-    case Marker::disc:
-      return drawing.disc(centre, radius, colour);
-    case Marker::square:
-      return shape({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
-    case Marker::triangle:
-      return shape({{0, -1.3}, {1.2, 0.9}, {-1.2, 0.9}});
-    case Marker::diamond:
-      return shape({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}});
-    case Marker::hanging:
-      return shape({{0, 1.3}, {1.2, -0.9}, {-1.2, -0.9}});
-    case Marker::plus:
-      return shape(bars(1.4, 0.45));
-    case Marker::ring:
-      drawing.disc(centre, 1.15 * radius, colour);
-      return drawing.disc(centre, 0.6 * radius, paper);
+    case Marker::disc: return drawing.disc(centre, radius, colour);
+    case Marker::square: return shape({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+    case Marker::triangle: return shape({{0, -1.3}, {1.2, 0.9}, {-1.2, 0.9}});
+    case Marker::diamond: return shape({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}});
+    case Marker::hanging: return shape({{0, 1.3}, {1.2, -0.9}, {-1.2, -0.9}});
+    case Marker::plus: return shape(bars(1.4, 0.45));
+    case Marker::ring: drawing.disc(centre, 1.15 * radius, colour); return drawing.disc(centre, 0.6 * radius, paper);
     case Marker::cross: {
       std::vector<Spot> points = bars(1.4, 0.35);
       const double turn = std::sqrt(0.5);

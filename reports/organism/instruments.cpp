@@ -111,12 +111,8 @@ void drawInstruments(Drawing& drawing, const Instruments& instruments, const Pic
   for (const Place& place : layOut(instruments, drawing.width(), textSize).places) {
     const Spot at{place.x, top + place.y};
     switch (place.kind) {
-      case Kind::axes:
-        drawAxes(drawing, scale, {at.x + 0.5 * place.width, at.y + 2.6 * textSize}, textSize);
-        break;
-      case Kind::colourBar:
-        drawColourBar(drawing, *instruments.colourBar, at, place.width, textSize);
-        break;
+      case Kind::axes: drawAxes(drawing, scale, {at.x + 0.5 * place.width, at.y + 2.6 * textSize}, textSize); break;
+      case Kind::colourBar: drawColourBar(drawing, *instruments.colourBar, at, place.width, textSize); break;
       case Kind::arrowKey:
         drawRuler(drawing, at, place.width, instruments.arrowKey->lengthPerUnit * scale.pixelsPerLength,
                   instruments.arrowKey->unit, instruments.arrowKey->colour, true, textSize);

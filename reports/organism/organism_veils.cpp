@@ -129,8 +129,7 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
       const std::uint64_t many = fragmentsOf(last);
       if (many > mostFragments)
         throw InputError(
-            "too many translucent cells lie behind each other; draw a smaller picture, or fewer samples per "
-            "pixel");
+            "too many translucent cells lie behind each other; draw a smaller picture, or fewer samples per pixel");
       const auto [from, to] = around(first, last);
       const std::size_t lists = std::size_t(width) * (to - from);
       std::vector<std::uint32_t> starts(lists);

@@ -68,8 +68,7 @@ int main(int argc, char** argv) {
   const double stored = secondsToStore(with, folder / "with.db") - secondsToStore(without, folder / "without.db");
   std::filesystem::remove_all(folder);
   fmt::print(
-      "{}: {} steps, {} links\n  without {:.3f} s, with {:.3f} s: {:.2f} %; storing it {:.3f} s: {:.2f} % in "
-      "all\n",
+      "{}: {} steps, {} links\n  without {:.3f} s, with {:.3f} s: {:.2f} %; storing it {:.3f} s: {:.2f} % in all\n",
       file, without.world.clock.step, links, without.seconds, with.seconds, 100 * (with.seconds / without.seconds - 1),
       stored, 100 * ((with.seconds + stored) / without.seconds - 1));
 }

@@ -68,8 +68,7 @@ Scene organism(int generations) {
 
 void printHead() {
   std::printf(
-      "| cells | way to search | skin | search ns/v | ms per cell | pairs | distance tests | bins | roots | "
-      "boxes |\n"
+      "| cells | way to search | skin | search ns/v | ms per cell | pairs | distance tests | bins | roots | boxes |\n"
       "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
 }
 

@@ -94,8 +94,7 @@ TEST_CASE("bench refuses what it cannot measure") {
       {{"--vertices", "100"}, "needs 42, 162 or 642"},
       {{"--isa", "mmx"}, "--isa: instruction set \"mmx\" is not available"},
       {{"--stage", "rebiuld"},
-       "--stage: 'rebiuld' is not known; needs step, internal, contact, rebuild or integrate; did you mean "
-       "rebuild?"},
+       "--stage: 'rebiuld' is not known; needs step, internal, contact, rebuild or integrate; did you mean rebuild?"},
       {{"--threads", "0"}, "--threads: 0 is out of range"},
       {{"--quick", "--full"}, "give one of them"},
       {{"--fast"}, "'--fast' is not expected"},

@@ -117,8 +117,7 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   writeWhole(folder / "pair.study.yaml",
              "morula-study: 1\nname: pair\nbase: pair.yaml\n"
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
-             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\nkeep: {pictures: "
-             "first-seed}\n");
+             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\nkeep: {pictures: first-seed}\n");
   const std::string study = folder / "pair.study.yaml", to = folder / "results";
   const auto run = launch({"study", "run", study, "--out", to, "--quiet"});
   INFO(run.err);

@@ -12,8 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string divides =
-    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a1|a0)\n  g2(divide|a0)\n  g3(a1|a1)\ncycle: {length: "
-    "0.125}\n"
+    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a1|a0)\n  g2(divide|a0)\n  g3(a1|a1)\ncycle: {length: 0.125}\n"
     "stop: {cycles: 2}\nphysics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  contact: {}\n"
     "division: {plane: longest}\n";
 

@@ -197,8 +197,7 @@ TEST_CASE("replay holds kept surfaces against the run made again") {
   CHECK(launch({"replay", stored.database}).code == 0);
   morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
       .execute(
-          "UPDATE mesh_sample SET vertices = zeroblob(length(vertices)) WHERE path = 'A' AND time = (SELECT "
-          "max(time) "
+          "UPDATE mesh_sample SET vertices = zeroblob(length(vertices)) WHERE path = 'A' AND time = (SELECT max(time) "
           "FROM mesh_sample WHERE path = 'A')");
   const auto launched = launch({"replay", stored.database});
   CHECK(launched.code == 1);

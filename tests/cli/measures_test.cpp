@@ -73,14 +73,11 @@ TEST_CASE("Each measure that samples hold is in the database, in JSON, in golden
     CHECK(last(folder / "pair.db", "contact ORDER BY time DESC", name) != "null");
 }
 
-TEST_CASE(
-    "A measure of some cells alone may stand wherever one may: recorded, in charts, in colours and in "
-    "studies") {
+TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, in charts, in colours and in studies") {
   const TemporaryFolder folder;
   const std::string scene =
-      "morula: 1\nname: four\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a0|a0)\n  g3(skin|a0)\ncycle: "
-      "{length: 0.125}\nstop: "
-      "{cycles: 3}\n"
+      "morula: 1\nname: four\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a0|a0)\n  g3(skin|a0)\ncycle: {length: "
+      "0.125}\nstop: {cycles: 3}\n"
       "physics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n";
   const auto write = [&](const std::string& measures) {
     writeWhole(folder / "four.yaml", scene + "record: {every: 0.125, measures: [" + measures + "]}\n");

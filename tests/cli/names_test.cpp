@@ -51,12 +51,10 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
   for (const auto& file : {scenario, database}) {
     INFO(file);
     CHECK(launch({"lineage", file, "--cell", "P1"}).out ==
-          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      a0 "
-          "divide\n"
+          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      a0 divide\n"
           "mother     P0 (the egg)\ndaughters  P1a (path BA), P1p (path BB)\nsister     AB (path A)\n");
     CHECK(launch({"lineage", file, "--cell", "ABp"}).out ==
-          "path       AB\nname       ABp\nborn       2\nended      not before the run's end, 2\nfate       "
-          "alive\n"
+          "path       AB\nname       ABp\nborn       2\nended      not before the run's end, 2\nfate       alive\n"
           "state      B a0 divide\nmother     AB (path A)\nsister     ABa (path AA)\n");
     CHECK(launch({"lineage", file, "--cell", "/AB"}).out == launch({"lineage", file, "--cell", "ABp"}).out);
     const auto egg = launch({"lineage", file, "--cell", "egg"}).out;

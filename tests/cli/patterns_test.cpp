@@ -39,12 +39,10 @@ const std::string shareWithin =
 /// [length] Mean distance from the mean of all cells, of those that hold red or do not.
 std::string distanceOf(bool red) {
   return std::string(
-             "WITH last AS (SELECT s.*, cell.state LIKE '%red%' AS red FROM cell_sample s JOIN cell USING "
-             "(path) ") +
-         "WHERE time = (SELECT max(time) FROM cell_sample)), "
-         "mid AS (SELECT avg(x) AS x, avg(y) AS y, avg(z) AS z FROM last) "
-         "SELECT avg(sqrt((last.x - mid.x) * (last.x - mid.x) + (last.y - mid.y) * (last.y - mid.y) + "
-         "(last.z - mid.z) * (last.z - mid.z))) FROM last, mid WHERE red = " +
+             "WITH last AS (SELECT s.*, cell.state LIKE '%red%' AS red FROM cell_sample s JOIN cell USING (path) ") +
+         "WHERE time = (SELECT max(time) FROM cell_sample)), mid AS (SELECT avg(x) AS x, avg(y) AS y, avg(z) AS z FROM "
+         "last) SELECT avg(sqrt((last.x - mid.x) * (last.x - mid.x) + (last.y - mid.y) * (last.y - mid.y) + (last.z - "
+         "mid.z) * (last.z - mid.z))) FROM last, mid WHERE red = " +
          (red ? "1" : "0");
 }
 

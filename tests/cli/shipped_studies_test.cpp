@@ -25,18 +25,11 @@ namespace {
 std::string familyOf(const std::string& study) { return study == "worm-placement" ? "worm/" : "policies/"; }
 
 /// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
-const std::map<std::string, std::vector<std::size_t>> madeAgain{{"policies", {0, 249, 499}},
-                                                                {"placement", {0, 139}},
-                                                                {"settings", {0}},
-                                                                {"models", {0, 40}},
-                                                                {"settling", {0, 60, 119}},
-                                                                {"heavier", {20, 59}},
-                                                                {"heavier-128", {8}},
-                                                                {"elegans-128", {20}},
-                                                                {"worm-placement", {0, 863}},
-                                                                {"clones", {0, 239, 479}},
-                                                                {"settling-sticky", {0, 39}},
-                                                                {"settling-128", {6}}};
+const std::map<std::string, std::vector<std::size_t>> madeAgain{
+    {"policies", {0, 249, 499}}, {"placement", {0, 139}},      {"settings", {0}},
+    {"models", {0, 40}},         {"settling", {0, 60, 119}},   {"heavier", {20, 59}},
+    {"heavier-128", {8}},        {"elegans-128", {20}},        {"worm-placement", {0, 863}},
+    {"clones", {0, 239, 479}},   {"settling-sticky", {0, 39}}, {"settling-128", {6}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
@@ -334,9 +327,8 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
   // The results of another law, as a changed simulator might give them.
   Database(database, Database::Mode::existing, std::chrono::seconds(1))
       .execute(
-          "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id "
-          "FROM replicate "
-          "JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
+          "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id FROM "
+          "replicate JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
           "condition))");
   const auto failing = launch({"study", "check", database, "--reports", temporary / "reports"});
   CHECK(failing.code == 1);

@@ -46,21 +46,11 @@ std::string mutated(const std::vector<std::string>& seeds, Chance& draw) {
       case 0:
         if (at < input.size()) input[at] = static_cast<char>(draw(256));
         break;
-      case 1:
-        input.erase(at, draw(40));
-        break;
-      case 2:
-        input.insert(at, pieceOf(seeds[draw(seeds.size())], draw));
-        break;
-      case 3:
-        input.insert(at, hostile[draw(std::size(hostile))]);
-        break;
-      case 4:
-        input.insert(at, std::string(pieceOf(input, draw)));
-        break;
-      default:
-        input.resize(at);
-        break;
+      case 1: input.erase(at, draw(40)); break;
+      case 2: input.insert(at, pieceOf(seeds[draw(seeds.size())], draw)); break;
+      case 3: input.insert(at, hostile[draw(std::size(hostile))]); break;
+      case 4: input.insert(at, std::string(pieceOf(input, draw))); break;
+      default: input.resize(at); break;
     }
   }
   return input;

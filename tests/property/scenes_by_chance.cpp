@@ -32,20 +32,16 @@ const std::vector<std::string> bases = {
     head + unlike + "stop: {time: 2.5}\nphysics:\n  integrator: thesis-verlet\n" + mesh,
     // Balls in an ellipsoid
     head + divides +
-        "stop: {time: 3.9}\nphysics:\n  drag: 2\n  cell: {model: sphere, radius: 0.9}\n  shell: {ellipsoid: "
-        "[1.4, 1, "
+        "stop: {time: 3.9}\nphysics:\n  drag: 2\n  cell: {model: sphere, radius: 0.9}\n  shell: {ellipsoid: [1.4, 1, "
         "1]}\n  contact: {}\ndivision: {plane: random}\n",
     // From rest to rest
     head + divides +
-        "stop: {time: 2.9}\nphysics:\n  integrator: fire\n  settle: {evaluations: 2000}\n  shell: {sphere: "
-        "1.2}\n"
+        "stop: {time: 2.9}\nphysics:\n  integrator: fire\n  settle: {evaluations: 2000}\n  shell: {sphere: 1.2}\n"
         "  contact: {adhesion: 0.3}\n" +
         mesh,
     head + divides + "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,
     // Rules, names and growth
-    head +
-        "dna: |\n  START: a\n  g1(b|a, A)\n  g2(c|a, B)\n  g3(divide|a)\n  g4(a|b)\n  g5(c|c)\n  "
-        "g6(grow|c)\n" +
+    head + "dna: |\n  START: a\n  g1(b|a, A)\n  g2(c|a, B)\n  g3(divide|a)\n  g4(a|b)\n  g5(c|c)\n  g6(grow|c)\n" +
         "stop: {time: 4.5}\nphysics:\n  drag: 2\n  growth: {rate: 0.2, until: 2}\n  contact: {}\n" + mesh +
         "division: {rules: [{of: a, axis: [1, 0.2, 0], share: 0.6}]}\nnames: {egg: P0, daughters: [l, r]}\n"
         "cycle: {per-substance: {b: 0.5}}\n",
@@ -54,14 +50,11 @@ const std::vector<std::string> bases = {
         "division: {size: {sizer: 1.2}}\n",
     // Closed: cells that fly at each other, and nothing is taken from them
     head + "dna: |\n  START: a\n  g1(a|a)\nstop: {time: 1.5}\nphysics:\n" + mesh +
-        "  membrane: {damping: 0}\n  contact: {damping: 0}\ncells:\n  - {at: [-1.3, 0, 0], velocity: [0.8, "
-        "0, 0]}\n"
-        "  - {at: [1.3, 0.4, 0], velocity: [-0.8, 0, 0]}\n  - {at: [0, 2, 0.3], scale: 0.7, velocity: [0, "
-        "-1, 0]}\n",
+        "  membrane: {damping: 0}\n  contact: {damping: 0}\ncells:\n  - {at: [-1.3, 0, 0], velocity: [0.8, 0, 0]}\n"
+        "  - {at: [1.3, 0.4, 0], velocity: [-0.8, 0, 0]}\n  - {at: [0, 2, 0.3], scale: 0.7, velocity: [0, -1, 0]}\n",
     // Cells of two kinds that stick
     head + "dna: |\n  START: a\n  g1(a|a)\n  g2(b|b)\nstop: {time: 2}\nphysics:\n  drag: 2\n" + mesh +
-        "  contact: {adhesion: {default: 0.3, pairs: [{of: [a, b], strength: 1}]}}\ncells:\n  - {at: [-1, 0, "
-        "0]}\n"
+        "  contact: {adhesion: {default: 0.3, pairs: [{of: [a, b], strength: 1}]}}\ncells:\n  - {at: [-1, 0, 0]}\n"
         "  - {at: [1, 0, 0], substances: [b]}\n  - {at: [0, 1.7, 0], substances: [b]}\n",
     // Connections, with springs and without
     head + "dna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(a|b)\n  g4(connect|b)\n  g5(release|a, A)\n" +
@@ -72,32 +65,25 @@ const std::vector<std::string> bases = {
     head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 5\n  motility: {speed: 0.2}\n  contact: {}\n" + mesh +
         "division: {plane: {polarity: [1, 2, 0]}, chirality: {angle: 30}}\n",
     // Cells that feel
-    head +
-        "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a, !b)\n  g3(c|b)\nstop: {time: 4}\ncycle: {length: "
-        "0.5}\n" +
+    head + "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a, !b)\n  g3(c|b)\nstop: {time: 4}\ncycle: {length: 0.5}\n" +
         "physics:\n  drag: 1\n  shell: {sphere: 1.3}\n  contact: {}\n" + mesh +
         "senses: {b: {neighbours: {at-least: 4}}}\n",
     // Cells that die
     head +
-        "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n  g3(b|a, A)\n  g4(die|b, B)\nstop: {time: "
-        "5}\nphysics:\n"
+        "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n  g3(b|a, A)\n  g4(die|b, B)\nstop: {time: 5}\nphysics:\n"
         "  drag: 1\n  contact: {}\n" +
         mesh,
     head + divides +
-        "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: "
-        "{}\n" +
-        mesh,
+        "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: {}\n" + mesh,
     // Daughters with coarser meshes
     head + divides + "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
     // What a seed changes
     head + unlike +
-        "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: "
-        "{}\n" +
+        "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: {}\n" +
         mesh + "variation: {cycle: 0.1, share: 0.04, start: 0.05, tilt: 8}\n",
     // A closed shell around an egg that fills it, in single precision
     head + divides +
-        "stop: {time: 3}\nphysics:\n  precision: single\n  drag: 2\n  shell: {ellipsoid: [2, 1, 1], fill: "
-        "0.7}\n"
+        "stop: {time: 3}\nphysics:\n  precision: single\n  drag: 2\n  shell: {ellipsoid: [2, 1, 1], fill: 0.7}\n"
         "  contact: {}\n" +
         mesh,
 };

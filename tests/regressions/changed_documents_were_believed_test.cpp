@@ -21,9 +21,8 @@ TEST_CASE("a stored run whose record was changed is neither replayed, drawn, exp
   const std::string edit = "UPDATE document SET content = CAST(replace(CAST(content AS TEXT), '3', '2') AS BLOB)";
   for (const std::string& sql :
        {edit + ofRole + "resolved')", edit + ofRole + "scenario')",
-        std::string("UPDATE run_document SET hash = (SELECT max(hash) FROM document WHERE hash <> run_document.hash)"
-                    " WHERE role = 'resolved'; DELETE FROM document WHERE hash = (SELECT hash FROM run_document "
-                    "WHERE "
+        std::string("UPDATE run_document SET hash = (SELECT max(hash) FROM document WHERE hash <> run_document.hash) "
+                    "WHERE role = 'resolved'; DELETE FROM document WHERE hash = (SELECT hash FROM run_document WHERE "
                     "role = 'scenario')"),
         std::string("UPDATE run SET seed = 7"), std::string("UPDATE run SET sources = 'other'"),
         std::string("UPDATE run SET build_id = 'other'"), std::string("UPDATE run SET scenario_hash = 'other'")}) {

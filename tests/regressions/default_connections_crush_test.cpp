@@ -15,12 +15,10 @@ namespace {
 /// [1] Volume of all cells at the end over that at the start.
 double keptVolume(const std::string& connections) {
   const std::string text =
-      "morula: 1\nname: holding-on\ndna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(c|b)\n  "
-      "g4(divide|b)\n"
+      "morula: 1\nname: holding-on\ndna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(c|b)\n  g4(divide|b)\n"
       "  g5(d|c)\n  g6(divide|c)\n  g7(e|d)\n  g8(divide|d)\n  g9(divide|e)\n"
       "cycle: {length: 0.25}\nstop: {time: 2}\n"
-      "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  shell: {sphere: 1}\n  drag: 1\n  contact: "
-      "{}\n" +
+      "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  shell: {sphere: 1}\n  drag: 1\n  contact: {}\n" +
       connections;
   const Scenario scenario = readScenario(text, "test.yaml", ".");
   World world = makeWorld(scenario.scene);

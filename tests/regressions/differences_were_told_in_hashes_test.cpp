@@ -12,11 +12,9 @@ using Json = nlohmann::json;
 namespace {
 
 const std::string scene =
-    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\ncycle: {length: 0.125}\nstop: {time: "
-    "0.25}\n"
-    "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  pressure: {constant: 155, "
-    "outside: "
-    "43}\n  contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
+    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\ncycle: {length: 0.125}\nstop: {time: 0.25}\n"
+    "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  pressure: {constant: 155, outside: 43}\n  "
+    "contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
 
 /// True if the words stand in this order.
 bool inOrder(const std::string& text, const std::vector<std::string>& words) {

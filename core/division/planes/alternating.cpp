@@ -24,9 +24,7 @@ extern const DivisionPlaneKind alternatingPlane;
 const DivisionPlaneKind alternatingPlane{
     .plane = DivisionPlane::alternating,
     .name = "alternating",
-    .meaning =
-        "an axis at right angles to their mother's, the one of their largest extent, and at first "
-        "the given one",
+    .meaning = "an axis at right angles to their mother's, the one of their largest extent, and at first the given one",
     .takes = Takes::axis,
     .needsShape = true,
     .make = makeFromChoice<AlternatingPlane>,

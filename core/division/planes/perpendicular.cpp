@@ -20,8 +20,7 @@ const DivisionPlaneKind perpendicularPlane{
     .plane = DivisionPlane::perpendicular,
     .name = "perpendicular",
     .meaning =
-        "the direction that stands on the organism's surface, with daughter A outside (in the middle as "
-        "longest)",
+        "the direction that stands on the organism's surface, with daughter A outside (in the middle as longest)",
     .make = makeFromChoice<PerpendicularToSurface>,
 };
 

@@ -116,8 +116,7 @@ int tellSettlings(const AccuracyWords& words, const Scenario& scenario) {
                {"made_by", provenance(scenario, execution(words.execution))}});
   else
     print(textOf(settlings) +
-          "\nleft: until the residual is a hundredth of physics.settle.tolerance; no time step, no error of "
-          "it\n");
+          "\nleft: until the residual is a hundredth of physics.settle.tolerance; no time step, no error of it\n");
   return fine;
 }
 

@@ -94,11 +94,8 @@ void addChart(CLI::App& app, Action& action) {
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
   verb.needs("what", options.what, "WHAT",
-             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, "
-             "'shell_share of AAA*'; "
-             "contacts: who touches whom; "
-             "divisions: "
-             "which way cells divided");
+             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, 'shell_share of "
+             "AAA*'; contacts: who touches whom; divisions: which way cells divided");
   addRunChoice(verb, options.run);
   verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "Of contacts: when; default: at the end");
   verb.takes("--size", options.size, "WxH", pictureSize(200, 8192), "Width and height in pixels");

@@ -32,18 +32,10 @@ void addDescribe(CLI::App& app, Action& action) {
   verb.does([form, &app] {
     const CommandInfo program = commandTree(app);
     switch (*form) {
-      case DescriptionFor::bash:
-        print(bashCompletion(program));
-        break;
-      case DescriptionFor::zsh:
-        print(zshCompletion(program));
-        break;
-      case DescriptionFor::fish:
-        print(fishCompletion(program));
-        break;
-      case DescriptionFor::man:
-        print(manualPage(program, buildInfo().version));
-        break;
+      case DescriptionFor::bash: print(bashCompletion(program)); break;
+      case DescriptionFor::zsh: print(zshCompletion(program)); break;
+      case DescriptionFor::fish: print(fishCompletion(program)); break;
+      case DescriptionFor::man: print(manualPage(program, buildInfo().version)); break;
     }
     return fine;
   });

@@ -95,9 +95,7 @@ void checkOutput(const RenderOptions& options) {
       return checkPictureName("render", options.output, isTree);
     } catch (const InputError& error) { throw UsageError(std::string("--output: ") + error.what()); }
   if (!options.moves())
-    refuse(
-        ", a film, and one picture does not move; needs --turntable N or --frames N, or a name that ends "
-        "in .png");
+    refuse(", a film, and one picture does not move; needs --turntable N or --frames N, or a name that ends in .png");
   if (!hasFfmpeg())
     refuse(
         ", which takes the program ffmpeg, and there is none in PATH; needs a name that ends in .png "
@@ -144,8 +142,7 @@ void add(Verb& verb, RenderOptions& options) {
       "--style lineage",
       {"--view", "--supersample", "--colour", "--opacity", "--clip", "--labels", "--forces", "--normals",
        "--connections", "--axes", "--scale-bar", "--transparent", "--turntable", "--frames", "--fps", "--beside"},
-      "the one is a tree, the other is of cells in space (morula lineage -o has labels and colours of "
-      "trees)");
+      "the one is a tree, the other is of cells in space (morula lineage -o has labels and colours of trees)");
   verb.takes("-o,--output", options.output, "FILE",
              "The .png, of several pictures numbered, or .mp4, .webm, .gif; of a lineage also .svg or .pdf; "
              "default: the scenario's name");

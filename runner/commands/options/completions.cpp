@@ -129,8 +129,7 @@ std::string zshCompletion(const CommandInfo& program) {
   }
   return "#compdef morula\n# zsh completion for morula; written by the program itself\n" + groups +
          "_morula() {\n  local state line\n  local -a verbs=(" + described(program.commands) +
-         ")\n  _arguments -C '--help[Help]' '--version[Version]' '1:verb:->verb' '*::word:->rest'\n  case "
-         "$state in\n"
+         ")\n  _arguments -C '--help[Help]' '--version[Version]' '1:verb:->verb' '*::word:->rest'\n  case $state in\n"
          "    verb) _describe verb verbs ;;\n    rest) case $words[1] in\n" +
          cases + "    esac ;;\n  esac\n}\n_morula \"$@\"\n";
 }

@@ -47,26 +47,21 @@ void addCommand(const CommandInfo& command, const std::string& words, std::strin
 std::string manualPage(const CommandInfo& program, const std::string& version) {
   std::string text =
       ".\\\" Written by the program itself.\n.TH MORULA 1 \"\" \"Morula " + roffText(version) +
-      "\" \"User Commands\"\n.SH NAME\nmorula \\- simulate dividing cells, the same bits every time\n.SH "
-      "SYNOPSIS\n"
+      "\" \"User Commands\"\n.SH NAME\nmorula \\- simulate dividing cells, the same bits every time\n.SH SYNOPSIS\n"
       "\\fBmorula\\fR \\fIVERB\\fR [\\fIOPTION\\fR]... [\\fIFILE\\fR]...\n.SH DESCRIPTION\n" +
       roffText(program.purpose) +
-      "\n.PP\nA scenario is one experiment in a YAML file. Genes decide what each cell does, and a "
-      "simulation of soft bodies decides where it "
-      "lies. Every run is stored with its provenance and held against an accepted result.\n.PP\nA project is "
-      "a folder with "
-      "\\fIscenarios/\\fR and \\fIgolden/\\fR, which holds the accepted results. Start the program there; "
-      "results go into "
-      "\\fIresults/\\fR, and what waits for a review into \\fIgolden/.pending/\\fR.\n.SH VERBS\n";
+      "\n.PP\nA scenario is one experiment in a YAML file. Genes decide what each cell does, and a simulation of soft "
+      "bodies decides where it lies. Every run is stored with its provenance and held against an accepted "
+      "result.\n.PP\nA project is a folder with \\fIscenarios/\\fR and \\fIgolden/\\fR, which holds the accepted "
+      "results. Start the program there; results go into \\fIresults/\\fR, and what waits for a review into "
+      "\\fIgolden/.pending/\\fR.\n.SH VERBS\n";
   for (const CommandInfo& command : program.commands) addCommand(command, command.name, text);
   return text +
          ".SH EXIT STATUS\n0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
-         "incomplete, 6 file or "
-         "database, 70 bug, 130 and 143 interrupted.\n"
+         "incomplete, 6 file or database, 70 bug, 130 and 143 interrupted.\n"
          ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nNo colours on a terminal.\n"
-         ".SH FILES\n.TP\n\\fIshare/morula/scenarios\\fR\nScenarios and studies that come with the program, "
-         "and how to write one "
-         "(\\fIREADME.md\\fR).\n.TP\n\\fIshare/morula/golden\\fR\nTheir accepted results.\n"
+         ".SH FILES\n.TP\n\\fIshare/morula/scenarios\\fR\nScenarios and studies that come with the program, and how to "
+         "write one (\\fIREADME.md\\fR).\n.TP\n\\fIshare/morula/golden\\fR\nTheir accepted results.\n"
          ".SH EXAMPLES\n.EX\nmorula init one.yaml\nmorula run one.yaml\nmorula report results/one\\-1\n.EE\n";
 }
 

@@ -134,9 +134,8 @@ void addCompare(CLI::App& above, Action& action) {
             "Hold the conditions of a study against each other: what differs, and how surely; or two pictures");
   auto& command = verb.does<CompareCommand>(act);
   verb.needs("what", command.what, "FILE",
-             "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG "
-             "pictures, to "
-             "see how different they look");
+             "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG pictures, "
+             "to see how different they look");
   verb.takes("--by", command.options.by, "AXIS,...",
              "Axes whose levels are compared, in the mean over the others; default: all");
   verb.takes("--measure", command.options.measures, "NAME,...", "Only these measures");

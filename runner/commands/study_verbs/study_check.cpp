@@ -78,8 +78,7 @@ void addStudyCheck(CLI::App& study, Action& action) {
             "5: runs are missing");
   auto& command = verb.does<CheckCommand>(act);
   verb.needs("study", command.study, "FILE",
-             "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, "
-             "with the "
+             "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, with the "
              "claims that the file made when it was planned");
   verb.takes("--reports", command.reports, "FOLDER", "Write junit.xml and summary.md there");
   add(verb, command.input);

@@ -124,9 +124,8 @@ void addStudyRun(CLI::App& study, Action& action) {
   verb.takes("--task", command.tasks, "ID", "Only this run; may repeat");
   verb.oneOf({"--shard", "--task"});
   verb.takes("--resume", command.resume,
-             "Go on with the plan in the folder, also if the study file has changed since; runs that have a "
-             "result are never "
-             "computed again");
+             "Go on with the plan in the folder, also if the study file has changed since; runs that have a result are "
+             "never computed again");
   verb.takes("--update", command.update,
              "Plan anew what the study file says by now, as more seeds or conditions; runs that have a "
              "result already stay");

@@ -70,8 +70,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
   if (!mechanics->physics.growth)
     for (const auto& name : {substance::grow, substance::shrink})
       around.inert[name] =
-          "cells neither grow nor shrink without physics.growth; add 'growth: {}' to physics, or "
-          "remove this";
+          "cells neither grow nor shrink without physics.growth; add 'growth: {}' to physics, or remove this";
   for (const auto& name : {substance::connect, substance::release})
     if (!mechanics->connections)
       around.inert[name] = "nothing connects without connections; add 'connections: {make: by-gene}', or remove this";

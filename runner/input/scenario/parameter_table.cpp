@@ -77,8 +77,7 @@ std::vector<Parameter> parameters() {
       optionalNatural("physics.substeps", {1, 10'000}, "1",
                       "Of a time step, with integrator xpbd only; more: more exact and slower", PHYSICS(substeps)),
       real("physics.settle.tolerance", "", {1e-12, 1},
-           "A settling ends when the tractions left are this small beside the pressure in cells (root mean "
-           "squares)",
+           "A settling ends when the tractions left are this small beside the pressure in cells (root mean squares)",
            PHYSICS(settle.tolerance)),
       natural("physics.settle.evaluations", {1, 1'000'000'000},
               "Of the forces, at most, in one settling; a settling that reaches it is told",
@@ -124,8 +123,7 @@ std::vector<Parameter> parameters() {
            "k of a = −k (x − goal): a cell rings √k/2π times per time; higher: firmer, shorter time steps",
            PHYSICS(shapeMatching.stiffness)),
       real("physics.shape-matching.linear", "", {0, 1},
-           "β: how far goals follow stretching and shear at the volume at rest; 1: nothing but volume is "
-           "restored",
+           "β: how far goals follow stretching and shear at the volume at rest; 1: nothing but volume is restored",
            PHYSICS(shapeMatching.linear)),
       real("physics.shape-matching.damping", "1/time", notNegative,
            "κ, of all motion but the cell's flight and spin; 2√k: no swinging", PHYSICS(shapeMatching.damping)),
@@ -162,8 +160,7 @@ std::vector<Parameter> parameters() {
 
       divisionPlane(),
       real("division.chirality.angle", "degree", chiralAngle,
-           "Of daughter A in all, clockwise seen along the axis, which points to her; B turns by as much the "
-           "other "
+           "Of daughter A in all, clockwise seen along the axis, which points to her; B turns by as much the other "
            "way; below 0: the mirror image",
            MECHANICS(division.chirality->angle)),
       real("division.chirality.time", "time", positive, "In which the turning falls to 1/e",
@@ -191,9 +188,8 @@ std::vector<Parameter> parameters() {
                       "cell that divides pass on first, by the other cell's path, then comes that of the sisters",
                       MECHANICS(connections->most)),
       real("connections.spring.stiffness", "force/length", positive,
-           "k of the tension k (d − rest (r₁ + r₂)), d the distance of the centres, r the radii of spheres "
-           "with "
-           "the cells' volumes",
+           "k of the tension k (d − rest (r₁ + r₂)), d the distance of the centres, r the radii of spheres with the "
+           "cells' volumes",
            MECHANICS(connections->spring->stiffness)),
       real("connections.spring.rest", "", notNegative,
            "Distance of the centres at rest, in sums of the two radii; 1: as they touch",
@@ -253,8 +249,7 @@ std::vector<Parameter> parameters() {
                                 "At the end: the most of a cell's volume that lies in another too, in the mean",
                                 AT(check.endOverlap))),
       texts("check.fails",
-            "The run must stop with an error (exit 3 or 4) that names all of these; it then needs no golden "
-            "file",
+            "The run must stop with an error (exit 3 or 4) that names all of these; it then needs no golden file",
             AT(check.fails)),
       saneEnd(),
       becauseText(),
@@ -265,8 +260,7 @@ std::vector<Parameter> parameters() {
 
       presentation(oneOf(
           "check.bullet.baseline", {"b1", "b3"},
-          "b1: our forces, Bullet's integrator and contact; b3: Bullet's implicit solver, for one cell's "
-          "rest",
+          "b1: our forces, Bullet's integrator and contact; b3: Bullet's implicit solver, for one cell's rest",
           [](Scenario& s) { return s.check.bullet->baseline == Baseline::b3 ? 1 : 0; },
           [](Scenario& s, int i) { s.check.bullet->baseline = i == 1 ? Baseline::b3 : Baseline::b1; })),
       presentation(real("check.bullet.margin", "", positive,

@@ -134,9 +134,8 @@ std::vector<Section> sections() {
        .decides = Decides::presentation,
        .exists = [](const Scenario& s) { return !s.names.empty(); }},
       {.path = "units",
-       .meaning = "In which units people see lengths and times: in pictures, charts, pages and sentences. "
-                  "What is computed, "
-                  "stored, exported and given to programs stays in the scene's own, and so does all that "
+       .meaning = "In which units people see lengths and times: in pictures, charts, pages and sentences. What is "
+                  "computed, stored, exported and given to programs stays in the scene's own, and so does all that "
                   "holds a mass or a force",
        .absent = "the scene's own",
        .members = atLeastOne,
@@ -153,11 +152,10 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.check.reference.emplace(); },
        .exists = [](const Scenario& s) { return s.check.reference.has_value(); }},
       {.path = "check.bullet",
-       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
-                  "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
-                  "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
-                  "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and "
-                  "aspect 0.02",
+       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without any "
+                  "tolerance: positions 1e-10 radii where nothing touches and the integrator is velocity-verlet or "
+                  "thesis-verlet, as Bullet's then is too; where nothing touches otherwise radius and volume, 1e-6 "
+                  "with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
        .absent = "not held against Bullet",
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.bullet.emplace(); },

@@ -49,8 +49,7 @@ Lack findLack(SenseNeeds needs, const Scene& scene) {
       if (!m.connections) return {"nothing connects without connections", "add 'connections: {}'" + remove};
       break;
     case SenseNeeds::nothing:
-    case SenseNeeds::bodies:
-      break;
+    case SenseNeeds::bodies: break;
   }
   return {};
 }

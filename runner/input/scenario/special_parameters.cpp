@@ -173,9 +173,8 @@ Parameter shellMesh() {
 Parameter shellFill() {
   const Range share{0, 1, true};
   auto p = real("physics.shell.fill", "", share,
-                "Of the shell's volume, the egg's: sphere, ellipsoid or mesh, or a sphere where none is "
-                "given, are then "
-                "a shape alone, and its size follows; in an ellipsoid the egg starts with the shell's shape",
+                "Of the shell's volume, the egg's: sphere, ellipsoid or mesh, or a sphere where none is given, are "
+                "then a shape alone, and its size follows; in an ellipsoid the egg starts with the shell's shape",
                 nullptr);
   p.absent = "sizes are as given, and the egg is round";
   p.joins = true;

@@ -261,16 +261,12 @@ Parameter divisionPlane() {
 Parameter divisionRules() {
   Parameter p;
   p.path = "division.rules";
-  p.allowed =
-      "a list of maps, as [{of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}, {of: [skin, 'P*'], plane: "
-      "random}]";
+  p.allowed = "a list of maps, as [{of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}, {of: [skin, 'P*'], plane: random}]";
   p.meaning =
-      "How cells divide that hold all substances of `of` (a name, its beginning and '*', or a list), by the "
-      "first "
-      "rule that fits: axis, which points to daughter A, or plane, as division.plane; share of the volume "
-      "for A, 0.1 "
-      "to 0.9, instead of a plane through the centre; tilt, the standard deviation in degrees of the axis "
-      "about its direction, by the seed; chirality, as division.chirality";
+      "How cells divide that hold all substances of `of` (a name, its beginning and '*', or a list), by the first rule "
+      "that fits: axis, which points to daughter A, or plane, as division.plane; share of the volume for A, 0.1 to "
+      "0.9, instead of a plane through the centre; tilt, the standard deviation in degrees of the axis about its "
+      "direction, by the seed; chirality, as division.chirality";
   p.absent = "all cells divide as division.plane says";
   p.schema = {{"type", "array"}, {"items", ruleSchema()}, {"minItems", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

@@ -38,37 +38,28 @@ std::string tableOf(const char* title, const char* about, const Json& rows) {
 std::string measuresAsMarkdown() {
   std::string text =
       "# Measures\n\n"
-      "Written by `morula schema --measures --markdown` from the tables that they are measured with; do not "
-      "edit.\n"
+      "Written by `morula schema --measures --markdown` from the tables that they are measured with; do not edit.\n"
       "Units are the scene's own: a length, a mass and a time; a force is mass·length/time².\n\n"
-      "A measure is a column of the database, a value of goldens (`when/who/name`) and a key of `morula run "
-      "--json`\n"
-      "under its name, at every time that `record` names. Those on demand are taken where a check asks for "
-      "them, and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table "
-      "`measure` and of "
+      "A measure is a column of the database, a value of goldens (`when/who/name`) and a key of `morula run --json`\n"
+      "under its name, at every time that `record` names. Those on demand are taken where a check asks for them, "
+      "and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table `measure` and of "
       "`measure` in JSON.\n"
       "What a scene does not have is not measured: NULL in the database, null in JSON, 0 in a golden.\n\n"
-      "Where a measure may stand (`record.measures`, `measures` of a study, `chart`, `--colour` of cells), "
-      "it may be "
-      "of some cells\nalone, `MEASURE of SELECTOR`; pairs are then those with one of these cells at least. "
-      "Such a "
+      "Where a measure may stand (`record.measures`, `measures` of a study, `chart`, `--colour` of cells), it may be "
+      "of some cells\nalone, `MEASURE of SELECTOR`; pairs are then those with one of these cells at least. Such a "
       "value has this name.\n\n"
       "| selector | cells |\n|---|---|\n"
       "| `AAA` | the cell with this path, A and B from the egg on |\n"
       "| `AAA*` | that cell and all that descend from it |\n"
       "| `generation 3` | all cells three divisions from the egg |\n"
       "| `skin`, `s*` | all cells that hold the substance, or one that begins so |\n"
-      "| `clones` | the descendants of each cell two divisions from the egg; in a study one measure for "
-      "each, of AA*, "
+      "| `clones` | the descendants of each cell two divisions from the egg; in a study one measure for each, of AA*, "
       "AB*, BA* and BB* |\n\n"
-      "`count of SELECTOR` is how many cells these are. A study takes the mean over the cells. Measures of "
-      "clones (`clone_` "
-      "and\n`mixing_index`) take `generation N` alone: their clones are then those of the cells N divisions "
-      "from the "
-      "egg.\n\n"
-      "Number of cells: what `follows` it changes with how many cells there are, or how small, though "
-      "nothing else differs. "
-      "Compare\nit between organisms of as many cells, or take another: `clone_spread` for "
+      "`count of SELECTOR` is how many cells these are. A study takes the mean over the cells. Measures of clones "
+      "(`clone_` and\n`mixing_index`) take `generation N` alone: their clones are then those of the cells N divisions "
+      "from the egg.\n\n"
+      "Number of cells: what `follows` it changes with how many cells there are, or how small, though nothing else "
+      "differs. Compare\nit between organisms of as many cells, or take another: `clone_spread` for "
       "`clone_radius`.\n\n";
   text += tableOf("Of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());
   text += tableOf("Of a cell", "Table `cell_sample`; what needs bodies alone is in `bullet_sample`, too.",
@@ -89,14 +80,11 @@ std::string lackingFor(Needs needs, const Scenario& scenario) {
   const auto& reference = scenario.check.reference;
   const auto unless = [](bool has, const char* what) { return has ? std::string() : what; };
   switch (needs) {
-    case Needs::nothing:
-      return "";
-    case Needs::bodies:
-      return unless(mechanics.has_value(), "bodies: add a physics block");
+    case Needs::nothing: return "";
+    case Needs::bodies: return unless(mechanics.has_value(), "bodies: add a physics block");
     case Needs::contact:
       return unless(mechanics && mechanics->contact, "cells that touch: add 'contact: {}' to physics");
-    case Needs::shell:
-      return unless(mechanics && mechanics->physics.shell, "a shell: add physics.shell");
+    case Needs::shell: return unless(mechanics && mechanics->physics.shell, "a shell: add physics.shell");
     case Needs::referenceContacts:
       return unless(mechanics && mechanics->contact && reference && !reference->contacts.empty(),
                     "bodies that touch and check.reference.contacts to compare with");

@@ -38,9 +38,7 @@ Parameter recordAtCells() {
   Parameter p;
   p.path = "record.at-cells";
   p.allowed = "rising whole numbers, as [4, 8, 28]";
-  p.meaning =
-      "Also a sample, and with pictures a picture of the sequence, when so many cells live for the first "
-      "time";
+  p.meaning = "Also a sample, and with pictures a picture of the sequence, when so many cells live for the first time";
   p.absent = "at no number of cells";
   p.later = true;
   p.schema = {
@@ -67,9 +65,8 @@ Parameter recordMeasures() {
   p.path = "record.measures";
   p.allowed = "a list of measures on demand, as [sister_contact, shell_share of AAA*]";
   p.meaning =
-      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some "
-      "cells alone, "
-      "as measures in STUDIES.md may be (count of skin)";
+      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some cells "
+      "alone, as measures in STUDIES.md may be (count of skin)";
   p.absent = "none";
   p.later = true;
   p.schema = measuresSchema(onDemand());

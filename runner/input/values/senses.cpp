@@ -219,20 +219,13 @@ Json schemaOf(const SenseKindRow& row) {
 
 const char* nameOf(SenseNeeds needs) {
   switch (needs) {
-    case SenseNeeds::nothing:
-      return "nothing";
-    case SenseNeeds::bodies:
-      return "`physics`";
-    case SenseNeeds::membrane:
-      return "`physics.cell.model: shell`";
-    case SenseNeeds::mesh:
-      return "a `physics.cell.model` with meshes";
-    case SenseNeeds::contact:
-      return "`physics.contact`";
-    case SenseNeeds::shell:
-      return "`physics.shell`, cells with meshes";
-    case SenseNeeds::connections:
-      return "`connections`";
+    case SenseNeeds::nothing: return "nothing";
+    case SenseNeeds::bodies: return "`physics`";
+    case SenseNeeds::membrane: return "`physics.cell.model: shell`";
+    case SenseNeeds::mesh: return "a `physics.cell.model` with meshes";
+    case SenseNeeds::contact: return "`physics.contact`";
+    case SenseNeeds::shell: return "`physics.shell`, cells with meshes";
+    case SenseNeeds::connections: return "`connections`";
   }
   return "";
 }
@@ -269,10 +262,9 @@ Parameter senses() {
 
 std::string sensesAsMarkdown() {
   std::string text =
-      "Each value is one condition, `{kind: {key: value}}`. A kind with bounds measures a number: `below`, "
-      "`above`, `at-most` and `at-least` say when it is noted, and beside one of them `until` where it no "
-      "longer is once it was. `of`, `to` and `holds` name a substance, or the beginning of a name and "
-      "`*`.\n\n"
+      "Each value is one condition, `{kind: {key: value}}`. A kind with bounds measures a number: `below`, `above`, "
+      "`at-most` and `at-least` say when it is noted, and beside one of them `until` where it no longer is once it "
+      "was. `of`, `to` and `holds` name a substance, or the beginning of a name and `*`.\n\n"
       "| kind | keys | unit | needs | what is perceived |\n|---|---|---|---|---|\n";
   for (const SenseKindRow* row : senseKinds()) {
     std::string keys;

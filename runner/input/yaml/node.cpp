@@ -57,14 +57,10 @@ void relocate(Node& node, const std::string& option) {
 
 std::string describe(const Node& node) {
   switch (node.kind) {
-    case Node::Kind::null:
-      return "nothing";
-    case Node::Kind::sequence:
-      return "a list";
-    case Node::Kind::map:
-      return "a map";
-    default:
-      return "'" + (node.text.size() > 40 ? node.text.substr(0, 40) + "…" : node.text) + "'";
+    case Node::Kind::null: return "nothing";
+    case Node::Kind::sequence: return "a list";
+    case Node::Kind::map: return "a map";
+    default: return "'" + (node.text.size() > 40 ? node.text.substr(0, 40) + "…" : node.text) + "'";
   }
 }
 

@@ -80,15 +80,13 @@ class Experiment {
                                    scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
     if (h.parted && !options_.until)
       report_.remarks.push_back(
-          fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; "
-                      "what comes later is "
-                      "not compared (--until)",
+          fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; what comes "
+                      "later is not compared (--until)",
                       numberText(h.end), mostAmplification));
     else if (h.parted)
       report_.remarks.push_back(
-          fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors "
-                      "up to {} are made of "
-                      "that too",
+          fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors up to {} "
+                      "are made of that too",
                       numberText(h.end), mostAmplification, numberText(end)));
     usual_ = settingOf(scenario_, longest_);
     report_.usual = seriesName(usual_, usual_);
@@ -273,17 +271,15 @@ class Experiment {
     const AccuracyReference& r = report_.reference;
     if (!r.agrees)
       report_.remarks.push_back(
-          fmt::format("the witness does not agree with the reference: they are {:.2g} apart, and their own "
-                      "errors are {:.2g} and "
-                      "{:.2g}",
+          fmt::format("the witness does not agree with the reference: they are {:.2g} apart, and their own errors are "
+                      "{:.2g} and {:.2g}",
                       r.distance, r.witnessLeft.error, r.left.error));
     std::size_t below = 0;
     for (const AccuracyRow& row : report_.rows) below += row.error && !row.resolved;
     if (below > 0)
       report_.remarks.push_back(
-          fmt::format("{} of {} errors are below ten times the reference's own, {:.2g}: they are marked ~ "
-                      "and neither fitted nor "
-                      "interpolated",
+          fmt::format("{} of {} errors are below ten times the reference's own, {:.2g}: they are marked ~ and neither "
+                      "fitted nor interpolated",
                       below, report_.rows.size(), r.left.error));
     addCuts();
   }
@@ -301,8 +297,7 @@ class Experiment {
       for (const DividedElsewhere& cut : list) angle = std::max(angle, cut.angle);
       const auto& ratio = list.front().extentRatio;
       report_.remarks.push_back(fmt::format(
-          "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from "
-          "it{}; {}",
+          "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from it{}; {}",
           list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
           ratio ? fmt::format(": its largest extent is {:.4f} times its second largest, so that a small "
                               "difference decides",

@@ -79,15 +79,12 @@ Document settingTables(const AccuracyReport& report) {
   if (std::ranges::any_of(rows, [&](const Row& row) { return !note(row).empty(); })) fields.push_back({"", note});
   Document body;
   body.say(
-          "An error is at most the sum of its parts: of the time step, the mesh, the precision and the "
-          "model; ≥ where the mesh's is "
-          "not known. Another contact law, cell model or engine is stated with its time step, under model. "
-          "On mesh: against the "
-          "reference, on the scenario's mesh; the largest of positions and surfaces [radii of the egg] and "
-          "volumes [relative], of "
-          "all cells and times. Pressure and contact area: over the largest; neighbours: the share of the pairs that "
-          "touch in one alone. Births: the latest against the reference's [cycle lengths]. Forces: how "
-          "often they were evaluated.")
+          "An error is at most the sum of its parts: of the time step, the mesh, the precision and the model; ≥ where "
+          "the mesh's is not known. Another contact law, cell model or engine is stated with its time step, under "
+          "model. On mesh: against the reference, on the scenario's mesh; the largest of positions and surfaces [radii "
+          "of the egg] and volumes [relative], of all cells and times. Pressure and contact area: over the largest; "
+          "neighbours: the share of the pairs that touch in one alone. Births: the latest against the reference's "
+          "[cycle lengths]. Forces: how often they were evaluated.")
       .add(tableOf("Settings", fields, rows));
   if (Table failed = failureTable(report.rows); !failed.rows.empty())
     body.heading("What failed").add(std::move(failed));

@@ -142,8 +142,7 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   const EndedRun& best = *answer.best;
   const bool toTheEnd = report.end && report.times.back() >= *report.end * (1 - 1e-6);
   text += fmt::format(
-      "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to "
-      "time "
+      "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to time "
       "{}{}\n  {}\n  has been run to its end, in {:.2f} s of CPU time\n",
       target, best.error, numberText(report.times.back()),
       toTheEnd || !report.end ? "" : " of " + numberText(*report.end) + ", where later is chaos",

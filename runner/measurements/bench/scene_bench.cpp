@@ -186,14 +186,10 @@ class SceneBench {
     const double pairs = pairsPerVertex();
     const Work contact = contactWork(pairs, packed_.friction > 0);
     switch (stage) {
-      case Stage::internal:
-        return internal;
-      case Stage::contact:
-        return contact;
-      case Stage::integrate:
-        return integration;
-      default:
-        return stepWork(internal, subject_.touching() ? &contact : nullptr, integration);
+      case Stage::internal: return internal;
+      case Stage::contact: return contact;
+      case Stage::integrate: return integration;
+      default: return stepWork(internal, subject_.touching() ? &contact : nullptr, integration);
     }
   }
 

@@ -26,26 +26,16 @@ std::string htmlOf(const Words::Piece& piece) {
     return element("span", ofClass(std::string("mark ") + kind) + hint, text);
   };
   switch (piece.emphasis) {
-    case Emphasis::bold:
-      return element("b", "", text);
-    case Emphasis::italic:
-      return element("i", "", text);
-    case Emphasis::code:
-      return element("code", "", text);
-    case Emphasis::quiet:
-      return element("span", ofClass("note"), text);
-    case Emphasis::subscript:
-      return element("sub", "", text);
-    case Emphasis::good:
-      return marked("good");
-    case Emphasis::warning:
-      return marked("warn");
-    case Emphasis::bad:
-      return marked("bad");
-    case Emphasis::lineBreak:
-      return "<br>";
-    case Emphasis::plain:
-      break;
+    case Emphasis::bold: return element("b", "", text);
+    case Emphasis::italic: return element("i", "", text);
+    case Emphasis::code: return element("code", "", text);
+    case Emphasis::quiet: return element("span", ofClass("note"), text);
+    case Emphasis::subscript: return element("sub", "", text);
+    case Emphasis::good: return marked("good");
+    case Emphasis::warning: return marked("warn");
+    case Emphasis::bad: return marked("bad");
+    case Emphasis::lineBreak: return "<br>";
+    case Emphasis::plain: break;
   }
   return text;
 }
@@ -66,16 +56,11 @@ struct AsHtml {
   std::string operator()(const Sentence& s) const {
     const std::string words = htmlOf(s.words);
     switch (s.kind) {
-      case Sentence::Kind::heading:
-        return element("h3", "", words) + "\n";
-      case Sentence::Kind::part:
-        return element("h2", "", words) + "\n";
-      case Sentence::Kind::first:
-        return element("p", ofClass("said"), words) + "\n";
-      case Sentence::Kind::note:
-        return element("p", ofClass("note"), words) + "\n";
-      case Sentence::Kind::plain:
-        break;
+      case Sentence::Kind::heading: return element("h3", "", words) + "\n";
+      case Sentence::Kind::part: return element("h2", "", words) + "\n";
+      case Sentence::Kind::first: return element("p", ofClass("said"), words) + "\n";
+      case Sentence::Kind::note: return element("p", ofClass("note"), words) + "\n";
+      case Sentence::Kind::plain: break;
     }
     return element("p", "", words) + "\n";
   }

@@ -28,10 +28,8 @@ std::string plyFile(const ExportedRun& run, const Sample& sample) {
   }
   return fmt::format(
              "ply\nformat binary_little_endian 1.0\ncomment Morula run {}, time {}\nelement vertex {}\n"
-             "property float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
-             "green\n"
-             "property uchar blue\nproperty int cell\nelement face {}\nproperty list uchar int "
-             "vertex_indices\n"
+             "property float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+             "property uchar blue\nproperty int cell\nelement face {}\nproperty list uchar int vertex_indices\n"
              "end_header\n",
              run.run.id, exactText(sample.world.time), vertexCount, faceCount) +
          vertices + faces;

@@ -26,8 +26,7 @@ CrateFile crateFile(const SourceText& d) {
   if (d.role == "faces")
     return {"faces/" + safeName(d.path, "mesh") + ".bin",
             Role::about,
-            "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each "
-            "up to 65536 "
+            "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each up to 65536 "
             "vertices, else 32",
             "",
             d.content,

@@ -101,8 +101,7 @@ std::string vtpFile(const ExportedRun& run, const Sample& sample) {
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "  <PolyData>\n    <FieldData>\n";
   text += fmt::format(
-      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">{}</DataArray>\n",
+      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
       exactText(sample.world.time));
   text += textArray("run_id", {run.run.id}) + textArray("states", run.states) + textArray("paths", paths);
   text += fmt::format(

@@ -38,8 +38,7 @@ std::string orUnknown(double error) { return std::isfinite(error) ? numberText(e
 PageSection accuracyChartSection(const AccuracyReport& report) {
   const std::size_t out = beatenBullets(report).size();
   const std::string caption =
-      "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh "
-      "itself adds." +
+      "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh itself adds." +
       (out ? " " + counted(out, "setting") +
                  " of Bullet's that others of its own beat in error and time are in the table alone."
            : "");
@@ -82,9 +81,8 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
   else
     section.body
         .say(
-            "Of the runs made: each row's error, with the reference's own added, is at most that. The mesh's "
-            "error is the same for "
-            "all time steps and stands apart.")
+            "Of the runs made: each row's error, with the reference's own added, is at most that. The mesh's error is "
+            "the same for all time steps and stands apart.")
         .add(std::move(table));
   if (!report.bulletSpeeds.empty())
     section.body.heading("At equal error, beside Bullet")

@@ -50,12 +50,9 @@ std::vector<CellDistance> distancesOf(const Scenario& scenario, const World& our
 
 const char* baselineWords(Baseline baseline) {
   switch (baseline) {
-    case Baseline::b1:
-      return "b1: our forces, moved by Bullet's integrator, with Bullet's contact";
-    case Baseline::b2:
-      return "b2: Bullet's own springs and pressure, integrator and contact";
-    case Baseline::b3:
-      return "b3: our springs and pressure in Bullet's implicit solver";
+    case Baseline::b1: return "b1: our forces, moved by Bullet's integrator, with Bullet's contact";
+    case Baseline::b2: return "b2: Bullet's own springs and pressure, integrator and contact";
+    case Baseline::b3: return "b3: our springs and pressure in Bullet's implicit solver";
   }
   return "";
 }
@@ -74,17 +71,14 @@ std::string decidingWords(const BulletCheck& check, bool touching) {
   std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
   if (check.positions)
     return text +
-           "Nothing touches here and both take the same steps, so the two are held against each other vertex "
-           "by "
+           "Nothing touches here and both take the same steps, so the two are held against each other vertex by "
            "vertex.";
   if (touching)
     return text + "Bullet keeps surfaces that touch two margins of " + numberText(check.margin, 4) +
-           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, "
-           "how "
-           "large they are and how flat, not their surfaces point by point.";
+           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, how large "
+           "they are and how flat, not their surfaces point by point.";
   return text +
-         "Both come to the same rest on different ways, so each cell is compared as a whole, not vertex by "
-         "vertex.";
+         "Both come to the same rest on different ways, so each cell is compared as a whole, not vertex by vertex.";
 }
 
 std::string digits(const std::string& text) {
@@ -178,14 +172,12 @@ std::string sentenceOf(const std::vector<CheckResult>& results) {
 
 Words storedWords(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored) {
   switch (compareWithStored(found, stored)) {
-    case BulletStored::none:
-      return "The database holds no comparison with Bullet; this one was made for the page.";
+    case BulletStored::none: return "The database holds no comparison with Bullet; this one was made for the page.";
     case BulletStored::same:
       return "Made again for this page, it gives the numbers that are stored with the run, digit for digit.";
     case BulletStored::other:
       return warning() +
-             "Made again for this page, it gives other numbers than are stored with the run, which the "
-             "checks show.";
+             "Made again for this page, it gives other numbers than are stored with the run, which the checks show.";
   }
   return {};
 }

@@ -28,10 +28,9 @@ PageSection rerunSection(const RunFacts& run) {
   PageSection section{"rerun-section", "Run it again, here", {}};
   section.body
       .say(
-          "This page holds the simulator and the scene. One press of the button makes the run again on this "
-          "machine, without network, and "
-          "compares the hashes of the state with those that are stored; the explorer shows the organism as "
-          "it grows.")
+          "This page holds the simulator and the scene. One press of the button makes the run again on this machine, "
+          "without network, and compares the hashes of the state with those that are stored; the explorer shows the "
+          "organism as it grows.")
       .add(ProgramPlace{"again",
                         "Programs of this page do not run here: JavaScript is switched off, or the file was changed."});
   section.commands = {programWord() + " replay " + shellWord(run.database) + " --run " + run.run.id};

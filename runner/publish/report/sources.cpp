@@ -37,9 +37,8 @@ Sources sourcesOf(const std::vector<std::string>& what) {
     if (!isFolder(name)) {
       if (!addSource(name, sources))
         throw UsageError("'" + name + "' is " + std::string(morula::name(contentOfFile(name))) +
-                         "; report needs a database that morula run has written, a report.json of morula "
-                         "check --reports, what "
-                         "morula accuracy --json has printed, or a folder of these");
+                         "; report needs a database that morula run has written, a report.json of morula check "
+                         "--reports, what morula accuracy --json has printed, or a folder of these");
       continue;
     }
     bool any = false;

@@ -86,14 +86,10 @@ std::string statusText(const StoredRun& run, const Units& units) {
   const std::string cells = counted(run.cells, "cell"),
                     when = " at time " + shownTime(units, run.time, 6) + " after " + counted(run.steps, "step");
   switch (run.status) {
-    case RunStatus::done:
-      return "is done: " + cells + when;
-    case RunStatus::failed:
-      return "failed" + when + ", with " + cells;
-    case RunStatus::killed:
-      return "was interrupted" + when + ", with " + cells;
-    case RunStatus::running:
-      break;
+    case RunStatus::done: return "is done: " + cells + when;
+    case RunStatus::failed: return "failed" + when + ", with " + cells;
+    case RunStatus::killed: return "was interrupted" + when + ", with " + cells;
+    case RunStatus::running: break;
   }
   return "has not ended";
 }

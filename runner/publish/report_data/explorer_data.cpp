@@ -160,9 +160,7 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
     if (!run.scenario->scene.mechanics)
       say(run, "These cells have no bodies: there is a tree, and nothing to see in three dimensions.");
     if (run.frames && run.frames->frames.empty() && !run.frames->worlds.empty())
-      say(run,
-          "One frame alone would make the page too large: a larger --size-limit shows it in three "
-          "dimensions.");
+      say(run, "One frame alone would make the page too large: a larger --size-limit shows it in three dimensions.");
   }
   if (const std::string thinned = thinnedText(runs); !thinned.empty())
     all.note("Thinned: " + thinned + "; a larger --size-limit keeps more.");

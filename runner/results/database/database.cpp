@@ -25,17 +25,13 @@ std::string remedy(int code, int systemError, const fs::path& file) {
   rlimit limit{};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   switch (code & 0xff) {
-    case SQLITE_NOTADB:
-      return "it is not an SQLite database; give another file";
-    case SQLITE_CORRUPT:
-      return "the file is damaged; give another file, or restore it from a copy";
+    case SQLITE_NOTADB: return "it is not an SQLite database; give another file";
+    case SQLITE_CORRUPT: return "the file is damaged; give another file, or restore it from a copy";
     case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return "another process is writing to it; wait until it has finished, or give another file";
+    case SQLITE_LOCKED: return "another process is writing to it; wait until it has finished, or give another file";
     case SQLITE_READONLY:
       return "the file or its directory is not writable; change its permissions or give another file";
-    case SQLITE_FULL:
-      return "the disk is full; free some space or give a file on another disk";
+    case SQLITE_FULL: return "the disk is full; free some space or give a file on another disk";
     case SQLITE_CANTOPEN:
       if (!fileExists(folder))
         return "the directory " + folder.string() + " does not exist; make it or give another file";
@@ -48,10 +44,8 @@ std::string remedy(int code, int systemError, const fs::path& file) {
       if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
         return "files may not grow beyond " + std::to_string(limit.rlim_cur) + " bytes here (ulimit -f)";
       return systemError ? std::strerror(systemError) : "";
-    case SQLITE_TOOBIG:
-      return "a single value must stay below 1 GB";
-    default:
-      return "";
+    case SQLITE_TOOBIG: return "a single value must stay below 1 GB";
+    default: return "";
   }
 }
 
@@ -235,16 +229,10 @@ int Statement::columns() const { return sqlite3_column_count(statement_.get()); 
 
 void Statement::addTo(Hasher& hasher, int column) const {
   switch (sqlite3_column_type(statement_.get(), column)) {
-    case SQLITE_INTEGER:
-      hasher.add("integer").add(integer(column));
-      return;
-    case SQLITE_FLOAT:
-      hasher.add("real").add(real(column));
-      return;
-    case SQLITE_NULL:
-      return;
-    default:
-      hasher.add("text").add(text(column));
+    case SQLITE_INTEGER: hasher.add("integer").add(integer(column)); return;
+    case SQLITE_FLOAT: hasher.add("real").add(real(column)); return;
+    case SQLITE_NULL: return;
+    default: hasher.add("text").add(text(column));
   }
 }
 

@@ -48,9 +48,7 @@ class Lines {
       begin_ = end == std::string::npos ? text_.size() : end + 1;
       for (const std::string_view marker : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
         if (line.starts_with(marker))
-          fail(
-              "a merge marker; take one side's file whole, run the scenario and accept its result if it is "
-              "right");
+          fail("a merge marker; take one side's file whole, run the scenario and accept its result if it is right");
       if (end == std::string::npos) fail("the last line is cut short; the file is truncated, restore it from git");
       if (line.ends_with('\r')) fail("the line ends in a carriage return; store the file with plain line ends");
       if (!line.empty() && line.front() != '#') return true;
@@ -88,10 +86,8 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
                " were accepted; restore it from git");
   if (line.substr(space + 1) != digestOf(golden))
     lines.fail(
-        "the items above are not those that were accepted: they were edited afterwards; restore the file "
-        "from "
-        "git, "
-        "or accept the present result with `morula review SCENARIO --accept --why \"…\"`");
+        "the items above are not those that were accepted: they were edited afterwards; restore the file from git, or "
+        "accept the present result with `morula review SCENARIO --accept --why \"…\"`");
 }
 
 /// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
@@ -170,8 +166,7 @@ std::string writeGolden(const Golden& golden) {
   addItems(golden.stated, text);
   if (!golden.statistics.empty())
     text +=
-        "\n# statistic measure: at the end, the mean under these settings less that under others, with its "
-        "95 % "
+        "\n# statistic measure: at the end, the mean under these settings less that under others, with its 95 % "
         "interval, by morula study compare\n";
   for (const GoldenStatistic& statistic : golden.statistics) text += write(statistic) + '\n';
   if (!data.parameters.empty()) text += "\n# parameter key value: what decides the result, defaults filled in\n";
@@ -227,9 +222,7 @@ Golden readGolden(const std::string& text, const std::string& file) {
     if (line.starts_with("statistic ")) {
       const auto statistic = readStatistic(line);
       if (!statistic)
-        lines.fail(
-            "`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most "
-            "high");
+        lines.fail("`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most high");
       expectNew("statistic " + statistic->measure + " against " + statistic->against);
       golden.statistics.push_back(*statistic);
       continue;

@@ -34,14 +34,10 @@ std::vector<std::string> wordsOf(std::string_view line, const std::string& place
 
 std::string Tolerance::text() const {
   switch (kind) {
-    case Kind::exact:
-      return "exact";
-    case Kind::absolute:
-      return "abs " + exactText(amount);
-    case Kind::relative:
-      return "rel " + exactText(amount) + (scale > 0 ? " scale " + exactText(scale) : "");
-    case Kind::ulp:
-      return "ulp " + exactText(amount);
+    case Kind::exact: return "exact";
+    case Kind::absolute: return "abs " + exactText(amount);
+    case Kind::relative: return "rel " + exactText(amount) + (scale > 0 ? " scale " + exactText(scale) : "");
+    case Kind::ulp: return "ulp " + exactText(amount);
   }
   throw BugError("a tolerance that is not one");
 }

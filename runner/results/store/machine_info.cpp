@@ -45,16 +45,11 @@ std::string cpuFeatures() {
 
 std::string roundingName() {
   switch (std::fegetround()) {
-    case FE_TONEAREST:
-      return "nearest";
-    case FE_UPWARD:
-      return "upward";
-    case FE_DOWNWARD:
-      return "downward";
-    case FE_TOWARDZERO:
-      return "toward zero";
-    default:
-      return "rounding unknown";
+    case FE_TONEAREST: return "nearest";
+    case FE_UPWARD: return "upward";
+    case FE_DOWNWARD: return "downward";
+    case FE_TOWARDZERO: return "toward zero";
+    default: return "rounding unknown";
   }
 }
 

@@ -279,9 +279,8 @@ inline constexpr TableInfo tableInfo<ChainLink> = {
     .context = "run_id",
     .key = "run_id, step",
     .why =
-        "where the run was checked against a golden or as `check` asks: explain --db and replay find with it "
-        "the first step "
-        "that differs"};
+        "where the run was checked against a golden or as `check` asks: explain --db and replay find with it the first "
+        "step that differs"};
 template <IsA<ChainLink> T>
 void listFields(T& link, auto&& field) {
   auto& [step, hash, state] = link;

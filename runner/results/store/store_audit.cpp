@@ -47,13 +47,11 @@ std::vector<ValueDifference> Store::lostCells(const StoredRun& run) {
     Statement s(db_, std::string("SELECT path FROM cell c WHERE run_id = ? AND ") + which + " ORDER BY path LIMIT 1");
     if (s.start(run.id).next()) lost.push_back({"cell", "path " + s.text(0), column, stored, "no such row"});
   };
-  add("parent IS NOT NULL AND NOT EXISTS (SELECT 1 FROM cell m WHERE m.run_id = c.run_id AND m.path = "
-      "c.parent AND "
+  add("parent IS NOT NULL AND NOT EXISTS (SELECT 1 FROM cell m WHERE m.run_id = c.run_id AND m.path = c.parent AND "
       "m.fate = 'divided')",
       "parent", "a mother that divided");
-  add("fate = 'divided' AND (SELECT count(*) FROM cell d WHERE d.run_id = c.run_id AND d.path IN (c.path || "
-      "'A', c.path || 'B')) "
-      "< 2",
+  add("fate = 'divided' AND (SELECT count(*) FROM cell d WHERE d.run_id = c.run_id AND d.path IN (c.path || 'A', "
+      "c.path || 'B')) < 2",
       "fate", "divided into two daughters");
   if (run.status != RunStatus::done) return lost;
   Statement alive(db_, "SELECT count(*) FROM cell WHERE run_id = ? AND fate = 'alive'");

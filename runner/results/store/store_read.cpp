@@ -64,10 +64,9 @@ void readSamples(Database& db, const std::string& id, StateNumbers& numberOf, co
 
 void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& meshes) {
   Statement s(db,
-              "SELECT CAST(d.path AS INTEGER), content, "
-              "(SELECT max(length(vertices)) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
-              "CAST(d.path AS INTEGER)) "
-              "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
+              "SELECT CAST(d.path AS INTEGER), content, (SELECT max(length(vertices)) / 6 FROM mesh_sample m WHERE "
+              "m.run_id = d.run_id AND m.mesh = CAST(d.path AS INTEGER)) FROM run_document d JOIN document USING "
+              "(hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
   for (s.start(id); s.next();) {
     if (s.isNull(2)) continue;  // no surface has this mesh
     MeshFaces& m = meshes.emplace_back();

@@ -29,14 +29,10 @@ void addRows(Hasher& hasher, Statement& rows, const std::vector<std::string>& co
 
 const char* name(FailureKind kind) {
   switch (kind) {
-    case FailureKind::numerical:
-      return "numerical failure";
-    case FailureKind::cpuLimit:
-      return "cpu limit";
-    case FailureKind::memoryLimit:
-      return "memory limit";
-    case FailureKind::crash:
-      return "crash";
+    case FailureKind::numerical: return "numerical failure";
+    case FailureKind::cpuLimit: return "cpu limit";
+    case FailureKind::memoryLimit: return "memory limit";
+    case FailureKind::crash: return "crash";
   }
   throw BugError("a kind of failure that is not one");
 }
@@ -58,9 +54,8 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes, const s
       ",\n  uses_seed INTEGER NOT NULL,     -- 0: every seed gives the same run"
       "\n  distinct_runs INTEGER NOT NULL  -- of its replicates\n) STRICT");
   db.execute(
-      "CREATE TABLE condition_key (        -- a column for each key of the scenario that some level changes: "
-      "its value as "
-      "JSON; NULL: the scene has no such part\n"
+      "CREATE TABLE condition_key (        -- a column for each key of the scenario that some level changes: its value "
+      "as JSON; NULL: the scene has no such part\n"
       "  condition_id INTEGER PRIMARY KEY REFERENCES condition" +
       columnsOfTexts(keys) + "\n) STRICT");
   for (const SqlTable* t :

@@ -92,10 +92,8 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     result.source = BesideGolden::Source::again;
     before = std::move(*again.picture);
     result.notes = {
-        "Golden: its scenario run again, to the accepted state, bit for bit. Colours of the third picture: "
-        "how far "
-        "each vertex of now is from "
-        "the same cell's surface in the golden."};
+        "Golden: its scenario run again, to the accepted state, bit for bit. Colours of the third picture: how far "
+        "each vertex of now is from the same cell's surface in the golden."};
   } else {
     before = spheresOf(golden, scenario);
     if (before.cells.empty())
@@ -103,11 +101,9 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     result.source = BesideGolden::Source::centres;
     before.shell = now.shell;
     result.notes = {
-        "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made "
-        "again: " +
+        "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made again: " +
             again.whyNot + ".",
-        "Colours of the third picture, and arrows where they are long enough: how far the centroid of each "
-        "cell has "
+        "Colours of the third picture, and arrows where they are long enough: how far the centroid of each cell has "
         "moved."};
   }
   before.width = before.height = side;

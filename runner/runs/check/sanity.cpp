@@ -80,8 +80,7 @@ std::string nameOf(const std::optional<CellPath>& cell) { return cell ? nameOf(*
 std::string contactAdvice(const MechanicsScene& m) {
   if (!m.contact) return "the scene has no physics.contact, so cells pass through one another";
   if (m.contact->law == ContactLaw::thesis)
-    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more "
-           "physics.drag";
+    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more physics.drag";
   return fmt::format("what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
                      exactText(m.contact->stiffness), exactText(m.contact->radius));
 }
@@ -111,8 +110,7 @@ std::string sentence(const SanityMeasure& m, const World& world) {
                            : "");
   if (m.name == "fill")
     return fmt::format(
-        "all cells together fill {} of the shell; fine is at most {}, for they can only be in one "
-        "another; {}",
+        "all cells together fill {} of the shell; fine is at most {}, for they can only be in one another; {}",
         v(m.value), v(m.most), contactAdvice(scene));
   MORULA_CHECK(m.name == "energy", "every quantity has a sentence of its own");
   return fmt::format(

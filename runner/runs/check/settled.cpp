@@ -14,9 +14,8 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
   if (count == 0) return "";
   const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, &SettlingRecord::residual);
   return fmt::format(
-      "physics.settle: {} of {} ended after {} evaluations above the tolerance of {:.3g}, the farthest at "
-      "time {:.4g} with "
-      "{} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
+      "physics.settle: {} of {} ended after {} evaluations above the tolerance of {:.3g}, the farthest at time {:.4g} "
+      "with {} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
       count, counted(settlings.size(), "settling"), asked.evaluations, asked.tolerance, farthest.time,
       counted(farthest.cells, "cell"), farthest.residual);
 }

@@ -195,17 +195,10 @@ FailureFindings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, 
   FailureFindings found;
   for (const Remedy& remedy : remedies) {
     switch (tryChange(remedy, restored(scene, execution, from.state), failedTime, budget)) {
-      case Outcome::holds:
-        found.helped = &remedy;
-        return found;
-      case Outcome::fails:
-        found.failed.push_back(&remedy);
-        break;
-      case Outcome::refused:
-        break;
-      case Outcome::tooLong:
-        found.cutShort = true;
-        return found;
+      case Outcome::holds: found.helped = &remedy; return found;
+      case Outcome::fails: found.failed.push_back(&remedy); break;
+      case Outcome::refused: break;
+      case Outcome::tooLong: found.cutShort = true; return found;
     }
   }
   return found;

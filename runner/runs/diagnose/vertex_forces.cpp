@@ -206,9 +206,8 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
 void checkHasForces(const PhysicsParameters& physics) {
   if (kindOf(physics.integrator).solvesForces)
     throw InputError(
-        "forces cannot be shown with physics.integrator xpbd, which moves vertices to where springs and "
-        "contents "
-        "want them; choose another integrator, such as velocity-verlet");
+        "forces cannot be shown with physics.integrator xpbd, which moves vertices to where springs and contents want "
+        "them; choose another integrator, such as velocity-verlet");
 }
 
 std::vector<ForcesByKind> forcesByKind(World& world) {

@@ -36,8 +36,7 @@ std::string findBrokenLink(const std::vector<ChainLink>& chain, std::uint64_t& s
     const auto before = i ? std::optional(chain[i - 1].hash) : std::nullopt;
     if (hashLink(before, step, link.state.whole) != link.hash)
       return "at step " + std::to_string(step) +
-             " the chain of hashes is broken: this row of step_hash or one before "
-             "it is lost or edited";
+             " the chain of hashes is broken: this row of step_hash or one before it is lost or edited";
   }
   return {};
 }

@@ -131,9 +131,8 @@ void tellChangedScenario(const Scenario& scenario, const Simulation& run, const 
       tellWhereItBegan(*before, scenario, "the accepted scenario", acceptedBits(golden), question, f);
     else
       f.text +=
-          "where it began cannot be told: the accepted scenario is not known whole, as goldens and commits "
-          "here "
-          "keep it; --db FILE compares with a stored run\n";
+          "where it began cannot be told: the accepted scenario is not known whole, as goldens and commits here keep "
+          "it; --db FILE compares with a stored run\n";
   } catch (const InputError&) {}
 }
 
@@ -168,9 +167,8 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   if (fileExists(goldenFile(scenario))) tellChangedScenario(scenario, run, question, f);
   if (f.failureClass != "INPUT_CHANGED") {
     f.text +=
-        "A golden holds hashes, not states: for the first step, vertex and both values name what it was "
-        "accepted "
-        "with: --with PROGRAM, or --db FILE\n";
+        "A golden holds hashes, not states: for the first step, vertex and both values name what it was accepted with: "
+        "--with PROGRAM, or --db FILE\n";
   }
 }
 

@@ -116,9 +116,8 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
   RosePicture picture;
   picture.title = scenario.scene.name;
   picture.caption = fmt::format(
-      "which way division axes point, towards daughter A: {} divisions; a sector's area is its count, the "
-      "outer circle the "
-      "largest",
+      "which way division axes point, towards daughter A: {} divisions; a sector's area is its count, the outer circle "
+      "the largest",
       results.divisions.size());
   picture.roses = {{"from the front", "x", "z", {}}, {"from the right", "y", "z", {}}, {"from above", "x", "y", {}}};
   for (const DivisionRecord& division : results.divisions) {

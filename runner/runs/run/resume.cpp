@@ -47,9 +47,8 @@ std::string hashesOf(const std::optional<std::uint64_t>& every) {
 void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
   if (c.every == now.every && c.hashEvery == now.hashEvery) return;
   throw UsageError(fmt::format(
-      "--resume: the checkpoint was made with {} and {}, and now it is {} and {}; record as then (--no-check "
-      "and "
-      "the scenario's record and check decide), or leave out --resume to start from the beginning",
+      "--resume: the checkpoint was made with {} and {}, and now it is {} and {}; record as then (--no-check and the "
+      "scenario's record and check decide), or leave out --resume to start from the beginning",
       samplesOf(c.every), hashesOf(c.hashEvery), samplesOf(now.every), hashesOf(now.hashEvery)));
 }
 

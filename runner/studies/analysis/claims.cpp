@@ -35,10 +35,8 @@ std::string claimInWords(const Claim& claim, const Study& study) {
   switch (claim.says) {
     case Says::equivalent:
       return fmt::format("{}: {} equivalent to {} within {}{}", claim.measure, a, b, claim.within, with);
-    case Says::noEffect:
-      return fmt::format("{}: no effect of {} beside {}{}", claim.measure, a, b, with);
-    default:
-      return fmt::format("{}: {} {} than {}{}", claim.measure, a, nameOf(claim.says), b, with);
+    case Says::noEffect: return fmt::format("{}: no effect of {} beside {}{}", claim.measure, a, b, with);
+    default: return fmt::format("{}: {} {} than {}{}", claim.measure, a, nameOf(claim.says), b, with);
   }
 }
 
@@ -73,14 +71,10 @@ bool holds(const Claim& claim, const PairComparison& pair) {
   const std::size_t axis = axisOf(claim);
   const double difference = (*claim.a[axis] < *claim.b[axis] ? 1 : -1) * pair.paired.difference;
   switch (claim.says) {
-    case Says::lower:
-      return isDifferent(pair) && difference < 0;
-    case Says::higher:
-      return isDifferent(pair) && difference > 0;
-    case Says::equivalent:
-      return pair.equivalence && pair.equivalence->verdict == Equivalent::yes;
-    default:
-      return !isDifferent(pair) && pair.known != Known::oneSeed;
+    case Says::lower: return isDifferent(pair) && difference < 0;
+    case Says::higher: return isDifferent(pair) && difference > 0;
+    case Says::equivalent: return pair.equivalence && pair.equivalence->verdict == Equivalent::yes;
+    default: return !isDifferent(pair) && pair.known != Known::oneSeed;
   }
 }
 

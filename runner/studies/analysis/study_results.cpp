@@ -61,8 +61,7 @@ std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results
   Statement rows(db,
                  "SELECT task_id, task.status, reason, run_id, run.state_hash, (SELECT count(*) FROM check_result c "
                  "WHERE c.run_id = task.run_id AND kind = 'sanity' AND NOT passed), coalesce(run.cells, 0) FROM task "
-                 "LEFT JOIN run USING "
-                 "(run_id) ORDER BY number, task_id");
+                 "LEFT JOIN run USING (run_id) ORDER BY number, task_id");
   for (rows.start(); rows.next();) {
     numbers[rows.text(0)] = results.tasks.size();
     results.tasks.push_back({rows.line(0), rows.line(1), rows.line(2), rows.line(3), rows.line(4),

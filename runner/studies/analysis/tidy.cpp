@@ -12,8 +12,7 @@ namespace {
 
 /// The joins from a condition's labels to its runs.
 constexpr const char* runsOfConditions =
-    " FROM replicate JOIN condition ON condition.condition_id = replicate.condition_id JOIN task USING "
-    "(task_id) JOIN ";
+    " FROM replicate JOIN condition ON condition.condition_id = replicate.condition_id JOIN task USING (task_id) JOIN ";
 
 std::vector<std::string> measuresOfCells(Database& db) {
   std::vector<std::string> names;

@@ -112,10 +112,8 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
     case Known::exact:
       return pair.paired.difference == 0 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
                                          : differs(c, pair) + ", exactly: seeds change neither";
-    case Known::oneSeed:
-      return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
-    case Known::estimated:
-      break;
+    case Known::oneSeed: return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
+    case Known::estimated: break;
   }
   if (pair.isShown()) return fmt::format("{}, {}: {}", differs(c, pair), inHowMany(pair), estimate(pair));
   return fmt::format("{}: no difference is shown between {} ({}) and {} ({}){}: {}, n = {}", name,

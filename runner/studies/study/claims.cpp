@@ -17,9 +17,8 @@ namespace {
 using Levels = std::vector<std::optional<std::size_t>>;  // [axis]
 
 const std::string claimAllowed =
-    "{measure: NAME, a: {AXIS: LABEL}, b: {AXIS: LABEL}, says: lower} or {measure: NAME, at: {AXIS: LABEL}, "
-    "mean: 1.2, within: "
-    "0.1}";
+    "{measure: NAME, a: {AXIS: LABEL}, b: {AXIS: LABEL}, says: lower} or {measure: NAME, at: {AXIS: LABEL}, mean: 1.2, "
+    "within: 0.1}";
 const std::string marginAllowed = "a number above 0 as 0.01, or a share of the mean as 5%";
 
 std::string nearOf(const std::string& word, const std::vector<std::string>& known) {
@@ -198,13 +197,11 @@ Key checkKey() {
                            {"measure", "mean", "within"});
   return {"check",
           "a list of " + claimAllowed,
-          "Claims that `morula study check` holds against the results, each by what `morula study compare` says. "
-          "Of a pair, "
-          "says is what a is beside b: lower or higher (a difference is shown), equivalent (within a margin, "
-          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name "
-          "labels of the "
-          "same axes and differ in one; of the other axes they name all, or none: then it is the mean over them. "
-          "Or of a condition, which `at` names: its mean, give or take `within`",
+          "Claims that `morula study check` holds against the results, each by what `morula study compare` says. Of a "
+          "pair, says is what a is beside b: lower or higher (a difference is shown), equivalent (within a margin, "
+          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name labels "
+          "of the same axes and differ in one; of the other axes they name all, or none: then it is the mean over "
+          "them. Or of a condition, which `at` names: its mean, give or take `within`",
           "no claims",
           {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
           [](Study&, const Node&, Problems&) {}};  // readClaims, when all axes are known

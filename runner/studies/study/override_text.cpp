@@ -25,8 +25,7 @@ bool staysPlain(const std::string& text) {
 std::string flow(const Node& node) {
   std::string text;
   switch (node.kind) {
-    case Node::Kind::scalar:
-      return node.isPlain() && staysPlain(node.text) ? node.text : jsonQuoted(node.text);
+    case Node::Kind::scalar: return node.isPlain() && staysPlain(node.text) ? node.text : jsonQuoted(node.text);
     case Node::Kind::sequence:
       for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + flow(item);
       return "[" + text + "]";
@@ -35,8 +34,7 @@ std::string flow(const Node& node) {
         text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : jsonQuoted(member.key)) + ": " +
                 flow(member.value);
       return "{" + text + "}";
-    default:
-      return "null";
+    default: return "null";
   }
 }
 

@@ -27,9 +27,8 @@ bool keepPlan(const Plan& plan, const std::filesystem::path& folder) {
     if (there.id == plan.id) return false;
     throw InputError("'" + file.string() + "' is another plan (" + there.id.substr(0, 8) + ", now " +
                      plan.id.substr(0, 8) +
-                     "): the study or a scenario was changed since it was made; study run --update plans it "
-                     "anew and keeps the "
-                     "results that it needs, --out gives it a folder of its own");
+                     "): the study or a scenario was changed since it was made; study run --update plans it anew and "
+                     "keeps the results that it needs, --out gives it a folder of its own");
   }
   makeFolder(folder);
   writeNewFile(file, writePlan(plan));

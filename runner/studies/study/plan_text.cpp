@@ -48,8 +48,7 @@ std::string costText(const Plan& plan) {
   const auto tried = std::size_t(std::ranges::count(plan.costs, true, &RunCost::tried));
   const std::string shortest = timeText(least.seconds), longest = timeText(most.seconds);
   std::string text = fmt::format(
-      "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on "
-      "disk\n",
+      "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on disk\n",
       timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest, bytesText(total->memory),
       bytesText(total->disk));
   if (tried < plan.conditions.size())
@@ -60,8 +59,7 @@ std::string costText(const Plan& plan) {
     text += fmt::format("    some may not end within limits.cpu-per-run, {}\n", timeText(*limit));
   for (const SettledCost& s : plan.settled)
     text += fmt::format(
-        "    from rest to rest (physics.integrator: fire, settle.together: a quarter of a cycle) a run of {} "
-        "{}\n",
+        "    from rest to rest (physics.integrator: fire, settle.together: a quarter of a cycle) a run of {} {}\n",
         plan.study.bases[s.base].label,
         s.refused.empty() ? fmt::format("would take {} or more, not {}", timeText(s.settled), timeText(s.seconds))
                           : "does not go: " + s.refused);

@@ -33,8 +33,7 @@ std::string studySchema() {
 std::string studyKeysAsMarkdown() {
   std::string text =
       "# Keys of a study\n\n"
-      "Written by `morula schema --study --markdown` from the table that studies are read with; do not "
-      "edit.\n\n"
+      "Written by `morula schema --study --markdown` from the table that studies are read with; do not edit.\n\n"
       "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const study::Key& key : study::keys())
     text += "| `" + key.path + "` | " + markdownCell(key.allowed) + " | " +

@@ -100,9 +100,8 @@ Key varyKey() {
   const Json axis{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
   return {"vary",
           varyAllowed,
-          "The axes of the design: each condition has one level of each, and all combinations are run. A "
-          "level sets any keys "
-          "of a scenario, as --set does; null takes a part away, {} leaves the scenario as it is",
+          "The axes of the design: each condition has one level of each, and all combinations are run. A level sets "
+          "any keys of a scenario, as --set does; null takes a part away, {} leaves the scenario as it is",
           "one condition: the scenario as it is",
           {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
           readVary};

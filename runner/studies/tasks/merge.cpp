@@ -214,8 +214,7 @@ std::string describe(const MergeReport& r, const PlannedStudy& study) {
       some(r.foreign, [](const fs::path& f) { return "  left out " + f.string() + ": the plan has no such task\n"; });
   for (const Nondeterminism& n : r.differing)
     text += fmt::format(
-        "  NONDETERMINISM {}: the same scenario, seed and build gave two results: {} in {}, {} in {}. This "
-        "is a bug or "
+        "  NONDETERMINISM {}: the same scenario, seed and build gave two results: {} in {}, {} in {}. This is a bug or "
         "broken hardware; nothing was written\n",
         nameOfTask(plan, n.task), n.hashA, n.a.string(), n.hashB, n.b.string());
   if (r.differing.empty())

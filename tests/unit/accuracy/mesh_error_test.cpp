@@ -79,8 +79,7 @@ TEST_CASE("Where other cells live on another mesh, errors are those up to then")
 TEST_CASE("A finer mesh that costs more than is allowed takes no part, and the reason is told") {
   const auto read = reader(
       "morula: 1\nname: one\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 0.5}\nphysics:\n  drag: 4\n"
-      "  mesh: {icosphere: 2}\n  membrane: {stiffness: 10, damping: 0.02}\n  pressure: {constant: 8, "
-      "outside: 0}\n");
+      "  mesh: {icosphere: 2}\n  membrane: {stiffness: 10, damping: 0.02}\n  pressure: {constant: 8, outside: 0}\n");
   AccuracyOptions options;
   options.brief = true;
   options.budget = 1e-6;

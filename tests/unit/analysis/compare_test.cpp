@@ -328,15 +328,12 @@ TEST_CASE("Other output says the same numbers") {
   CHECK(json["verdicts"].size() == 6);
   const std::string csv = toCsv(c);
   CHECK(std::ranges::count(csv, '\n') == 1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
-  CHECK(
-      csv.starts_with("kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,"
-                      "high,p,p_holm,effect,g,higher,lower,"
-                      "unpaired_low,unpaired_high,interval_ratio,margin,p_equivalent_holm,equivalent\n"));
+  CHECK(csv.starts_with(
+      "kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,high,p,p_holm,"
+      "effect,g,higher,lower,unpaired_low,unpaired_high,interval_ratio,margin,p_equivalent_holm,equivalent\n"));
 }
 
-TEST_CASE(
-    "A measure that is the same in all runs leaves the family, and the p-values of others are as without "
-    "it") {
+TEST_CASE("A measure that is the same in all runs leaves the family, and the p-values of others are as without it") {
   MadeStudy study = policies();
   const auto alone = compared(study, {.by = {}, .measures = {"clone-radius"}, .margins = {}});
   const auto values = study.values;

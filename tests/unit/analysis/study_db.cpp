@@ -38,8 +38,7 @@ void makeTables(Database& db, const MadeStudy& study) {
   db.execute("CREATE TABLE condition (condition_id INTEGER PRIMARY KEY" + labels +
              ", uses_seed INTEGER, distinct_runs INTEGER)");
   db.execute(
-      "CREATE TABLE task (task_id TEXT PRIMARY KEY, number INTEGER, condition_id INTEGER, seed INTEGER, "
-      "status TEXT, "
+      "CREATE TABLE task (task_id TEXT PRIMARY KEY, number INTEGER, condition_id INTEGER, seed INTEGER, status TEXT, "
       "reason TEXT, run_id TEXT, result_hash TEXT)");
   db.execute("CREATE TABLE replicate (condition_id INTEGER, seed INTEGER, task_id TEXT)");
   db.execute("CREATE TABLE result (run_id TEXT, measure TEXT, time REAL, value REAL)");

@@ -68,9 +68,7 @@ TEST_CASE("Contact forces are those of the equations over all pairs of vertices,
       }
 }
 
-TEST_CASE(
-    "Forces are the gradient of an energy: its differences at 1000 random states, with and without "
-    "adhesion") {
+TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random states, with and without adhesion") {
   const ContactParameters plain{ContactLaw::pair, 40, 0}, holding = sticky(plain, 3),
                                                           wide{ContactLaw::pair, 40, 0, 0, 0.01, 1.7};
   struct Kind {
@@ -191,8 +189,7 @@ TEST_CASE("Two balls that overlap are pushed apart along the line between them; 
 }
 
 TEST_CASE(
-    "The force is continuous where pairs come into reach and where they begin to overlap, with damping and "
-    "adhesion") {
+    "The force is continuous where pairs come into reach and where they begin to overlap, with damping and adhesion") {
   const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
     Body left = shakenBody(ball, 0, 0), right = left;

@@ -7,9 +7,7 @@
 
 using namespace morula;
 
-TEST_CASE(
-    "of every shipped scenario, a run of steps that are no multiple of those hashed is the same as it is "
-    "again") {
+TEST_CASE("of every shipped scenario, a run of steps that are no multiple of those hashed is the same as it is again") {
   int compared = 0;
   for (const auto& file : filesBelow("scenarios", ".yaml")) {
     if (file.string().ends_with(".study.yaml")) continue;

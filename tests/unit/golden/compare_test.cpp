@@ -272,8 +272,7 @@ TEST_CASE("the text names the line, the cell, both numbers, their bits and their
   });
   CHECK(find(report, "values").message ==
         "example.golden:54: final/A/pressure at step 1024: expected 0.40625 (0x3fda000000000000), actual "
-        "0.40625000000000006 (0x3fda000000000001), 1 ulp apart, difference 5.551115123125783e-17; tolerance "
-        "exact");
+        "0.40625000000000006 (0x3fda000000000001), 1 ulp apart, difference 5.551115123125783e-17; tolerance exact");
   CHECK(find(report, "lineage").message == "example.golden:17: the egg: ended_step: expected '256', actual '300'");
   const std::string text = describe(report);
   CHECK_THAT(text, ContainsSubstring("2 of 10 checks differ"));

@@ -68,8 +68,7 @@ inline GoldenFacts exampleFacts() {
 inline GoldenData dataOf(const GoldenFacts& facts) {
   GoldenData data = makeGoldenData(facts);
   const std::string known =
-      " cells volume kinetic_energy mean_pressure shell_fill outermost area pressure x y z sphericity "
-      "neighbours ";
+      " cells volume kinetic_energy mean_pressure shell_fill outermost area pressure x y z sphericity neighbours ";
   std::erase_if(data.items, [&](const GoldenItem& i) {
     const auto* value = std::get_if<GoldenValue>(&i);
     return value && known.find(' ' + value->name.measure + ' ') == known.npos;

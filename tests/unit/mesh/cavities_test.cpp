@@ -76,8 +76,7 @@ TEST_CASE("The void of a closed shell of cells is its polyhedron, to the error t
 }
 
 TEST_CASE(
-    "A shell with a hole that lets the probe through encloses nothing, and a probe that does not get out "
-    "tells so") {
+    "A shell with a hole that lets the probe through encloses nothing, and a probe that does not get out tells so") {
   std::vector<Mesh> cells = shellOfCells(0, 1.5);
   const double volume = cavitiesOf(cells, 0.2).volume;
   CHECK(volume > 2);
@@ -88,9 +87,7 @@ TEST_CASE(
         0);  // it does not fit in: the void's inscribed ball has a radius of 0.79
 }
 
-TEST_CASE(
-    "A crowd that is packed encloses nothing: touching boxes, and balls each of which touches twelve "
-    "others") {
+TEST_CASE("A crowd that is packed encloses nothing: touching boxes, and balls each of which touches twelve others") {
   std::vector<Mesh> boxes;
   for (int i = 0; i < 27; ++i) {
     const Point low{double(i % 3), double(i / 3 % 3), double(i / 9)};

@@ -179,8 +179,7 @@ TEST_CASE("All mistakes are named at once, in the order of the text, up to twent
 
 TEST_CASE("What is wrong with the surface is said with the line of the face") {
   CHECK(complaintAbout(corners + "f 1 3 2\n\n# turned:\nf 1 4 2\nf 1 4 3\nf 2 3 4\n") ==
-        "m.obj:8:1: the edge between vertices 1 and 2: face 1 and face 2 turn opposite ways; list the "
-        "corners of all "
+        "m.obj:8:1: the edge between vertices 1 and 2: face 1 and face 2 turn opposite ways; list the corners of all "
         "faces counter-clockwise as seen from outside");
   // Both triangles of a quad carry its number.
   CHECK_THAT(complaintAbout("v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"

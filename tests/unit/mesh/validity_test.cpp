@@ -70,9 +70,8 @@ TEST_CASE("Vertices that are not merged leave holes, and the message says so") {
     soup.faces.push_back({base, base + 1, base + 2});
   }
   CHECK(complaintAbout(soup) ==
-        "m: the edge between vertices 1 and 2 belongs to face 1 only; a closed mesh has two faces at each "
-        "edge: fill the "
-        "hole, or merge vertices that lie at the same place");
+        "m: the edge between vertices 1 and 2 belongs to face 1 only; a closed mesh has two faces at each edge: fill "
+        "the hole, or merge vertices that lie at the same place");
 }
 
 TEST_CASE("A turned face is named with its neighbour") {
@@ -87,9 +86,8 @@ TEST_CASE("An inner wall and a double face are named") {
   m.faces.push_back({0, 1, 4});
   m.faces.push_back({1, 0, 4});
   CHECK(complaintAbout(m) ==
-        "m: the edge between vertices 1 and 2 belongs to 4 faces (face 1, face 2, face 5, face 6); a closed "
-        "mesh has two "
-        "faces at each edge: remove inner walls and double faces");
+        "m: the edge between vertices 1 and 2 belongs to 4 faces (face 1, face 2, face 5, face 6); a closed mesh has "
+        "two faces at each edge: remove inner walls and double faces");
   Mesh twice = zoo::tetrahedron();
   twice.faces.push_back(twice.faces[0]);
   CHECK_THAT(complaintAbout(twice), ContainsSubstring("belongs to 3 faces (face 1, face 2, face 5)"));

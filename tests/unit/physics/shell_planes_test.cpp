@@ -107,9 +107,7 @@ TEST_CASE("In a cube a vertex outside comes to its nearest point, and keeps what
   CHECK(lab.force(0, 4).x > 0);
 }
 
-TEST_CASE(
-    "Many planes around a sphere hold a cell as the sphere does: to 0.005 of its radius, and 1 % of its "
-    "volume") {
+TEST_CASE("Many planes around a sphere hold a cell as the sphere does: to 0.005 of its radius, and 1 % of its volume") {
   const Mesh mesh = zoo::scaled(makeIcosphere(2), {0.9, 0.9, 0.9});
   ShellParameters round;
   round.holds = Held::vertices;  // as planes do

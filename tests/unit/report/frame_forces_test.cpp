@@ -13,8 +13,7 @@ namespace morula {
 namespace {
 
 const std::string tissue =
-    "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, drag: 1, contact: {adhesion: {default: "
-    "0.5}}}";
+    "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, drag: 1, contact: {adhesion: {default: 0.5}}}";
 const std::string spheres = "{cell: {model: sphere}, drag: 1, contact: {}}";
 const std::string solved = "{mesh: {icosphere: 1}, integrator: xpbd, contact: {}}";
 

@@ -47,9 +47,8 @@ const std::string change =
 
 TEST_CASE("What changed is one sentence, and a table") {
   CHECK(changeSentence(change) ==
-        "physics.pressure.constant: 155 → 155.5 and 1 more; same lineage; cell AB moved farthest, by 0.02 "
-        "radii "
-        "of the egg; pressure: +3 % in the mean, cell AB the most: 4 %");
+        "physics.pressure.constant: 155 → 155.5 and 1 more; same lineage; cell AB moved farthest, by 0.02 radii of the "
+        "egg; pressure: +3 % in the mean, cell AB the most: 4 %");
   const std::string table = htmlOf(Document().add(changeTable(change, {})));
   CHECK_THAT(table, ContainsSubstring("physics.pressure.constant: 155 → 155.5<br>physics.drag: 1 → &lt;i&gt;2"));
   CHECK_THAT(table, ContainsSubstring(">moved</th><td>cell AB the farthest"));

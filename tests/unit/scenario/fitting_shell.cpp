@@ -90,9 +90,8 @@ TEST_CASE("With cells at the start, and with cells as spheres, fill sizes the sh
   CHECK(cells.scene.cells[0].stretch == Vector{1, 1, 1});
   CHECK_THAT(cells.resolved, ContainsSubstring("\"cells\""));
   const std::string spheres =
-      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {time_step: 0.5, cell: {model: "
-      "sphere}, "
-      "shell: {ellipsoid: [3, 2, 2], fill: FILL}}\n";
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {time_step: 0.5, cell: {model: sphere}, shell: "
+      "{ellipsoid: [3, 2, 2], fill: FILL}}\n";
   CHECK(read(replaced(spheres, "FILL", "0.5")).scene.cells.empty());
   CHECK_THAT(complaints(replaced(spheres, "FILL", "0.9")), ContainsSubstring("does not fit into the shell"));
 }

@@ -87,21 +87,13 @@ TEST_CASE("random damage is refused or read, but never breaks the reader") {
     for (auto edits = 1 + upTo(3); edits > 0; --edits) {
       const auto at = upTo(text.size());
       switch (upTo(4)) {
-        case 0:
-          text.insert(at, 1, spice[upTo(spice.size() - 1)]);
-          break;
-        case 1:
-          text.erase(at, 1 + upTo(5));
-          break;
-        case 2:
-          text.insert(at, text.substr(upTo(text.size()), upTo(20)));
-          break;
+        case 0: text.insert(at, 1, spice[upTo(spice.size() - 1)]); break;
+        case 1: text.erase(at, 1 + upTo(5)); break;
+        case 2: text.insert(at, text.substr(upTo(text.size()), upTo(20))); break;
         case 3:
           if (at < text.size()) text[at] = spice[upTo(spice.size() - 1)];
           break;
-        default:
-          text.resize(at);
-          break;
+        default: text.resize(at); break;
       }
     }
     try {

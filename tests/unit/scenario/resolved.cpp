@@ -254,8 +254,7 @@ TEST_CASE("what cells are not made of is not resolved") {
 
 TEST_CASE("sub-steps change the meaning, and one of another integrator is all that it takes") {
   const std::string text =
-      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {time_step: 0.01, integrator: "
-      "xpbd}\n";
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {time_step: 0.01, integrator: xpbd}\n";
   CHECK(read(replaced(text, "xpbd", "xpbd, substeps: 3")).meaning != read(text).meaning);
   CHECK(complaints(replaced(text, "xpbd", "rk4, substeps: 1")) == "");
   CHECK_FALSE(complaints(replaced(text, "xpbd", "rk4, substeps: 2")) == "");

@@ -13,8 +13,7 @@ namespace {
 
 /// A scene in which every kind of sense may be, with this one as `s`.
 std::string sensing(const std::string& condition) {
-  return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(x|s)\n  g3(AB|a0, s)\nstop: {cycles: "
-         "1}\n"
+  return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(x|s)\n  g3(AB|a0, s)\nstop: {cycles: 1}\n"
          "physics: {shell: {sphere: 2}, contact: {}}\nconnections: {}\nsenses: {s: " +
          condition + "}\n";
 }

@@ -143,9 +143,7 @@ TEST_CASE("Of two spheres that stick the force changes no faster with their dist
   }
 }
 
-TEST_CASE(
-    "Adhesion shortens the automatic time step, for membranes that stick fold; of spheres only strong one "
-    "does") {
+TEST_CASE("Adhesion shortens the automatic time step, for membranes that stick fold; of spheres only strong one does") {
   const auto limitWith = [](double work, CellModel model = CellModel::shell) {
     Scene scene = sticking(resting, {work, {}});
     scene.mechanics->physics.cell.model = model;

@@ -130,8 +130,7 @@ TEST_CASE("Where no cell can come to its size the run ends when it should, one s
 }
 
 TEST_CASE(
-    "Growth stops at its size, of balls, membranes and matched shapes; what is larger stays, what shrinks "
-    "shrinks") {
+    "Growth stops at its size, of balls, membranes and matched shapes; what is larger stays, what shrinks shrinks") {
   for (CellModel model : {CellModel::sphere, CellModel::shell, CellModel::shapeMatching})
     for (const char* gene : {"grow", "shrink"}) {
       Scene scene = scenes::withBodies(std::string("START: a\ng1(a|a)\ng2(") + gene + "|a)\n", 9);

@@ -82,9 +82,7 @@ void checkVaries(const std::map<std::string, double>& values, double by) {
 
 }  // namespace
 
-TEST_CASE(
-    "The same cell has the same cycle, share and adhesion under every policy, and another with another "
-    "seed") {
+TEST_CASE("The same cell has the same cycle, share and adhesion under every policy, and another with another seed") {
   const auto all = policies();
   const World first = ranToEnd(all[0].second);
   checkVaries(birthsOf(first), 0.1);

@@ -78,9 +78,7 @@ TEST_CASE("Contact of a cell that is alone changes nothing") {
   CHECK(with.contacts->list.pairs == 0);
 }
 
-TEST_CASE(
-    "A block with few cells takes the narrowest kernels that hold them, and never wider ones than asked "
-    "for") {
+TEST_CASE("A block with few cells takes the narrowest kernels that hold them, and never wider ones than asked for") {
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     const bool wide = precision == Precision::binary64;
     CHECK(narrowestIsa(1, Isa::avx512, precision) == Isa::scalar);

@@ -26,8 +26,7 @@ Scene shortPacked() {
 }  // namespace
 
 TEST_CASE(
-    "Packed cells end in one state, whichever way, instruction set and number of threads found who touches "
-    "whom") {
+    "Packed cells end in one state, whichever way, instruction set and number of threads found who touches whom") {
   const Scene scene = shortPacked();
   const End expected = endOf(scene, {Isa::scalar, 1, {ContactSearch::bruteForce, 0.15}});
   CHECK(expected.rebuilds > 10);

@@ -128,8 +128,7 @@ TEST_CASE("A connection and a sister are perceived while they are there") {
   // A dies at time 2; B lives on.
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9);
   scene.dna = scenes::dnaThatSenses(
-      "START: a\ng1(b|a)\ng2(divide|a)\ng3(die|b, A, held)\ng4(c|b)\ng5(c|c)\ng6(alone|c, gone)\ng7(x|hasC, "
-      "hasB)\n",
+      "START: a\ng1(b|a)\ng2(divide|a)\ng3(die|b, A, held)\ng4(c|b)\ng5(c|c)\ng6(alone|c, gone)\ng7(x|hasC, hasB)\n",
       {"held", "gone", "hasB", "hasC"});
   scene.mechanics->connections =
       ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::both, 0.1, {}};

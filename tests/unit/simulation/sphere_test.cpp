@@ -168,7 +168,6 @@ TEST_CASE("Where nothing limits it, an automatic time step is refused") {
     FAIL("it was not refused");
   } catch (const InputError& e) {
     CHECK(std::string(e.what()) ==
-          "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a "
-          "number");
+          "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a number");
   }
 }

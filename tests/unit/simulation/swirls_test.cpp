@@ -47,8 +47,7 @@ const Vector oblique{1, 2, -2};
 }  // namespace
 
 TEST_CASE(
-    "chirality: in a thick medium free daughters turn by the angle, A clockwise along the axis and B against "
-    "it") {
+    "chirality: in a thick medium free daughters turn by the angle, A clockwise along the axis and B against it") {
   const World still = ranToEnd(pair(oblique, {}));
   for (const double angle : {20.0, -45.0}) {
     const World turned = ranToEnd(pair(oblique, Chirality{angle, 0.2}));

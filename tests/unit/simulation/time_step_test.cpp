@@ -148,12 +148,11 @@ TEST_CASE("A time step that is chosen twice in one step, for births and for cont
 }
 
 TEST_CASE("When the small cells die the step may grow again") {
-  World world =
-      makeWorld(scenes::withBodies("START: "
-                                   "a0\ng1(divide|a0)\ng2(a1|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a2)"
-                                   "\ng6(die|a3,A)\ng7(a3|a3)\ng8(a4|a2)\n"
-                                   "g9(divide|a1,A)\ng10(divide|a2,A)\ng11(divide|a2,B)\ng12(die|a4)\n",
-                                   9));
+  World world = makeWorld(scenes::withBodies(
+      "START: "
+      "a0\ng1(divide|a0)\ng2(a1|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a2)\ng6(die|a3,A)\ng7(a3|a3)\ng8(a4|a2)\n"
+      "g9(divide|a1,A)\ng10(divide|a2,A)\ng11(divide|a2,B)\ng12(die|a4)\n",
+      9));
   while (!finished(world)) step(world);
   bool grew = false;
   for (std::size_t i = 1; i < world.timeSteps.size(); ++i)
@@ -312,9 +311,7 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its contacts"));
 }
 
-TEST_CASE(
-    "With XPBD contacts gain no energy up to their limit, with sub-steps or without, and without much "
-    "beyond") {
+TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps or without, and without much beyond") {
   const auto mostEnergy = [](std::uint64_t substeps, double damping, double times) -> double {
     Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1, makeIcosphere(2));
     scene.mechanics->physics.integrator = Integrator::xpbd;

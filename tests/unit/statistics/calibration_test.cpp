@@ -64,8 +64,7 @@ void checkLevel(double found, std::size_t n, double least = 3.5, double most = 6
 }  // namespace
 
 TEST_CASE(
-    "The interval of a mean holds it in 95 % of samples of normal numbers, and is said to hold less of "
-    "skewed ones") {
+    "The interval of a mean holds it in 95 % of samples of normal numbers, and is said to hold less of skewed ones") {
   for (const std::size_t n : seedCounts) {
     const auto covers = [&](std::uint64_t study, bool skewed) {
       Numbers numbers(1000 * n + study + (skewed ? 1'000'000 : 0));
@@ -100,9 +99,7 @@ TEST_CASE("A paired difference is found in 5 % of studies without any, whatever 
     }
 }
 
-TEST_CASE(
-    "A family of twenty discrete measures claims a difference where there is none in 6 % of studies at "
-    "most") {
+TEST_CASE("A family of twenty discrete measures claims a difference where there is none in 6 % of studies at most") {
   for (const std::size_t n : {2, 3, 5, 10}) {
     const auto claims = [&](std::uint64_t study, bool coins) {
       Numbers numbers(4'000'000 + 1000 * n + study + (coins ? 500'000 : 0));
@@ -173,9 +170,7 @@ std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size
 
 }  // namespace
 
-TEST_CASE(
-    "A main effect is found in 5 % of studies without any though seeds place cells anew under one axis "
-    "only") {
+TEST_CASE("A main effect is found in 5 % of studies without any though seeds place cells anew under one axis only") {
   const std::vector<std::size_t> levels{2, 5};
   for (const std::size_t n : seedCounts) {
     std::array<int, 3> found{};
@@ -203,8 +198,7 @@ TEST_CASE("So it is with three and five levels of which some vary more than othe
 }
 
 TEST_CASE(
-    "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also "
-    "where "
+    "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also where "
     "contrasts vary unlike") {
   // Two axes, 2 × 3 levels; the first has the effect ±size, the second ±1 and 0. A seed moves all by a deviate of its own, and
   // with `unlike` the third level of the second axis by three times what moves the others.

@@ -96,8 +96,7 @@ TEST_CASE("samples are taken when so many cells live for the first time, beside 
 }
 
 TEST_CASE(
-    "numbers of cells are looked for where cells take many steps at once, and samples at times go on as they "
-    "were") {
+    "numbers of cells are looked for where cells take many steps at once, and samples at times go on as they were") {
   Scene scene = fourCells(true);
   scene.mechanics->contact.reset();
   scene.mechanics->connections.reset();

@@ -57,9 +57,7 @@ TEST_CASE(".schema explains the columns") {
   CHECK_THAT(s.text(0), ContainsSubstring("\"time\" REAL,  -- simulated [time]"));
 }
 
-TEST_CASE(
-    "a file without a measure's column is read as if it had not been measured, and gets it with the next "
-    "run") {
+TEST_CASE("a file without a measure's column is read as if it had not been measured, and gets it with the next run") {
   TemporaryFolder folder;
   const auto file = folder / "runs.db";
   const std::string id = fill(file);

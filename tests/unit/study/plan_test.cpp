@@ -122,9 +122,7 @@ TEST_CASE("Conditions that mean the same share their runs, however they are writ
   CHECK(conditionsThatShare(pictures).empty());
 }
 
-TEST_CASE(
-    "Ids follow from content: neither folder, comments, names of labels nor the order of axes change a "
-    "task's") {
+TEST_CASE("Ids follow from content: neither folder, comments, names of labels nor the order of axes change a task's") {
   const TemporaryFolder folder, other;
   const Plan plan = planIn(folder);
   CHECK(idsOf(planIn(other)) == idsOf(plan));

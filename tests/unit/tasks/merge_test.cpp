@@ -105,7 +105,6 @@ TEST_CASE("the merged database holds the design") {
   CHECK(db.integer("SELECT count(*) FROM condition_key WHERE \"cycle.length\" = '2' OR \"cycle.length\" = '2.0'") == 2);
   CHECK(db.integer("SELECT count(DISTINCT run_id) FROM result") == 8);
   // Every replicate has its values, through the run that it shares.
-  CHECK(db.integer("SELECT count(*) FROM replicate JOIN task USING (task_id) JOIN result USING (run_id) "
-                   "WHERE measure = "
-                   "'cells'") == 12);
+  CHECK(db.integer("SELECT count(*) FROM replicate JOIN task USING (task_id) JOIN result USING (run_id) WHERE measure "
+                   "= 'cells'") == 12);
 }

@@ -93,12 +93,10 @@ TEST_CASE("a failure is a result with its reason") {
 TEST_CASE("a cell whose name speaks of memory fails as any other") {
   const SmallStudy s(
       "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nnames: {cells: {A: "
-      "memory-A, B: memory-B}}\n"
-      "cells:\n  - {at: [0, 0, 0], stretch: [1.3, 0.877, 0.877]}\n  - {at: [9, 0, 0], stretch: [1.3, 0.877, "
-      "0.877]}\n"
-      "physics: {mesh: {icosphere: 2}, cell: {radius: 1, mass: 1}, membrane: {stiffness: 1e5, damping: "
-      "0.2}}\n");
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nnames: {cells: {A: memory-A, B: "
+      "memory-B}}\n"
+      "cells:\n  - {at: [0, 0, 0], stretch: [1.3, 0.877, 0.877]}\n  - {at: [9, 0, 0], stretch: [1.3, 0.877, 0.877]}\n"
+      "physics: {mesh: {icosphere: 2}, cell: {radius: 1, mass: 1}, membrane: {stiffness: 1e5, damping: 0.2}}\n");
   const RunStudyReport report = s.run(s.open());
   REQUIRE(report.failed.size() == 1);
   CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("numerical failure: "));
