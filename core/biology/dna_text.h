@@ -1,5 +1,5 @@
 #pragma once
-// Between text and Dna: what stands where, so that every diagnostic can name its place. Private to this room.
+// Between text and Dna: what stands where, so that every diagnostic can name its place. Private to this module.
 #include <set>
 #include <string>
 #include <string_view>

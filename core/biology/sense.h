@@ -60,7 +60,7 @@ bool holds(const Threshold& threshold, double value, bool before);
 /// nothing that is of bodies: so a lineage may be asked what genes alone make of a scene that has some.
 bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before);
 
-// Rows, by file. Private to this room.
+// Rows, by file. Private to this module.
 std::span<const SenseKindRow> bodySenses();
 std::span<const SenseKindRow> neighbourSenses();
 std::span<const SenseKindRow> distantSenses();

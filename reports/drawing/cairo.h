@@ -1,5 +1,5 @@
 #pragma once
-// What the files of this room share of cairo.
+// What the files of this module share of cairo.
 #include <cairo.h>
 
 #include <memory>

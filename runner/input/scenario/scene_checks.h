@@ -1,5 +1,5 @@
 #pragma once
-// Checks across parameters that have files of their own. Private to this room.
+// Checks across parameters that have files of their own. Private to this module.
 #include "scenario/loading.h"
 
 namespace morula::scenario {

@@ -1,5 +1,5 @@
 #pragma once
-// A file descriptor with an owner. Only for this room.
+// A file descriptor with an owner. Only for this module.
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A scene for Bullet, in plain structs: what this room is asked and what it answers.
+// A scene for Bullet, in plain structs: what this module is asked and what it answers.
 #include <vector>
 
 #include "mesh/mesh.h"
