@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/measures.h"
+
 namespace morula {
 
 namespace {
@@ -79,6 +81,20 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   return squares;
 }
 
+/// How often the surface winds around a point: what of it a ray from there crosses, outwards less inwards. The ray goes
+/// along no plane in which meshes have edges.
+int windingAround(const Point& p, const Mesh& mesh) {
+  const Vector ray{0.8017837, 0.2672613, 0.5345225};
+  int winding = 0;
+  for (const Face& f : mesh.faces) {
+    const Vector a = mesh.vertices[f[0]] - p, b = mesh.vertices[f[1]] - p, c = mesh.vertices[f[2]] - p;
+    const double ab = dot(cross(a, b), ray), bc = dot(cross(b, c), ray), ca = dot(cross(c, a), ray);
+    const bool outwards = ab > 0 && bc > 0 && ca > 0, inwards = ab < 0 && bc < 0 && ca < 0;
+    if ((outwards || inwards) && dot(cross(b - a, c - a), a) * (outwards ? 1 : -1) > 0) winding += outwards ? 1 : -1;
+  }
+  return winding;
+}
+
 double sumOfSquares(const Mesh& from, const Mesh& to) {
   double sum = 0;
   for (const double square : squaredDistances(from, to)) sum += square;
@@ -91,6 +107,17 @@ std::vector<double> measureDistances(const Mesh& from, const Mesh& to) {
   std::vector<double> distances = squaredDistances(from, to);
   for (double& d : distances) d = std::sqrt(d);
   return distances;
+}
+
+double measureDepth(const Mesh& a, const Mesh& b) {
+  const Box box = measureBox(b.vertices);
+  Mesh inside;
+  for (const Point& p : a.vertices)
+    if (p.x > box.low.x && p.y > box.low.y && p.z > box.low.z && p.x < box.high.x && p.y < box.high.y &&
+        p.z < box.high.z && windingAround(p, b) != 0)
+      inside.vertices.push_back(p);
+  const std::vector<double> depths = measureDistances(inside, b);
+  return depths.empty() ? 0 : std::ranges::max(depths);
 }
 
 double measureSurfaceDistance(const Mesh& a, const Mesh& b) {

@@ -13,4 +13,7 @@ std::vector<double> measureDistances(const Mesh& from, const Mesh& to);
 /// all. Meshes may differ. 0 for the same surface.
 double measureSurfaceDistance(const Mesh& a, const Mesh& b);
 
+/// [length] How far below the surface of the closed mesh `b` the deepest vertex of `a` lies; 0 where none is inside.
+double measureDepth(const Mesh& a, const Mesh& b);
+
 }  // namespace morula

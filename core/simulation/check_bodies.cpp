@@ -6,7 +6,10 @@
 #include "base/number_text.h"
 #include "contacts/contacts.h"
 #include "contacts/pair_energy.h"
+#include "mesh/distance.h"
+#include "mesh/measures.h"
 #include "simulation/body_failure.h"
+#include "simulation/observation.h"
 #include "simulation/stages.h"
 #include "simulation/state_fields.h"
 
@@ -103,6 +106,35 @@ void checkNumbers(const World& world) {
         checkNumbers(world, cell, field.name, {&value, 1});
       else checkNumbers(world, cell, field.name, value);
     });
+}
+
+void checkStart(const World& world) {
+  const Bodies& b = *world.bodies;
+  if (!world.contacts || world.contacts->parameters.law != ContactLaw::pair || b.areSpheres()) return;
+  const Observation now(world);
+  std::vector<Mesh> surfaces;
+  std::vector<Box> boxes;
+  for (int cell = 0; cell < b.count; ++cell) {
+    surfaces.push_back(ObservedCell(now, cell).physical()->getShape().surface);
+    boxes.push_back(measureBox(surfaces.back().vertices));
+  }
+  for (int i = 0; i < b.count; ++i)
+    for (int j = i + 1; j < b.count; ++j) {
+      const double most =
+          std::sqrt(deepestBulk) * std::min(world.contacts->radius[b.slots[i]], world.contacts->radius[b.slots[j]]);
+      const auto share = [&](double Point::*along) {
+        return std::min(boxes[i].high.*along, boxes[j].high.*along) -
+               std::max(boxes[i].low.*along, boxes[j].low.*along);
+      };
+      if (std::min({share(&Point::x), share(&Point::y), share(&Point::z)}) <= most) continue;
+      const double depth = std::max(measureDepth(surfaces[i], surfaces[j]), measureDepth(surfaces[j], surfaces[i]));
+      if (depth <= most) continue;
+      throw BodyFailure(
+          world.cells.path[j].text(), 0,
+          "it begins " + numberText(depth) + " deep in cell " + world.cells.path[i].text() + ", more than the " +
+              numberText(most) + " that contacts on this mesh hold surfaces apart over: they would stay in each other",
+          "move them apart (cells: at), or take a coarser physics.mesh or a larger physics.contact.radius");
+    }
 }
 
 }  // namespace morula

@@ -84,8 +84,10 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   try {
     beginWithBodies(world);
     checkNumbers(world);
+    checkStart(world);
   } catch (const NumericalError& e) {
-    throw InputError(e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
+    const std::string who = e.cell.empty() ? "" : "cell " + e.cell + ": ";
+    throw InputError(who + e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
   }
   return world;
 }

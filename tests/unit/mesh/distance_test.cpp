@@ -67,3 +67,27 @@ TEST_CASE("Small shifts come out to the last digits") {
   CHECK(distance > 0.5e-9);
   CHECK(distance < 1.001e-9);
 }
+
+TEST_CASE("Of balls that overlap the deepest vertex is as deep as the balls, less what faces lie below their sphere") {
+  const Mesh ball = makeIcosphere(3);
+  for (const Vector& way : {Vector{1, 0, 0}, Vector{0, 0.6, -0.8}, Vector{1 / 3.0, 2 / 3.0, 2 / 3.0}})
+    for (const double apart : {0.4, 1.2, 1.8}) {
+      const double depth = measureDepth(ball, moved(ball, apart * way));
+      const double ofBalls = std::min(apart, 2 - apart);
+      CHECK(depth < ofBalls);
+      CHECK(depth > ofBalls - 0.03);  // the nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less
+    }
+  CHECK(measureDepth(ball, moved(ball, {2.01, 0, 0})) == 0);
+  CHECK(measureDepth(ball, moved(ball, {1.2, 1.2, 1.2})) == 0);  // their boxes meet, they do not
+}
+
+TEST_CASE("Inside is where the surface winds around, not what lies in the box") {
+  Mesh cube = scenes::cube();
+  const Mesh small = scenes::scaled(scenes::cube(), 0.5), tiny = scenes::scaled(scenes::cube(), 0.05);
+  const Point corner = cube.vertices[7];
+  CHECK(measureDepth(small, cube) == Approx(corner.x / 2));
+  CHECK(measureDepth(cube, small) == 0);
+  CHECK(measureDepth(moved(tiny, 0.7 * corner), cube) > 0);
+  cube.vertices[7] = {};  // a dent
+  CHECK(measureDepth(moved(tiny, 0.7 * corner), cube) == 0);
+}
