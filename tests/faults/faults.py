@@ -318,8 +318,9 @@ def judged(place, judge, good_code, kind, how, n):
     # A run of a study that finds no memory is a failure of its own, which the study keeps and tells.
     of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
     wrong += (text for text in judge.wrong_files(now, stays) if not (of_a_run and "says that" in text))
-    # Where every file is as before, the next run begins as one without a fault does.
-    if (ended.code != good_code or killed or of_a_run) and now != judge.before:
+    if now == judge.before and ended.code != good_code:
+        pass  # the next run begins as one without a fault does
+    elif ended.code != good_code or killed or of_a_run:
         again = place.run(judge.verb.command + (["--retry-failed"] if of_a_run else []))
         # Memory that ends after the last file has taken its place ends the command, and what is whole is not replaced.
         was_whole = not list(missing_or_other(judge, now)) and "is there already" in again.err
