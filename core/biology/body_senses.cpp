@@ -6,7 +6,6 @@
 #include "biology/sense.h"
 
 namespace morula {
-
 namespace {
 
 const PhysicalUnit& bodyOf(const CellContext& cell) {

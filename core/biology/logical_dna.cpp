@@ -12,7 +12,6 @@
 #include "biology/substances.h"
 
 namespace morula {
-
 namespace {
 
 constexpr StateId unknown = std::numeric_limits<StateId>::max();
@@ -41,8 +40,7 @@ struct Sense {
   SubstanceId substance;
 };
 
-/// One gene, as seen from the input that it waits for: active if the other inputs are there too, and no
-/// repressor.
+/// One gene, as seen from the input that it waits for: active if the other inputs are there too, and no repressor.
 struct WaitingGene {
   SubstanceId product = 0;
   Substances otherInputs;

@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int leafSize = 12;  // the fastest of 4 … 21 for packed cells of 162 vertices

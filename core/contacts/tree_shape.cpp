@@ -3,7 +3,6 @@
 #include "contacts/aabb_tree.h"
 
 namespace morula {
-
 namespace {
 
 struct Builder {

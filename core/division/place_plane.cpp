@@ -6,7 +6,6 @@
 #include "division/halves.h"
 
 namespace morula {
-
 namespace {
 
 /// The height at which a share falls from above `wanted` to below it: 1 at the lower end, 0 at the upper one. Always

@@ -10,7 +10,6 @@
 #include "division/tilt.h"
 
 namespace morula {
-
 namespace {
 
 bool fitsCell(const DivisionRule& rule, std::string_view substances) {

@@ -12,8 +12,7 @@
 
 namespace morula {
 
-/// The faces between three projected vertices that look the wrong way; `outward` is the unit normal of the
-/// flat side.
+/// The faces between three projected vertices that look the wrong way; `outward` is the unit normal of the flat side.
 int countFolds(Points vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward);
 
 /// Moves projected vertices within the plane, as little as unfolds them all; at most `sweeps` times. Bodies

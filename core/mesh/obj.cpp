@@ -13,7 +13,6 @@
 #include "mesh/validity.h"
 
 namespace morula {
-
 namespace {
 
 // Names, textures, normals, materials, smoothing, points and lines: they do not change the surface.

@@ -9,7 +9,6 @@
 #include "mesh/scan_line.h"
 
 namespace morula {
-
 namespace {
 
 // The lines along one axis: the middles of equal shares of [low, high].

@@ -16,7 +16,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// Runs the cycles that are due. Returns which cells had one.

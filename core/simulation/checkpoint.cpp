@@ -8,7 +8,6 @@
 #include "simulation/scene_parts.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::string_view magic = "MORULACP";

@@ -8,7 +8,6 @@
 #include "simulation/settle.h"
 
 namespace morula {
-
 namespace {
 
 /// Written so that infinities fail.

@@ -7,7 +7,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 bool areIsolated(const World& world) {

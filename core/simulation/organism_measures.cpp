@@ -13,7 +13,6 @@
 #include "simulation/rank_correlation.h"
 
 namespace morula {
-
 namespace {
 
 using Value = std::optional<double>;

@@ -7,7 +7,6 @@
 #include <vector>
 
 namespace morula {
-
 namespace {
 
 /// Of each value, less the mean of all ranks: the least is −(n − 1)/2, the largest (n − 1)/2.

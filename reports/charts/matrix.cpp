@@ -10,7 +10,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double leastText = 6;    // [pixel] smaller letters cannot be read

@@ -10,7 +10,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 struct Circle {

@@ -6,7 +6,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 /// Both with as many digits as it takes to tell them apart, four at least.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 namespace morula {
-
 namespace {
 
 /// A polygon around the centre, of points in units of the radius.

@@ -52,9 +52,8 @@ Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Apert
 double distanceFor(const std::vector<Point>& points, const Point& centre, const EyeAxes& axes,
                    const Aperture& aperture);
 
-/// Projection of eye coordinates relative to the framing's centre (so x right, y up, z to the eye, the eye
-/// itself at z = distance), column by column as OpenGL wants it. Depths nearClip to farClip from the eye are
-/// kept.
+/// Projection of eye coordinates relative to the framing's centre (so x right, y up, z to the eye, the eye itself at z
+/// = distance), column by column as OpenGL wants it. Depths nearClip to farClip from the eye are kept.
 std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip);
 
 }  // namespace morula

@@ -93,7 +93,6 @@ void setPaper(const Program& program) {
 }
 
 OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
-
 OrganismRenderer::~OrganismRenderer() { context_->makeCurrent(); }
 
 Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const Framing& framing, int width,

@@ -10,8 +10,7 @@
 
 namespace morula {
 
-/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay
-/// whole.
+/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay whole.
 inline constexpr double shellThickness = 1.02;
 
 class OrganismRenderer {

@@ -5,7 +5,6 @@
 #include "organism/gl_context.h"
 
 namespace morula {
-
 namespace {
 
 /// "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".

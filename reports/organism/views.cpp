@@ -10,7 +10,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 struct View {

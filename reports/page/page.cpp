@@ -3,7 +3,6 @@
 #include "page/html.h"
 
 namespace morula {
-
 namespace {
 
 /// Everything is in the file, so nothing may be fetched; of programs only those of these very bytes run.

@@ -6,7 +6,6 @@
 #include "page/html.h"
 
 namespace morula {
-
 namespace {
 
 using Words = std::array<std::uint32_t, 8>;

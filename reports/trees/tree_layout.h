@@ -25,8 +25,7 @@ struct TreeLayout {
   double begin = 0, end = 0;  // [time] of the first birth and the last end
 };
 
-/// Checks the nodes and places them. The nodes must outlive the layout. Throws InputError as drawLineage
-/// does.
+/// Checks the nodes and places them. The nodes must outlive the layout. Throws InputError as drawLineage does.
 TreeLayout layoutTree(const std::vector<LineageNode>& nodes);
 
 }  // namespace morula

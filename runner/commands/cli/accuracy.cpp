@@ -1,5 +1,4 @@
-// morula accuracy: speed against error, over time steps, integrators, meshes, precisions, contact laws and
-// cell models.
+// morula accuracy: speed against error, over time steps, integrators, meshes, precisions, contact laws and cell models.
 #include "accuracy/accuracy.h"
 
 #include <fmt/format.h>
@@ -27,7 +26,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct AccuracyWords {

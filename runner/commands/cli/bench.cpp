@@ -20,7 +20,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct BenchWords {

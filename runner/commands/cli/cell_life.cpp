@@ -8,7 +8,6 @@
 #include "system/usage_error.h"
 
 namespace morula::cli {
-
 namespace {
 
 const LineageEntry* entryOf(const RunResults& tree, const CellPath& path) {

@@ -19,7 +19,6 @@
 #include "system/usage_error.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct LineageOptions {

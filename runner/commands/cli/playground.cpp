@@ -10,7 +10,6 @@
 #include "system/installation.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct PlaygroundOptions {

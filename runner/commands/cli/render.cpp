@@ -19,7 +19,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 [[noreturn]] void failAfterEnd(double time, double end) {

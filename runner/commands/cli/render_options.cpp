@@ -14,7 +14,6 @@
 #include "pictures/film.h"
 
 namespace morula::cli {
-
 namespace {
 
 /// A finite number, or nothing.

@@ -19,7 +19,6 @@
 #include "system/installation.h"
 
 namespace morula::cli {
-
 namespace {
 
 std::string usersName() {

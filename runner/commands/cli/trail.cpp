@@ -12,7 +12,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;

@@ -5,7 +5,6 @@
 #include "options/command_tree.h"
 
 namespace morula::cli {
-
 namespace {
 
 using Visit = std::function<void(const CommandInfo& command, const std::string& words)>;

@@ -17,7 +17,6 @@
 #include "system/usable_memory.h"
 
 namespace morula::cli {
-
 namespace {
 
 std::string typed;

@@ -23,7 +23,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct CompareCommand {

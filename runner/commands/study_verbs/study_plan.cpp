@@ -9,7 +9,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct PlanCommand {

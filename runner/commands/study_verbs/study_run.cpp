@@ -14,7 +14,6 @@
 #include "tasks/shard.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct RunCommand {

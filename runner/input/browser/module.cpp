@@ -14,7 +14,6 @@
 #include "values/measure_list.h"
 
 namespace morula::module {
-
 namespace {
 
 constexpr double memoryLimit = 1.5e9;      // [byte] browsers have less than programs

@@ -10,7 +10,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 std::string pathOf(std::size_t rule) { return "division.rules[" + std::to_string(rule) + "]"; }

@@ -4,7 +4,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// What is wrong, and what would be right.

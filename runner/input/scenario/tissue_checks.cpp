@@ -8,7 +8,6 @@
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// Cells that are to connect when they touch need contact; genes that are to connect them need to want it.

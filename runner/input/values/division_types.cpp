@@ -6,7 +6,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// "a or b"; "a, b, or c".

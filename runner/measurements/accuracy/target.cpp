@@ -12,7 +12,6 @@
 #include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t finestTried = 4;

@@ -10,7 +10,6 @@
 #include "system/statistics.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by rounding

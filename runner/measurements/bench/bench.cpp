@@ -4,7 +4,6 @@
 #include "engines/bullet_scene.h"
 
 namespace morula {
-
 namespace {
 
 std::vector<PlannedScene> plan(const BenchOptions& options) {

@@ -7,7 +7,6 @@
 #include "files/write_file.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30;

@@ -6,7 +6,6 @@
 #include "system/statistics.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double margins[] = {0.0025, 0.005, 0.01, 0.02};  // [share radii]

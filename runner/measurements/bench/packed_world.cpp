@@ -11,7 +11,6 @@
 #include "simulation/population.h"
 
 namespace morula {
-
 namespace {
 
 // How the state comes about; a change needs a new number, so that old files are not taken for it.

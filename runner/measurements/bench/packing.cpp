@@ -7,7 +7,6 @@
 #include "base/maths.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int rounds = 60;
@@ -15,8 +14,7 @@ constexpr double spacing = 1.7;  // [share radii] wanted between centres; 1.81 i
 
 double fraction(double a) { return a - std::floor(a); }
 
-/// Points of the recurrence with the steps 1/g, 1/g², 1/g³, g⁴ = g + 1: as even as an endless sequence can
-/// be.
+/// Points of the recurrence with the steps 1/g, 1/g², 1/g³, g⁴ = g + 1: as even as an endless sequence can be.
 std::vector<Point> spreadPoints(int count, double radius) {
   constexpr double g = 1.2207440846057596;
   std::vector<Point> points;

@@ -4,7 +4,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int verticesShown = 162;

@@ -11,7 +11,6 @@
 #include "system/statistics.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
@@ -152,8 +151,7 @@ class SceneBench {
     scene.mesh = bodies.mesh.mesh;
     scene.physics = bodies.parameters;
     scene.timeStep = subject_.world().clock.timeStep;
-    // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every
-    // step.
+    // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every step.
     scene.cells = settledBodies(packed_, options_.folder, options_.tell);
     return {scene, shareRadius(packed_.cells),
             [program = bulletProgram_](const BulletRequest& request) { return runInBullet(request, program); }};

@@ -6,7 +6,6 @@
 #include "bench/bench.h"
 
 namespace morula {
-
 namespace {
 
 Cell fixed(double value, int digits) { return {value, fmt::format("{:.{}f}", value, digits)}; }

@@ -13,7 +13,6 @@
 #include "system/clock.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double timingSeconds = 1e-3;  // [s] of one timing

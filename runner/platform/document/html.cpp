@@ -7,7 +7,6 @@
 #include "files/printable.h"
 
 namespace morula {
-
 namespace {
 
 /// Markup is text, and characters that a reader would not see are made visible.

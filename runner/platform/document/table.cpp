@@ -8,7 +8,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 std::size_t letters(const std::string& s) {

@@ -3,7 +3,6 @@
 #include "base/utf8.h"
 
 namespace morula {
-
 namespace {
 
 bool isHarmful(char32_t c) {

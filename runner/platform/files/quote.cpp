@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace morula {
-
 namespace {
 
 /// Between quotation marks, which are doubled within.

@@ -4,7 +4,6 @@
 #include "files/printable.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t maxBytes = 100, maxExtension = 10;

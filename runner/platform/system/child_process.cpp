@@ -18,7 +18,6 @@
 #include "system/process_pipe.h"
 
 namespace morula {
-
 namespace {
 
 /// Writes all or as much as the other side takes.
@@ -65,11 +64,8 @@ void limitCpuTime(int seconds) {
 }  // namespace
 
 bool ChildEnd::well() const { return WIFEXITED(status) && WEXITSTATUS(status) == 0; }
-
 bool ChildEnd::outOfTime() const { return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU; }
-
 bool ChildEnd::notStarted() const { return WIFEXITED(status) && WEXITSTATUS(status) == 127; }
-
 int ChildEnd::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 std::string ChildEnd::text() const {

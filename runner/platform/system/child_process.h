@@ -1,6 +1,5 @@
 #pragma once
-// Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its
-// stdout.
+// Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its stdout.
 #include <string>
 #include <vector>
 

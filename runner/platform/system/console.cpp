@@ -10,7 +10,6 @@
 #include "files/printable.h"
 
 namespace morula {
-
 namespace {
 
 std::string red(const std::string& text) {

@@ -21,7 +21,6 @@
 #include "system/process_pipe.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostText = 16384;  // a quarter of what a pipe takes without a reader

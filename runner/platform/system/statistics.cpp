@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace morula {
-
 namespace {
 
 /// The value below which the share lies, between neighbours in proportion.

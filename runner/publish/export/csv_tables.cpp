@@ -9,7 +9,6 @@
 #include "study_store/study_tables.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::pair<const char*, const char*> ofScopes[] = {

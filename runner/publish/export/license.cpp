@@ -7,7 +7,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 /// Those of the SPDX list (https://spdx.org/licenses) that results are published under. The newest of a

@@ -8,7 +8,6 @@
 #include "files/bytes.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint32_t replacement = 0xfffd;  // of what is no character

@@ -8,7 +8,6 @@
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

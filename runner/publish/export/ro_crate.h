@@ -1,7 +1,6 @@
 #pragma once
-// A run as a Process Run Crate: a folder with its files and ro-crate-metadata.json, which says in JSON-LD
-// which program made what out of what, when and where (RO-Crate 1.1, profile
-// https://w3id.org/ro/wfrun/process/0.5).
+// A run as a Process Run Crate: a folder with its files and ro-crate-metadata.json, which says in JSON-LD which program
+// made what out of what, when and where (RO-Crate 1.1, profile https://w3id.org/ro/wfrun/process/0.5).
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -9,7 +9,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostCommands = 4;

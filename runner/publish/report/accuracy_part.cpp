@@ -11,7 +11,6 @@
 #include "system/json_record.h"
 
 namespace morula {
-
 namespace {
 
 using Kind = Finding::Kind;

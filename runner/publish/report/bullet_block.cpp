@@ -12,7 +12,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostCells = 12;    // in the table of distances

@@ -5,7 +5,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 bool heldAgainstBullet(const CheckedScenario& c) {

@@ -6,7 +6,6 @@
 #include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostChanges = 4;  // runs that are held against the first one of their scenario

@@ -15,7 +15,6 @@
 #include "system/json_record.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTold = 40;   // failed scenarios with all that differs

@@ -6,7 +6,6 @@
 #include "golden/change.h"
 
 namespace morula {
-
 namespace {
 
 /// Where a check failed first, or what has used the most of its tolerance.

@@ -6,7 +6,6 @@
 #include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostRuns = 24;       // with links

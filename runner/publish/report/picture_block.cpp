@@ -9,7 +9,6 @@
 #include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostPictured = 8;   // runs with pictures

@@ -7,7 +7,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostColumns = 6;  // runs side by side

@@ -7,7 +7,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 /// What is stored or, of runs whose step hashes are not, what making the page has found.

@@ -12,7 +12,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 bool areOfOneScenario(const std::vector<RunFacts>& runs) {

@@ -16,7 +16,6 @@
 #include "system/usage_error.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again

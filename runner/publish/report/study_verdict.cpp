@@ -10,7 +10,6 @@
 #include "store/store.h"
 
 namespace morula {
-
 namespace {
 
 struct Trouble {

@@ -10,7 +10,6 @@
 #include "store/records.h"
 
 namespace morula {
-
 namespace {
 
 using Kind = Finding::Kind;

@@ -5,7 +5,6 @@
 #include "engines/bullet_run.h"
 
 namespace morula {
-
 namespace {
 
 std::size_t vertexCount(const World& world) {

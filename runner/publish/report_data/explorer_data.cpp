@@ -11,7 +11,6 @@
 #include "values/measure_list.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t colourSteps = 33;  // of the scale

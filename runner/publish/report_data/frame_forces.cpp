@@ -11,7 +11,6 @@
 #include "simulation/checkpoint.h"
 
 namespace morula {
-
 namespace {
 
 std::vector<ForceKind> kindsOf(const World& world) {

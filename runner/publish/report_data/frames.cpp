@@ -7,7 +7,6 @@
 #include "files/bytes.h"
 
 namespace morula {
-
 namespace {
 
 /// The box that holds a cell's vertices, and how far apart the 65536 places along each of its sides are.

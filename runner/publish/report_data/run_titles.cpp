@@ -5,7 +5,6 @@
 #include "scenario/deciding_values.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostKeys = 2;    // in a title

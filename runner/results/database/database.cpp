@@ -15,7 +15,6 @@
 #include "files/read_file.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

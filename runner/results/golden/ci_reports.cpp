@@ -14,7 +14,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 /// What XML cannot hold, not even escaped, becomes visible.

@@ -10,7 +10,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 /// One item as the golden and as the run have it; null where one of them has none.

@@ -11,7 +11,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::string_view goldenHeader = "morula golden 1";

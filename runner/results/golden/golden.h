@@ -64,9 +64,8 @@ double grownBy(const Golden& golden, std::uint64_t step);
 /// The file's text. The same golden gives the same bytes.
 std::string writeGolden(const Golden& golden);
 
-/// Reads a golden file's text. Throws InputError "file:line: …" for a line that it does not understand, a
-/// truncated file, merge markers, items twice, edited items (the last line holds their digest), a tolerance
-/// without a reason.
+/// Reads a golden file's text. Throws InputError "file:line: …" for a line that it does not understand, a truncated
+/// file, merge markers, items twice, edited items (the last line holds their digest), a tolerance without a reason.
 Golden readGolden(const std::string& text, const std::string& file);
 /// The same from a file; InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);

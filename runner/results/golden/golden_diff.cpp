@@ -7,7 +7,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 /// The last rule that matches; null if none does.

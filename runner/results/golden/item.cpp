@@ -7,7 +7,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 // Each reads a text, or tells what would have been right.

@@ -7,7 +7,6 @@
 #include "database/store_error.h"
 
 namespace morula {
-
 namespace {
 
 /// [byte] Pages of each table and of its indices; empty where this SQLite does not count them.

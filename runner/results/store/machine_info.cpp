@@ -17,7 +17,6 @@
 #include "files/read_file.h"
 
 namespace morula {
-
 namespace {
 
 /// What stands behind the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in

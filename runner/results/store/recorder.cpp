@@ -11,7 +11,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 /// Copies the faces of that mesh, unless they are there.

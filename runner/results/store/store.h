@@ -59,8 +59,7 @@ class Store {
   /// The step of the checkpoint that the run of this id can be resumed from.
   std::optional<std::uint64_t> checkpointStep(const std::string& id);
 
-  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for
-  /// `begin`.
+  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for `begin`.
   std::optional<ResumedRun> resume(const RunRecord& record);
 
   /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws

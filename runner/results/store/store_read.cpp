@@ -6,7 +6,6 @@
 #include "store/store.h"
 
 namespace morula {
-
 namespace {
 
 /// Gives equal texts one number, in order of first appearance.

@@ -5,7 +5,6 @@
 #include "database/record_table.h"
 
 namespace morula {
-
 namespace {
 
 struct PlainColumn {

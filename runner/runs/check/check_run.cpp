@@ -14,11 +14,9 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
-/// How far a vertex may stand out of the shell, in its radii: positions are projected onto it, up to
-/// rounding.
+/// How far a vertex may stand out of the shell, in its radii: positions are projected onto it, up to rounding.
 constexpr double shellSlack = 1e-6;
 
 CheckResult shellHolds(const World& world) {

@@ -15,7 +15,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 // Steps in which the work of forces is measured: all from the last good state on, or if these are more than
@@ -151,8 +150,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to
-/// it.
+/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to it.
 Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {

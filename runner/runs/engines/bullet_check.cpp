@@ -7,7 +7,6 @@
 #include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* skipped = "not checked: this build has no Bullet";

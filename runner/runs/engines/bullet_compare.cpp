@@ -9,7 +9,6 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 using Shape = std::vector<Point>;

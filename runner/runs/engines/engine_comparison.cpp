@@ -14,7 +14,6 @@
 #include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 Verdict notAsked(const std::string& why) { return {Verdict::Kind::notAsked, why, {}}; }

@@ -11,7 +11,6 @@
 #include "system/clock.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* workerVerb = "engine-worker";

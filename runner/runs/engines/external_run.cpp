@@ -9,11 +9,9 @@
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
 
-/// Of every run that its cells be cells: volumes above 0 and places that are numbers. Bullet goes on with
-/// anything.
+/// Of every run that its cells be cells: volumes above 0 and places that are numbers. Bullet goes on with anything.
 CheckParameters leastDemands() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CheckParameters check;

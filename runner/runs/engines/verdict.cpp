@@ -8,7 +8,6 @@
 #include "engines/engine_comparison.h"
 
 namespace morula {
-
 namespace {
 
 /// "0.98765432109" as "0.9877": a table is for people; all digits stand in the JSON of the check.

@@ -8,7 +8,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;

@@ -27,8 +27,7 @@ struct Explanation {
 Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every = 64);
 /// Two runs of the scenario by this program, computed so and in another way (otherExecution).
 Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every = 64);
-/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told
-/// first.
+/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told first.
 Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every = 64);
 
 }  // namespace morula

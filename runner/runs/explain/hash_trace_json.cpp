@@ -6,7 +6,6 @@
 #include "system/json_record.h"
 
 namespace morula {
-
 namespace {
 
 Hash hashFrom(const Json& j) {

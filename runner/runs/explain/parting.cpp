@@ -9,7 +9,6 @@
 #include "system/signals.h"
 
 namespace morula {
-
 namespace {
 
 /// The vertex that is the farthest from where it was before.

@@ -11,7 +11,6 @@
 #include "simulation/state_fields.h"
 
 namespace morula {
-
 namespace {
 
 /// What a field holds, for comparing. The last: [vertex][xyz] of one cell.

@@ -22,9 +22,8 @@ class StoredRunSource : public RunSource {
   std::uint64_t steps_;
 };
 
-/// What is wrong with a stored chain in itself: a row lost, put in or edited. Each link's hash must follow
-/// from its state and the link before, each state's from its parts. "" if all holds. `step`: of the first bad
-/// link.
+/// What is wrong with a stored chain in itself: a row lost, put in or edited. Each link's hash must follow from its
+/// state and the link before, each state's from its parts. "" if all holds. `step`: of the first bad link.
 std::string findBrokenLink(const std::vector<ChainLink>& chain, std::uint64_t& step);
 
 }  // namespace morula

@@ -18,7 +18,6 @@
 #include "system/signals.h"
 
 namespace morula {
-
 namespace {
 
 /// Two runs of this program that compute in different ways.

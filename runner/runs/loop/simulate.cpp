@@ -14,7 +14,6 @@
 #include "system/usable_memory.h"
 
 namespace morula {
-
 namespace {
 
 // Between looks for signals and at progress.

@@ -9,7 +9,6 @@
 #include "system/usage_error.h"
 
 namespace morula {
-
 namespace {
 
 /// What makes one run_id another one.

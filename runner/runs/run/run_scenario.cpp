@@ -23,7 +23,6 @@
 #include "system/folder_lock.h"
 
 namespace morula {
-
 namespace {
 
 /// Of what goes to the database meanwhile, what the run's golden has, too.

@@ -4,7 +4,6 @@
 #include "analysis/compare_parts.h"
 
 namespace morula {
-
 namespace {
 
 ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition) {

@@ -11,7 +11,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTroubles = 20;  // that are told

@@ -3,7 +3,6 @@
 #include "statistics/holm.h"
 
 namespace morula {
-
 namespace {
 
 /// A cell of the design: all conditions with these levels of the axes that are compared.

@@ -6,7 +6,6 @@
 #include "analysis/compare_parts.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int manyTimes = 21;

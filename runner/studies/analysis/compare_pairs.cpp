@@ -7,7 +7,6 @@
 #include "statistics/holm.h"
 
 namespace morula {
-
 namespace {
 
 using Fixed = std::vector<std::optional<std::size_t>>;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace morula {
-
 namespace {
 
 /// [condition][measure] The means in standard deviations of all values; absent: without values, or all are the same.

@@ -7,7 +7,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 /// The joins from a condition's labels to its runs.

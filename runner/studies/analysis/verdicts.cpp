@@ -12,7 +12,6 @@
 #include "simulation/asked_measure.h"
 
 namespace morula {
-
 namespace {
 
 /// Less than this between all values of a measure, over the largest of them, is nothing to go by.

@@ -11,7 +11,6 @@
 #include "statistics/sign_flip.h"
 
 namespace morula {
-
 namespace {
 
 std::vector<double> differences(std::span<const double> a, std::span<const double> b) {

@@ -8,7 +8,6 @@
 #include "statistics/sign_flip.h"
 
 namespace morula {
-
 namespace {
 
 struct Design {

@@ -5,7 +5,6 @@
 #include "files/text.h"
 
 namespace morula::study {
-
 namespace {
 
 /// Whether the line names the place of a value that the level sets.

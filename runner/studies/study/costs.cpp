@@ -11,7 +11,6 @@
 #include "system/clock.h"
 
 namespace morula::study {
-
 namespace {
 
 constexpr double rehearsedVertexSteps = 1e5;  // a hundredth of a second, and what its rates take as long

@@ -6,7 +6,6 @@
 #include "files/write_file.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t maxPlanBytes = std::uint64_t{1} << 30;

@@ -9,7 +9,6 @@
 #include "files/quote.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double secondsPerJob = 600;

@@ -15,7 +15,6 @@
 #include "tasks/study_rows.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -16,7 +16,6 @@
 #include "tasks/task_progress.h"
 
 namespace morula {
-
 namespace {
 
 /// Signals with which a process ends by its own fault. Others come from outside: from people, from the system that has no

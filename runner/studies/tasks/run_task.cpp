@@ -16,7 +16,6 @@
 #include "tasks/values.h"
 
 namespace morula {
-
 namespace {
 
 /// The scenario's `record` says already what the study measures, and every how often.

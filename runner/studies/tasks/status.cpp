@@ -9,7 +9,6 @@
 #include "simulation/memory.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

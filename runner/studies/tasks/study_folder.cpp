@@ -10,7 +10,6 @@
 #include "study_store/task_file.h"
 
 namespace morula {
-
 namespace {
 
 PlannedStudy openFolder(const StudyChoice& choice) {

@@ -6,7 +6,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 /// What a level changes, key by key: the texts of the study file.
