@@ -1,5 +1,4 @@
 // What a cell perceives of itself.
-#include <cmath>
 
 #include "base/error.h"
 #include "biology/physical_unit.h"

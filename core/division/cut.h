@@ -5,7 +5,6 @@
 // connectivity never changes and both volumes add up to the mother's. Velocities are copied, and mass is
 // shared by volume, so momentum is kept.
 #include <optional>
-#include <span>
 #include <string>
 
 #include "mesh/measures.h"

@@ -1,11 +1,14 @@
 // The passes over solid cells and lines; the others are in organism_compose.cpp.
 #include "organism/organism_renderer.h"
 
+#include <sys/utsname.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "drawing/palette.h"
+#include "organism/gl_context.h"
 #include "organism/organism_passes.h"
 
 namespace morula {
@@ -75,6 +78,14 @@ std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAx
   for (const CellShape& cell : picture.cells) std::for_each(cell.vertices.begin(), cell.vertices.end(), keep);
   for (const LineMark& line : picture.lines) keep(line.from), keep(line.to);
   return {std::max(nearest, 0.02 * framing.distance), farthest};
+}
+
+/// "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".
+std::string mesaVersion() {
+  const OffscreenContext context;
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  const std::string version = text ? text : "unknown";
+  return version.substr(version.rfind(' ') + 1);
 }
 
 }  // namespace
@@ -305,6 +316,12 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
   targets_->secondVisible.bind(0);
   fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
+}
+
+std::string rendererName() {
+  utsname machine{};
+  const std::string kind = uname(&machine) == 0 ? machine.machine : "unknown";
+  return "mesa-" + mesaVersion() + '/' + kind;
 }
 
 }  // namespace morula

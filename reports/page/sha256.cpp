@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "page/html.h"
+#include "page/page.h"
 
 namespace morula {
 namespace {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "accuracy/into_golden.h"
 #include "accuracy/settling_error.h"
@@ -16,7 +15,6 @@
 #include "loop/simulate.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/program.h"
 #include "options/verb.h"
 #include "physics/integrator.h"

@@ -13,7 +13,7 @@
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/verb.h"
-#include "organism/views.h"
+#include "organism/camera.h"
 #include "pictures/film.h"
 #include "pictures/pictures.h"
 #include "system/console.h"

@@ -1,6 +1,5 @@
 // morula run: simulate, store, check, draw.
 #include <map>
-#include <memory>
 #include <set>
 
 #include "base/error.h"

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "explain/explain.h"
-#include "explain/hash_trace_json.h"
+#include "explain/run_source.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"

@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "database/store_error.h"
-#include "files/quote.h"
 #include "files/text.h"
 #include "options/exit_codes.h"
 #include "store/build_info.h"

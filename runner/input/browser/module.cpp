@@ -3,7 +3,6 @@
 #include "wasm/module.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/floating_point.h"
 #include "physics/integrator.h"

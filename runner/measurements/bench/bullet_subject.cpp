@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mesh/measures.h"
-#include "system/statistics.h"
+#include "system/clock.h"
 
 namespace morula {
 namespace {

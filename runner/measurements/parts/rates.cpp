@@ -1,7 +1,6 @@
 #include "parts/rates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.h"
 #include "bench/packed_world.h"

@@ -1,10 +1,9 @@
 // Documents as HTML. Every text of theirs passes through `safe`, and through nothing else.
-#include "page/html.h"
-
 #include <fmt/format.h>
 
 #include "document/document.h"
 #include "files/printable.h"
+#include "page/page.h"
 
 namespace morula {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "base/number_text.h"
 #include "files/printable.h"
-#include "files/quote.h"
 #include "files/text.h"
 
 namespace morula {

@@ -10,12 +10,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <thread>
 
 #include "base/error.h"
 #include "files/folders.h"
-#include "system/process_pipe.h"
 
 namespace morula {
 namespace {
@@ -62,6 +60,21 @@ void limitCpuTime(int seconds) {
 }
 
 }  // namespace
+
+FileError processError(const std::string& what) {
+  return FileError("a process of its own: " + what + ": " + std::strerror(errno));
+}
+
+std::string readToEnd(int from) {
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (true) {
+    const ssize_t n = ::read(from, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+}
 
 bool ChildEnd::well() const { return WIFEXITED(status) && WEXITSTATUS(status) == 0; }
 bool ChildEnd::outOfTime() const { return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU; }

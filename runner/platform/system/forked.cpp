@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -18,7 +17,7 @@
 
 #include "base/error.h"
 #include "files/read_file.h"
-#include "system/process_pipe.h"
+#include "system/child_process.h"
 
 namespace morula {
 namespace {

@@ -9,8 +9,8 @@
 #include "golden/change.h"
 #include "pictures/pictures.h"
 #include "report/check_tables.h"
-#include "report/golden_pictures.h"
 #include "report/parts.h"
+#include "report/run_blocks.h"
 #include "system/installation.h"
 #include "system/json_record.h"
 

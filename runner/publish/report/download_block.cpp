@@ -1,7 +1,7 @@
 // What of the runs can be taken along: tables, trees, and where the databases are.
 #include <set>
 
-#include "export/csv_tables.h"
+#include "export/csv.h"
 #include "export/newick.h"
 #include "report/run_blocks.h"
 

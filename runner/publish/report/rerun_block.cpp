@@ -1,7 +1,6 @@
-#include "report/rerun_block.h"
-
-#include "files/quote.h"
+#include "files/text.h"
 #include "library/scene_format.h"
+#include "report/run_blocks.h"
 #include "report_data/words.h"
 #include "system/installation.h"
 #include "system/json.h"

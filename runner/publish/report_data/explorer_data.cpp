@@ -1,7 +1,6 @@
 #include "report_data/explorer_data.h"
 
 #include <cstdio>
-#include <set>
 
 #include "drawing/palette.h"
 #include "files/printable.h"

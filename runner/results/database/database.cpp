@@ -8,7 +8,7 @@
 #include <new>
 
 #include "base/error.h"
-#include "base/read_hash.h"
+#include "base/hash.h"
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "files/printable.h"

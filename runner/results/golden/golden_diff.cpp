@@ -1,7 +1,6 @@
 #include "golden/golden_diff.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "golden/number_text.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/read_hash.h"
+#include "base/hash.h"
 #include "golden/number_text.h"
 
 namespace morula {

@@ -20,7 +20,6 @@
 #include "store/contents.h"
 #include "store/records.h"
 #include "store/table_difference.h"
-#include "store/table_rows.h"
 
 namespace morula {
 
@@ -103,7 +102,7 @@ class Store {
   /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
-  /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
+  /// A table's rows as they stand [store/contents.h]. `id`: of this run alone, "": of all.
   std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
   void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take) {
     morula::eachRow(db_, table, id, take);

@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "files/folders.h"
-#include "files/quote.h"
+#include "files/text.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
-#include "organism/renderer_name.h"
+#include "organism/organism_renderer.h"
 #include "pictures/pictures.h"
 #include "scenario/deciding_values.h"
 #include "simulation/measures.h"

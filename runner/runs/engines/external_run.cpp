@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "check/invariants.h"
 #include "engines/bullet_run.h"
-#include "engines/messages.h"
+#include "engines/engine_worker.h"
 #include "simulation/measures.h"
 
 namespace morula {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "analysis/compare_parts.h"
 #include "analysis/compare_tables.h"

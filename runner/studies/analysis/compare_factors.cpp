@@ -1,6 +1,6 @@
 // Main effects and interactions.
 #include "analysis/compare_parts.h"
-#include "statistics/holm.h"
+#include "statistics/equivalence.h"
 
 namespace morula {
 namespace {

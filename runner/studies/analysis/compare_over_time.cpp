@@ -1,7 +1,6 @@
 // Time courses.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "analysis/compare_parts.h"
 

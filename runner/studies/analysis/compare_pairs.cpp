@@ -4,7 +4,7 @@
 #include <set>
 
 #include "analysis/compare_parts.h"
-#include "statistics/holm.h"
+#include "statistics/equivalence.h"
 
 namespace morula {
 namespace {

@@ -3,7 +3,6 @@
 #include "analysis/study_results.h"
 #include "base/number_text.h"
 #include "database/database.h"
-#include "files/quote.h"
 #include "files/text.h"
 
 namespace morula {

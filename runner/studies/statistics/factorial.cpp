@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "statistics/distributions.h"
-#include "statistics/mean.h"
+#include "statistics/means.h"
 #include "statistics/sign_flip.h"
 
 namespace morula {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "files/quote.h"
+#include "files/text.h"
 
 namespace morula {
 namespace {
