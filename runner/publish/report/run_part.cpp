@@ -140,6 +140,7 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
   return table;
 }
 
+/// What must be known first of one run: what failed, what is not sane, what is ambiguous.
 std::vector<Finding> findingsOf(const RunFacts& facts) {
   std::vector<Finding> findings;
   const StoredRun& run = facts.run;
