@@ -47,8 +47,8 @@ class OrganismRenderer {
   std::unique_ptr<Targets> targets_;
 };
 
-/// What draws organisms here, "mesa-22.3.6/x86_64", one word: only pictures of one renderer, without words, are the same
-/// to the pixel.
+/// What draws organisms here, "mesa-22.3.6/x86_64", one word: only pictures of one renderer, without words, are the
+/// same to the pixel.
 std::string rendererName();
 
 }  // namespace morula

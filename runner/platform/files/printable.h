@@ -1,6 +1,7 @@
 #pragma once
-// Text of unknown origin made safe to show, and file names made from it. Names, keys, file names, DNA and databases may hold bytes that a terminal
-// obeys: they could move the cursor, rewrite earlier lines, change the window's title, or reverse what is read.
+// Text of unknown origin made safe to show, and file names made from it. Names, keys, file names, DNA and databases may
+// hold bytes that a terminal obeys: they could move the cursor, rewrite earlier lines, change the window's title, or
+// reverse what is read.
 #include <string>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The organism's shape at many times, small enough to be put into a page: positions as 16-bit numbers over each cell's box;
-// and the forces on the cells of a frame, by kind.
+// The organism's shape at many times, small enough to be put into a page: positions as 16-bit numbers over each cell's
+// box; and the forces on the cells of a frame, by kind.
 #include <cstdint>
 #include <map>
 #include <optional>

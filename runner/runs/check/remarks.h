@@ -1,6 +1,7 @@
 #pragma once
 // What is to be said of a run though it is fine: whether a quasi-static one came as near to equilibrium as its scenario
-// asks, and divisions across the longest extent of cells that have none: another mesh or time step may cut them elsewhere.
+// asks, and divisions across the longest extent of cells that have none: another mesh or time step may cut them
+// elsewhere.
 #include <functional>
 #include <string>
 #include <vector>

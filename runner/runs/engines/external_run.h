@@ -65,7 +65,7 @@ struct ExternalRun {
 
 using OnStep = std::function<void(std::uint64_t)>;
 
-/// In this process: what was asked in JSON (engine_worker.h). `onStep` is called with the number of each step that is done.
+/// In this process: what was asked in JSON (engine_worker.h). `onStep` is called with the number of each step.
 ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// The conditions of a study: each combination of levels, with its scenario loaded and ready to run; and the same mistake
-// in many of them, told once.
+// The conditions of a study: each combination of levels, with its scenario loaded and ready to run; and the same
+// mistake in many of them, told once.
 #include <map>
 #include <set>
 #include <string>
