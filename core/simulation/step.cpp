@@ -45,14 +45,6 @@ std::uint64_t wholeStepsUntilEnd(const World& world) {
   return endsLate(world, steps) ? steps - 1 : steps;
 }
 
-}  // namespace
-
-double timeAfter(const Clock& clock, std::uint64_t steps) {
-  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
-}
-
-namespace {
-
 /// While the step before the planned end is made, it is the clock's time step. What comes after it, if the
 /// run goes on to a later end, has the usual one again.
 class LastStep {
@@ -77,7 +69,29 @@ class LastStep {
   double usual_;
 };
 
+void refreshLists(World& world) {
+  const Bodies& bodies = *world.bodies;
+  world.contacts->list.mostBytes = memoryForLists(world);
+  try {
+    refreshList(*world.contacts, bodies, world.execution.threads);
+  } catch (const ListsTooLong& lists) {
+    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
+    throw NumericalError(
+        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
+        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
+            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
+            " leaves them: cells are in one another",
+        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
+        "raise --memory-limit",
+        Want::memory);
+  }
+}
+
 }  // namespace
+
+double timeAfter(const Clock& clock, std::uint64_t steps) {
+  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
+}
 
 void step(World& world) {
   if (settles(world)) return stepQuasiStatic(world);
@@ -98,28 +112,6 @@ void step(World& world) {
   runCellCycles(world, before, dueUntil(world, before));
   followContacts(world);
 }
-
-namespace {
-
-void refreshLists(World& world) {
-  const Bodies& bodies = *world.bodies;
-  world.contacts->list.mostBytes = memoryForLists(world);
-  try {
-    refreshList(*world.contacts, bodies, world.execution.threads);
-  } catch (const ListsTooLong& lists) {
-    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
-    throw NumericalError(
-        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
-        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
-            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
-            " leaves them: cells are in one another",
-        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
-        "raise --memory-limit",
-        Want::memory);
-  }
-}
-
-}  // namespace
 
 void movePhysics(World& world, double timeStep) {
   if (world.bodies->count == 0) return;

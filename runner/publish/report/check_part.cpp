@@ -8,7 +8,6 @@
 #include "files/read_file.h"
 #include "golden/change.h"
 #include "pictures/pictures.h"
-#include "report/check_tables.h"
 #include "report/parts.h"
 #include "report/run_blocks.h"
 #include "system/installation.h"

@@ -1,9 +1,8 @@
-#include "report/check_tables.h"
-
 #include <algorithm>
 
 #include "base/number_text.h"
 #include "golden/change.h"
+#include "report/run_blocks.h"
 
 namespace morula {
 namespace {

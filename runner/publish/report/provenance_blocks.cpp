@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 
-#include "report/check_tables.h"
 #include "report/run_blocks.h"
 #include "scenario/deciding_values.h"
 #include "system/json.h"

@@ -8,7 +8,6 @@
 #include "check/remarks.h"
 #include "files/printable.h"
 #include "report/bullet_block.h"
-#include "report/check_tables.h"
 #include "report/parts.h"
 #include "report/run_blocks.h"
 #include "report_data/words.h"
