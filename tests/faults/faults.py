@@ -388,6 +388,7 @@ def main():
                     place.restore()
                     came_from = [(kind, where) for where in place.places(verb.command, kind)]
                     at = [n for n, where in enumerate(came_from, 1) if where not in known and not known.add(where)]
+                    at = at[(len(at) // 2) % options.every::options.every]
                 else:
                     at = [options.at] if options.at else numbers(count, kind, options.every)
                 for n in at:

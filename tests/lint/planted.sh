@@ -80,11 +80,17 @@ fprintf(stderr, text);
 printf("%s", text);
 fputs(text, stdout);
 fmt::print("{}", text);
+std::istringstream words(text);
+while (getline(in, line)) use(line);
 PLANTS
     printf '%s\n' '// std::ifstream, fopen(x), std::cerr' 'namespace fs = std::filesystem;' '#include <filesystem>' \
       'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/commands/cli/a.cpp"
     echo 'std::ifstream in(::open(x));' >"$work/runner/platform/files/b.cpp"
     echo 'std::cout << text;' >"$work/runner/platform/system/console.cpp"
+    plant="in files/"
+    echo 'for (const auto& entry : fs::recursive_directory_iterator(folder)) use(entry);' >"$work/runner/platform/files/c.cpp"
+    finds "files/c.cpp:1:" "$here/files.sh" "$work/runner"
+    rm "$work/runner/platform/files/c.cpp"
     plant=
     passes "comments, texts, paths and the folders that may" "$here/files.sh" "$work/runner"
     finds "there is no source" "$here/files.sh" "$work/runner/store"

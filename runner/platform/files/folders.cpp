@@ -1,6 +1,10 @@
 #include "files/folders.h"
 
+#include <dirent.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <memory>
 
 #include "base/error.h"
 
@@ -28,6 +32,29 @@ fs::path realPath(const fs::path& path) {
   auto real = fs::weakly_canonical(path.empty() ? fs::path(".") : path, error);
   if (error) refuse(path, "cannot be looked at", error);
   return real.is_absolute() ? real : absolutePath(real);
+}
+
+/// visit(its name) for each entry of the folder. The iterators of std::filesystem end the program where memory ends.
+template <class Visit>
+void eachEntry(const fs::path& folder, Visit visit) {
+  const auto refuseNow = [&] { refuse(folder, "cannot be listed", {errno, std::generic_category()}); };
+  const std::unique_ptr<DIR, int (*)(DIR*)> stream(::opendir(folder.c_str()), ::closedir);
+  if (!stream) refuseNow();
+  while (errno = 0, true) {
+    const dirent* const entry = ::readdir(stream.get());
+    if (!entry && errno) refuseNow();
+    if (!entry) return;
+    if (const std::string_view name = entry->d_name; name != "." && name != "..") visit(name);
+  }
+}
+
+void addFilesBelow(const fs::path& folder, const std::string& extension, std::vector<fs::path>& files) {
+  eachEntry(folder, [&](std::string_view name) {
+    const fs::path file = folder / name;
+    std::error_code ignored;
+    if (fs::is_directory(fs::symlink_status(file, ignored))) addFilesBelow(file, extension, files);
+    else if (file.extension() == extension && fs::is_regular_file(file, ignored)) files.push_back(file);
+  });
 }
 
 }  // namespace
@@ -69,20 +96,14 @@ bool removeFile(const fs::path& file) {
 
 std::vector<fs::path> namesIn(const fs::path& folder) {
   std::vector<fs::path> names;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    names.push_back(entry->path().filename());
-  if (error) refuse(folder, "cannot be listed", error);
+  eachEntry(folder, [&](std::string_view name) { names.emplace_back(name); });
   std::sort(names.begin(), names.end());
   return names;
 }
 
 std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
-  std::error_code error, ignored;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == extension && entry->is_regular_file(ignored)) files.push_back(entry->path());
-  if (error) refuse(folder, "cannot be listed", error);
+  addFilesBelow(folder, extension, files);
   std::sort(files.begin(), files.end());
   return files;
 }

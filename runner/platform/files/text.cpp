@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace morula {
 namespace {
@@ -30,12 +29,17 @@ std::string join(const std::vector<std::string>& words, const std::string& last)
   return text;
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+std::vector<std::string> partsOf(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    parts.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return parts;
 }
+
+std::vector<std::string> linesOf(std::string_view text) { return partsOf(text, '\n'); }
 
 std::vector<std::string> wordsOf(std::string_view line) {
   constexpr const char* blanks = " \t\r";

@@ -10,8 +10,10 @@ namespace morula {
 /// "a, b, c", or "a, b or c" with " or " before the last one.
 std::string join(const std::vector<std::string>& words, const std::string& last = ", ");
 
+/// Between separators; behind the last one only what is not empty.
+std::vector<std::string> partsOf(std::string_view text, char separator);
 /// Without their ends.
-std::vector<std::string> linesOf(const std::string& text);
+std::vector<std::string> linesOf(std::string_view text);
 std::string firstLine(const std::string& text);
 /// What stands between blanks and tabs, up to a '#', which begins a comment.
 std::vector<std::string> wordsOf(std::string_view line);

@@ -9,14 +9,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <sstream>
 #include <utility>
 
 #include "base/error.h"
 #include "files/read_file.h"
+#include "files/text.h"
 #include "system/child_process.h"
 
 namespace morula {
@@ -33,20 +34,21 @@ void lower(decltype(RLIMIT_CPU) what, rlim_t most) {
 
 /// [byte] Of address space that this process has.
 std::uint64_t addressSpace() {
-  std::istringstream words(readHead("/proc/self/statm", 128));
   std::uint64_t pages = 0;
-  words >> pages;
+  const std::string all = readHead("/proc/self/statm", 128);
+  std::from_chars(all.data(), all.data() + all.size(), pages);
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// Of this process; 1 where the system does not tell.
 int threadsNow() {
   const std::string stat = readHead("/proc/self/stat", 1024);
-  std::istringstream words(stat.substr(stat.rfind(')') + 1));  // behind the program's name
-  std::string word;
-  for (int i = 0; i < 17; ++i) words >> word;
-  int threads = 1;  // its 20th field
-  return words >> threads ? threads : 1;
+  const std::vector<std::string> words =
+      wordsOf(std::string_view(stat).substr(stat.rfind(')') + 1));  // behind its name
+  int threads = 1;
+  if (words.size() > 17)
+    std::from_chars(words[17].data(), words[17].data() + words[17].size(), threads);  // the 20th field
+  return threads;
 }
 
 void limit(const ForkedLimits& limits) {

@@ -4,37 +4,37 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <sstream>
 #include <string_view>
 
 #include "files/read_file.h"
+#include "files/text.h"
 
 namespace morula {
 namespace {
 
 constexpr double share = 0.9;
 
+/// Infinite where it is none.
+double numberFrom(const std::string& text) {
+  double number = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc() ? number : INFINITY;
+}
+
 /// [byte] What stands behind the line's name in /proc/meminfo; infinite if it does not say.
 double freeOfMachine() {
-  std::istringstream file(readHead("/proc/meminfo", 65536));
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string name;
-    double kilobytes = 0;
-    if (words >> name >> kilobytes && name == "MemAvailable:") return 1024 * kilobytes;
-  }
+  for (const std::string& line : linesOf(readHead("/proc/meminfo", 65536)))
+    if (const auto words = wordsOf(line); words.size() > 1 && words[0] == "MemAvailable:")
+      return 1024 * numberFrom(words[1]);
   return INFINITY;
 }
 
 /// [byte] The only number in a file of the control groups; infinite if it is "max", or not there.
-double numberIn(const std::string& file) {
-  double number = 0;
-  return std::istringstream(readHead(file, 64)) >> number ? number : INFINITY;
-}
+double numberIn(const std::string& file) { return numberFrom(readHead(file, 64)); }
 
 /// Control groups of version 2, as containers see their own.
 double freeOfGroup() {

@@ -1,21 +1,12 @@
 #include "database/record_table.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
-#include <sstream>
 
 #include "base/error.h"
+#include "files/text.h"
 
 namespace morula {
-namespace {
-
-std::vector<std::string> words(const char* text) {
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), {}};
-}
-
-}  // namespace
 
 std::vector<std::string> columnNames(Database& db, const std::string& table) {
   std::vector<std::string> names;
@@ -29,7 +20,7 @@ SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeN
   SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning};
   // Value by value: to look into an IN of several SQLite makes a table anew for each row, which takes as long as storing the row.
   std::string checks;
-  for (const std::string& word : words(field.oneOf))
+  for (const std::string& word : wordsOf(field.oneOf))
     checks += (checks.empty() ? "" : " OR ") + name + " = '" + word + "'";
   if (!checks.empty()) column.type += " CHECK (" + checks + ")";
   if (*field.refersTo) column.type += std::string(" REFERENCES ") + field.refersTo + " ON DELETE CASCADE";
@@ -44,7 +35,7 @@ std::vector<SqlColumn> contextColumns(const TableInfo& info) {
                                     {.name = "number", .meaning = "in their order"},
                                     {.name = "task_id"}};
   std::vector<SqlColumn> columns;
-  for (const std::string& name : words(info.context)) {
+  for (const std::string& name : wordsOf(info.context)) {
     const auto* field = std::find_if(std::begin(known), std::end(known), [&](auto& f) { return f.name == name; });
     MORULA_CHECK(field != std::end(known), name);
     const bool isText = name.ends_with("_id");
@@ -84,7 +75,7 @@ std::string SqlTable::select(Database& db, const std::string& where, const std::
   for (const SqlColumn& c : own)
     names += (names.empty() ? "" : ", ") + std::string(c.isMeasure && !known.contains(c.name) ? "NULL AS " : "") +
              sqlName(c.name);
-  for (const std::string& key : words(info.context))
+  for (const std::string& key : wordsOf(info.context))
     if (key != "number") conditions += (conditions.empty() ? "" : " AND ") + key + " = ?";
   return "SELECT " + names + " FROM " + sqlName(info.name) + (conditions.empty() ? "" : " WHERE " + conditions) +
          " ORDER BY " +

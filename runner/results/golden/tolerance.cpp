@@ -15,7 +15,7 @@ constexpr const char* ruleForm =
     "`tolerance PATTERN exact|abs X|rel X [scale X]|ulp N [until_step N] why \"…\"` is expected";
 
 /// The words of a line; what stands in quotes is one word, which keeps its quotes off.
-std::vector<std::string> wordsOf(std::string_view line, const std::string& place) {
+std::vector<std::string> fieldsOf(std::string_view line, const std::string& place) {
   std::vector<std::string> words;
   while (!line.empty()) {
     const bool quoted = line.front() == '"';
@@ -74,7 +74,7 @@ std::string ToleranceRule::text() const {
 }
 
 ToleranceRule readRule(std::string_view line, const std::string& place) {
-  const std::vector<std::string> words = wordsOf(line, place);
+  const std::vector<std::string> words = fieldsOf(line, place);
   std::size_t next = 1;
   const auto fail = [&](const std::string& what) { return InputError(place + ": " + what + "; " + ruleForm); };
   const auto word = [&](const char* what) {

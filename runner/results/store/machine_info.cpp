@@ -1,5 +1,6 @@
 #include "store/machine_info.h"
 
+#include <fmt/format.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -7,11 +8,11 @@
 #include <ctime>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "base/error.h"
 #include "base/hash.h"
 #include "files/read_file.h"
+#include "files/text.h"
 #include "store/build_info.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -23,8 +24,7 @@ namespace {
 /// What stands behind the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
 /// "model name"; others give no name there, so only the architecture (in `kernel`) is known.
 std::string cpuInfo(const std::string& name) {
-  std::istringstream file(readHead("/proc/cpuinfo", 1 << 20));
-  for (std::string line; std::getline(file, line);)
+  for (const std::string& line : linesOf(readHead("/proc/cpuinfo", 1 << 20)))
     if (line.starts_with(name))
       if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
   return "unknown";
@@ -33,9 +33,8 @@ std::string cpuInfo(const std::string& name) {
 std::string cpuFeatures() {
   std::string all = cpuInfo("flags");               // x86
   if (all == "unknown") all = cpuInfo("Features");  // ARM
-  std::istringstream words(all);
   std::set<std::string> features;
-  for (std::string word; words >> word;)
+  for (const std::string& word : wordsOf(all))
     for (const char* kind : {"sse", "ssse", "avx", "fma", "f16c", "amx", "fp", "asimd", "sve"})
       if (word.starts_with(kind)) features.insert(word);
   std::string text;
@@ -58,9 +57,7 @@ std::string fpEnvironment() {
   std::string text = roundingName() + (smallest / 2 > 0 ? ", denormals kept" : ", denormals flushed");
 #ifdef __SSE2__
   constexpr unsigned flags = 0x3f;  // what has happened so far: no part of how it computes
-  std::ostringstream number;
-  number << std::hex << (_mm_getcsr() & ~flags);
-  text += ", MXCSR 0x" + number.str();
+  text += fmt::format(", MXCSR {:#x}", _mm_getcsr() & ~flags);
 #endif
   return text;
 }

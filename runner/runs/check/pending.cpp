@@ -1,7 +1,6 @@
 #include "check/pending.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -56,9 +55,9 @@ Origin originOf(const Scenario& scenario) { return {absolutePath(scenario.file).
 Origin readOrigin(const fs::path& file) {
   Origin origin;
   if (!fileExists(file)) return origin;
-  std::istringstream lines(readFile(file));
-  std::getline(lines, origin.scenario);
-  std::getline(lines, origin.build);
+  const std::vector<std::string> lines = linesOf(readFile(file));
+  if (lines.size() > 0) origin.scenario = lines[0];
+  if (lines.size() > 1) origin.build = lines[1];
   return origin;
 }
 

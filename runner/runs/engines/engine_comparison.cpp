@@ -8,13 +8,13 @@
 #include <cctype>
 #include <charconv>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "base/error.h"
 #include "document/table.h"
 #include "engines/bullet_scene.h"
 #include "engines/engine_worker.h"
+#include "files/text.h"
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"
 #include "system/child_process.h"
@@ -130,8 +130,7 @@ std::string firstPart(const std::string& why) { return why.substr(0, std::min(wh
 
 std::vector<Engine> parseEngines(const std::string& text) {
   std::vector<Engine> engines;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : partsOf(text, ',')) {
     const std::size_t before = engines.size();
     for (const Engine engine : {Engine::thesis, Engine::b1, Engine::b2, Engine::b3})
       if (word == name(engine) || (word == "bullet" && (engine == Engine::b1 || engine == Engine::b2)))

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <set>
-#include <sstream>
 
 #include "base/error.h"
 #include "base/multiples.h"
 #include "document/words.h"
 #include "files/folders.h"
 #include "files/read_file.h"
+#include "files/text.h"
 #include "files/write_file.h"
 #include "pictures/frame_file.h"
 #include "simulation/measures.h"
@@ -25,10 +25,9 @@ constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the 
 }  // namespace
 
 Colour Palette::colourOf(const std::string& substances) {
-  std::istringstream words(substances);
   std::vector<Colour> colours;
   std::set<std::string> names;
-  for (std::string substance; words >> substance;)
+  for (const std::string& substance : wordsOf(substances))
     if (const auto* entry = colourEntryOf(scenario_, substance)) {
       colours.push_back(parseColour(entry->second));
       names.insert(entry->first);
