@@ -7,7 +7,6 @@
 #endif
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t line = 64;

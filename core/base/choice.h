@@ -1,7 +1,10 @@
 #pragma once
-// What a scenario may choose between: an enumeration, and one row per value.
+// What a scenario may choose between: an enumeration, and one row per value; and from a name to its value.
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace morula {
 
@@ -36,6 +39,25 @@ std::string namesOf() {
   for (const auto& row : choices<E>)
     list += (list.empty() ? "" : &row == &choices<E>.back() ? " or " : ", ") + std::string(row.name);
   return list;
+}
+
+template <class E>
+std::optional<E> valueNamed(std::string_view name) {
+  for (const auto& row : choices<E>)
+    if (name == row.name) return row.value;
+  return std::nullopt;
+}
+
+/// Throws InputError: "'sold' is not known; needs solid, wireframe or both; did you mean solid?"
+[[noreturn]] void refuseName(std::string_view word, const std::vector<std::string>& names);
+
+/// Throws InputError for any other name.
+template <class E>
+E parseChoice(std::string_view word) {
+  if (const auto value = valueNamed<E>(word)) return *value;
+  std::vector<std::string> names;
+  for (const auto& row : choices<E>) names.emplace_back(row.name);
+  refuseName(word, names);
 }
 
 }  // namespace morula

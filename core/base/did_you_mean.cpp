@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace morula {
-
 namespace {
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

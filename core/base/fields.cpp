@@ -7,7 +7,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "values lie in the file as they lie in memory");

@@ -1,9 +1,11 @@
 #pragma once
 // XXH3-128 over named fields, never over raw structs: padding, pointers and byte order cannot leak in.
-#include <array>
+// Hashes out of texts: the way back from Hash::text.
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,5 +46,14 @@ class Hasher {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// 32 hexadecimal digits, as Hash::text writes them.
+inline std::optional<Hash> readHash(std::string_view text) {
+  if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != text.npos) return std::nullopt;
+  Hash hash;
+  std::from_chars(text.data(), text.data() + 16, hash.high, 16);
+  std::from_chars(text.data() + 16, text.data() + 32, hash.low, 16);
+  return hash;
+}
 
 }  // namespace morula

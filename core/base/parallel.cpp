@@ -15,7 +15,6 @@
 #include "base/floating_point.h"
 
 namespace morula {
-
 namespace {
 
 tbb::task_arena& arena(int threads) {

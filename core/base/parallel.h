@@ -1,12 +1,10 @@
 #pragma once
-// Threads split work by index only; each index writes its own memory, so the number of threads cannot change
-// a bit.
+// Threads split work by index only; each index writes its own memory, so the number of threads cannot change a bit.
 #include <type_traits>
 
 namespace morula {
 
-/// Calls body(context, i) for i in 0 … count−1 on up to `threads` threads. With one thread, or one index, it
-/// is a loop.
+/// Calls body(context, i) for i in 0 … count−1 on up to `threads` threads. With one thread, or one index, it is a loop.
 void parallelFor(int count, int threads, void (*body)(void* context, int index), void* context);
 
 template <class Body>

@@ -3,6 +3,7 @@
 // implementation. Asked once per cell and cell cycle, never inside a vertex loop.
 #include <string>
 
+#include "base/error.h"
 #include "biology/cell_context.h"
 
 namespace morula {
@@ -35,7 +36,9 @@ class BiologicalUnit {
   virtual std::string describe(StateId state) const = 0;
   /// The state with this description: how a stored cell gets its state back. Throws InputError if there can be
   /// none; in a biology without one of its own, always.
-  virtual StateId stateOf(const std::string& description);
+  virtual StateId stateOf(const std::string& /*description*/) {
+    throw InputError("this biology cannot tell states by their descriptions; it needs a stateOf of its own");
+  }
 };
 
 }  // namespace morula

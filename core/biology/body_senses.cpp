@@ -1,12 +1,10 @@
 // What a cell perceives of itself.
-#include <cmath>
 
 #include "base/error.h"
 #include "biology/physical_unit.h"
 #include "biology/sense.h"
 
 namespace morula {
-
 namespace {
 
 const PhysicalUnit& bodyOf(const CellContext& cell) {

@@ -87,8 +87,7 @@ class CellContext {
   virtual std::optional<Vector> nearestShellNormal() const { return {}; }
   /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.
   virtual Point organismCentre() const { return {}; }
-  /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none
-  /// had any.
+  /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none had any.
   virtual const Vector* inheritedPolarity() const { return nullptr; }
 };
 

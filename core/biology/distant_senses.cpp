@@ -6,7 +6,6 @@
 #include "biology/sense.h"
 
 namespace morula {
-
 namespace {
 
 /// [length] To the nearest of them; infinite without any.

@@ -45,12 +45,11 @@ struct DnaSurroundings {
   std::set<std::string> sensed;  // that the simulator inserts for what cells perceive
 };
 
-/// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and
-/// `firstColumn` (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every
-/// line is indented alike. Throws InputError with all that is wrong, one line each:
-/// "file:line:column: [path: ]what is wrong; what would be right". Wrong is also what could never have an effect,
-/// such as an input that no gene produces. Without `surroundings` (null) only what no scene could make work is
-/// wrong.
+/// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and `firstColumn`
+/// (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every line is indented alike.
+/// Throws InputError with all that is wrong, one line each: "file:line:column: [path: ]what is wrong; what would be
+/// right". Wrong is also what could never have an effect, such as an input that no gene produces. Without
+/// `surroundings` (null) only what no scene could make work is wrong.
 Dna parseDna(std::string_view text, const std::string& file, int firstLine = 1, int firstColumn = 1,
              const std::string& path = "", const DnaSurroundings* surroundings = nullptr);
 

@@ -8,7 +8,6 @@
 #include "biology/substances.h"
 
 namespace morula::dna_text {
-
 namespace {
 
 bool isActing(const std::string& name) { return std::ranges::find(substance::acting, name) != substance::acting.end(); }

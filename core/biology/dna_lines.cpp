@@ -9,7 +9,6 @@
 #include "biology/dna_text.h"
 
 namespace morula::dna_text {
-
 namespace {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -114,8 +113,7 @@ class Cursor {
 
   [[noreturn]] void fail(const std::string& text) const { throw Unreadable{place(), text}; }
 
-  /// Reports the next character itself if no line of DNA could hold it, else with `text` and the
-  /// example.
+  /// Reports the next character itself if no line of DNA could hold it, else with `text` and the example.
   [[noreturn]] void failUnexpected(const std::string& text) const {
     if (!atEnd() && !isPunctuation(next()) && !isWordPart(next()))
       fail("unexpected character " + shown(rest()) +

@@ -5,7 +5,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 // Nodes are numbered by rows, as in a heap: the egg is 1, the daughters of n are 2n (A) and 2n + 1 (B).

@@ -23,8 +23,7 @@ struct LineageEntry {
   StateId state = 0;  // its substances: the last ones it had
 };
 
-/// Entries in order of birth: a mother before her daughters, A before B, cells born at one time by their
-/// paths.
+/// Entries in order of birth: a mother before her daughters, A before B, cells born at one time by their paths.
 struct Lineage {
   std::vector<LineageEntry> entries;
 };

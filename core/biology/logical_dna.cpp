@@ -12,7 +12,6 @@
 #include "biology/substances.h"
 
 namespace morula {
-
 namespace {
 
 constexpr StateId unknown = std::numeric_limits<StateId>::max();

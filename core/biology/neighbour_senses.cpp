@@ -4,7 +4,6 @@
 #include "biology/sense.h"
 
 namespace morula {
-
 namespace {
 
 double countNeighbours(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {

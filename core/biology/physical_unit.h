@@ -12,8 +12,7 @@ struct BodyShape {
   Point centre;   // [length] the mean of the vertices, which carry the mass
   double volume;  // [length³] by the divergence theorem [Nilsson 2008, eq. 4.4]; of a sphere the ball's
   double area;    // [length²]; of a sphere the ball's
-  // [force/length²] Inner minus outer at this volume [Nilsson 2008, eq. 4.3]; absent: without fluid under
-  // pressure.
+  // [force/length²] Inner minus outer at this volume [Nilsson 2008, eq. 4.3]; absent: without fluid under pressure.
   std::optional<double> pressure;
   bool isBall = false;  // it has no surface but that of a ball
 };

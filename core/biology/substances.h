@@ -5,9 +5,8 @@
 
 namespace morula::substance {
 
-// [Nilsson 2008, §4.4.1]. Genes produce `divide` and `die`; the simulator, at a division, gives A to one
-// daughter and B to the other. Nothing else makes these two, so a cell that holds A or B has been born and has
-// not run a cycle since.
+// [Nilsson 2008, §4.4.1]. Genes produce `divide` and `die`; the simulator, at a division, gives A to one daughter and B
+// to the other. Nothing else makes these two, so a cell that holds A or B has been born and has not run a cycle since.
 inline const std::string divide = "divide";
 inline const std::string die = "die";
 inline const std::string a = "A";

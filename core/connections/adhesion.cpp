@@ -7,11 +7,9 @@
 #include "connections/connections.h"
 
 namespace morula {
-
 namespace {
 
-/// [1] Of the egg's mass or of its volume at rest, whichever is the smaller share, and no more than all of
-/// it.
+/// [1] Of the egg's mass or of its volume at rest, whichever is the smaller share, and no more than all of it.
 double shareOfEgg(const Bodies& b, int slot) {
   const double scale = b.restScale[slot];
   return std::min({1.0, b.mass(slot) / b.parameters.cell.mass, scale * scale * scale});

@@ -5,7 +5,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 using Pair = std::pair<CellPath, CellPath>;

@@ -1,7 +1,6 @@
 #pragma once
 // The list of cell–cell connections, and what makes and ends them [Nilsson 2008, §4.4.3].
 #include <array>
-#include <string>
 #include <vector>
 
 #include "base/cell_path.h"

@@ -1,12 +1,10 @@
 #pragma once
-// One tree of axis-aligned boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §3.6.2,
-// §4.3.1].
+// One tree of axis-aligned boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §3.6.2, §4.3.1].
 //
-// All cells of a mesh template share a tree's shape, and only boxes belong to a cell: the template's
-// vertices are halved recursively along the longest side of their box, so a leaf is a patch of the
-// surface, and stays one however the cell deforms. So a tree is built once per template, and when cells move
-// its boxes are refitted, from the leaves up. There is no broad phase, as the thesis names none: each cell
-// is tested against all others' roots.
+// All cells of a mesh template share a tree's shape, and only boxes belong to a cell: the template's vertices are
+// halved recursively along the longest side of their box, so a leaf is a patch of the surface, and stays one however
+// the cell deforms. So a tree is built once per template, and when cells move its boxes are refitted, from the leaves
+// up. There is no broad phase, as the thesis names none: each cell is tested against all others' roots.
 #include "contacts/point_table.h"
 
 namespace morula {

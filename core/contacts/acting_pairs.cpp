@@ -8,7 +8,6 @@
 #include "contacts/slices.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double roundingRoom = 1e-5;

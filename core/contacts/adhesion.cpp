@@ -8,7 +8,6 @@
 #include "contacts/contacts.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -1,7 +1,6 @@
 #include "contacts/brute_force.h"
 
 namespace morula {
-
 namespace {
 
 std::int32_t neighboursOf(const SearchInput& input, int slot, const Point& x, VertexNumber* out) {

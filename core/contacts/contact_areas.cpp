@@ -8,7 +8,6 @@
 #include "contacts/pair_energy.h"
 
 namespace morula {
-
 namespace {
 
 /// What one vertex adds to the area of a pair of cells.

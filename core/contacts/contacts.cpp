@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 
 namespace morula {
-
 namespace {
 
 /// Friction below the slip speed is a damper, and a damper c on a mass m alternates without end from c·Δt = m

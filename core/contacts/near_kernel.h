@@ -1,7 +1,6 @@
 #pragma once
-// Which points of the rows around a vertex are near. Rows are short, and a branch per hit would be unpredictable,
-// so there is none: of eight points at a time all places are written, and the list's end advances by the number
-// of hits.
+// Which points of the rows around a vertex are near. Rows are short, and a branch per hit would be unpredictable, so
+// there is none: of eight points at a time all places are written, and the list's end advances by the number of hits.
 #include "base/lanes.h"
 #include "contacts/search_kernels.h"
 

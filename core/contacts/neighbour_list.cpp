@@ -9,7 +9,6 @@
 #include "contacts/slices.h"
 
 namespace morula {
-
 namespace {
 
 // A pair acts within R_ij = √(2/(1/R_i² + 1/R_j²)) ≤ (R_i + R_j)/2, with 1/R² rounded to float in the

@@ -1,6 +1,5 @@
 #pragma once
-// Which vertices of other cells may come within reach before the list is built anew: a Verlet list with a
-// skin.
+// Which vertices of other cells may come within reach before the list is built anew: a Verlet list with a skin.
 //
 // A list holds every pair closer than the pair's influence radius plus the skin, so as long as no vertex has
 // moved more than half the skin it misses no contact; pairs out of reach add exactly nothing. Forces
@@ -50,8 +49,7 @@ void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const Aligned
 /// And with slices of all pairs.
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads);
 
-/// Vertex numbers of the neighbours of vertex g, in rising order. For tests and measures, not for the hot
-/// path.
+/// Vertex numbers of the neighbours of vertex g, in rising order. For tests and measures, not for the hot path.
 std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g);
 
 }  // namespace morula

@@ -4,7 +4,6 @@
 #include <tuple>
 
 namespace morula {
-
 namespace {
 
 struct Point6 {

@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 
 namespace morula {
-
 namespace {
 
 /// Long lists first, so that the eight of a slice are of almost one length; ties by number: a counting sort.

@@ -4,7 +4,6 @@
 #include <bit>
 
 namespace morula {
-
 namespace {
 
 struct Bin {

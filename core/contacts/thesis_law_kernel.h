@@ -2,10 +2,9 @@
 // The thesis' contact: implicit planes and a penalty force that would part the vertex in one time step
 // [Nilsson 2008, §4.3]. Kept as an option, so that the pair law's difference can be shown.
 //
-// Detection (§4.3.1): each vertex is a plane with a normal, and has influence up to r < R. From j's plane, i
-// is deep by max(0, −(x_i − x_j)·n_j) along n_j; from i's plane, j is deep by max(0, −(x_j − x_i)·n_i), which
-// moves i along −n_i. The pair's vector is the mean of the two, and i's penetration vector d the mean over
-// all j, weighted by 1/r.
+// Detection (§4.3.1): each vertex is a plane with a normal, and has influence up to r < R. From j's plane, i is deep by
+// max(0, −(x_i − x_j)·n_j) along n_j; from i's plane, j is deep by max(0, −(x_j − x_i)·n_i), which moves i along −n_i.
+// The pair's vector is the mean of the two, and i's penetration vector d the mean over all j, weighted by 1/r.
 //
 // Response (§4.3.2, eq. 4.8), per unit of mass, d̂ against the push: f = −½ d̂ (|d|/Δt² + v·d̂/Δt + f_other·d̂).
 // Its stiffness is ∝ 1/Δt², it sees the absolute velocity, and nothing acts back on the other cell.

@@ -5,7 +5,6 @@
 #include "mesh/nesting.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double tolerance = 0.01;

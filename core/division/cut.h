@@ -5,7 +5,6 @@
 // connectivity never changes and both volumes add up to the mother's. Velocities are copied, and mass is
 // shared by volume, so momentum is kept.
 #include <optional>
-#include <span>
 #include <string>
 
 #include "mesh/measures.h"
@@ -13,8 +12,7 @@
 
 namespace morula {
 
-/// Where a cell is to be cut. A surface is cut along the plane; a sphere, which has none, into shares of its
-/// volume.
+/// Where a cell is to be cut. A surface is cut along the plane; a sphere, which has none, into shares of its volume.
 struct Cut {
   Point point;    // [length] on the plane
   Vector normal;  // the plane's unit normal; points to daughter A
@@ -33,11 +31,10 @@ struct CutResult {
   std::string failure;  // empty: the cut succeeded
 };
 
-/// Cuts along the plane. k_p and mass go by the cut's share, for which placePlane has placed the plane, or without
-/// one by volume. Of the membrane, `areaFactor` times the mother's rest area is shared out by volume^(2/3): a
-/// factor of 2^(1/3) gives the halves of a sphere just the membrane that their rounded shape needs. Fails if a
-/// daughter would get less than a tenth of the volume (half a tenth with a share): such a body never was one piece
-/// on either side.
+/// Cuts along the plane. k_p and mass go by the cut's share, for which placePlane has placed the plane, or without one
+/// by volume. Of the membrane, `areaFactor` times the mother's rest area is shared out by volume^(2/3): a factor of
+/// 2^(1/3) gives the halves of a sphere just the membrane that their rounded shape needs. Fails if a daughter would get
+/// less than a tenth of the volume (half a tenth with a share): such a body never was one piece on either side.
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor);
 
 /// A sphere of that radius becomes two that share its volume and mass by the cut's share, side by side along

@@ -6,7 +6,6 @@
 #include "division/halves.h"
 
 namespace morula {
-
 namespace {
 
 /// The height at which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The number

@@ -1,3 +1,4 @@
+// Which divisions have chirality.
 #include "division/rules.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include "division/tilt.h"
 
 namespace morula {
-
 namespace {
 
 bool fitsCell(const DivisionRule& rule, std::string_view substances) {
@@ -77,6 +77,18 @@ std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& div
   if (division.rules.empty() && variation.share == 0 && variation.tilt == 0)
     return makePlanePolicy(division.otherwise, seed);
   return std::make_unique<RuledDivision>(division, seed, variation);
+}
+
+std::optional<Chirality> chiralityOf(const DivisionParameters& p, const std::string& substances) {
+  const DivisionRule* rule = ruleFor(p, substances);
+  return rule && rule->chirality ? rule->chirality : p.chirality;
+}
+
+double longestChirality(const DivisionParameters& p) {
+  double longest = p.chirality ? p.chirality->time : 0;
+  for (const DivisionRule& rule : p.rules)
+    if (rule.chirality) longest = std::max(longest, rule.chirality->time);
+  return longest;
 }
 
 }  // namespace morula

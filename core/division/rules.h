@@ -6,8 +6,7 @@
 
 namespace morula {
 
-/// The first rule that fits a cell with these substances (names with single spaces between them); null if none
-/// does.
+/// The first rule that fits a cell with these substances (names with single spaces between them); null if none does.
 const DivisionRule* ruleFor(const DivisionParameters& division, std::string_view substances);
 
 /// Its plane, or that of cells that no rule names.

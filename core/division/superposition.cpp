@@ -6,7 +6,6 @@
 #include "mesh/measures.h"
 
 namespace morula {
-
 namespace {
 
 /// The rotation R that makes Σ b·Ra largest, where m = Σ a bᵀ: of the unit quaternion that is the eigenvector of the

@@ -5,7 +5,6 @@
 #include "base/maths.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double pi = 3.141592653589793;

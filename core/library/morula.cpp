@@ -69,7 +69,6 @@ double Simulator::now() const { return state_->world.clock.time; }
 std::optional<double> Simulator::end() const { return plannedEnd(state_->world.model); }
 std::string Simulator::hash() const { return stateHash(state_->world).text(); }
 std::size_t Simulator::cells() const { return state_->world.cells.path.size(); }
-
 std::string Simulator::path(std::size_t cell) const { return pathOf(state_->world, cell).text(); }
 
 std::string Simulator::substances(std::size_t cell) const {

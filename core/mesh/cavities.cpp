@@ -7,7 +7,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 /// Cubes side by side, z fastest.

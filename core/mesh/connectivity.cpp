@@ -5,7 +5,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 // The two other corners of one face of a vertex, in the face's direction of turning.

@@ -2,7 +2,6 @@
 // Which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their mother's
 // template, so that cells share lanes and a kernel reads one ring structure for all of them.
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "mesh/mesh.h"

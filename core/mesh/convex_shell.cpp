@@ -7,7 +7,6 @@
 #include "mesh/obj_source.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double planeWithin = 1e-9;  // of the size: corners of one polygon as decimal numbers put them

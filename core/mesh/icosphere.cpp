@@ -6,7 +6,6 @@
 #include "mesh/mesh.h"
 
 namespace morula {
-
 namespace {
 
 // The corners of three golden rectangles that stand across each other are those of an icosahedron.

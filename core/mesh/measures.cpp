@@ -9,10 +9,9 @@
 
 namespace morula {
 
-// F(x) = x has divergence 3, so 3 V = Σ_faces ∫ x · n dA = Σ_faces (v1 + v2 + v3)/3 · n A, with n A = (v2 −
-// v1) × (v3 − v1)/2. Of v1 + v2 + v3 each term gives the same triple product, 3 v1 · (v2 × v3); the 3s go and
-// 1/2 · 1/3 leave the 6. Positions are taken from the first vertex, so that a cell far from the origin loses
-// no digits.
+// F(x) = x has divergence 3, so 3 V = Σ_faces ∫ x · n dA = Σ_faces (v1 + v2 + v3)/3 · n A, with n A = (v2 − v1) × (v3 −
+// v1)/2. Of v1 + v2 + v3 each term gives the same triple product, 3 v1 · (v2 × v3); the 3s go and 1/2 · 1/3 leave the
+// 6. Positions are taken from the first vertex, so that a cell far from the origin loses no digits.
 double measureVolume(Points vertices, Faces faces) {
   if (vertices.empty()) return 0;
   const Point origin = vertices[0];

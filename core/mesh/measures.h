@@ -10,8 +10,7 @@ namespace morula {
 using Points = std::span<const Point>;
 using Faces = std::span<const Face>;
 
-/// [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if the faces are
-/// inverted.
+/// [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if the faces are inverted.
 double measureVolume(Points vertices, Faces faces);
 
 /// The mesh, scaled about the origin, that encloses this volume [length³]. Its own must be positive.

@@ -6,7 +6,6 @@
 #include "base/maths.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double enough = 0.992;  // of the area: what a shape without wrinkles has anyway

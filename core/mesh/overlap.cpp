@@ -9,7 +9,6 @@
 #include "mesh/scan_line.h"
 
 namespace morula {
-
 namespace {
 
 // Equidistant lines along one axis: the middles of equal parts of the box's side.

@@ -10,7 +10,6 @@
 #include "mesh/measures.h"
 
 namespace morula {
-
 namespace {
 
 // One side of an edge: a face that runs from a to b.

@@ -3,10 +3,9 @@
 //
 //   position[vertex][x y z][lane]     one cache line per vertex and axis, lane = cell
 //
-// All cells of a block have one mesh template and share its connectivity, so a kernel walks edges and rings
-// once for the whole block and needs no gather, no colouring and no scatter. The width of the storage is
-// eight on every machine; a narrower instruction set takes a line in several groups, and groups without a
-// living cell are left out.
+// All cells of a block have one mesh template and share its connectivity, so a kernel walks edges and rings once for
+// the whole block and needs no gather, no colouring and no scatter. The width of the storage is eight on every machine;
+// a narrower instruction set takes a line in several groups, and groups without a living cell are left out.
 #include <cstdint>
 
 #include "base/reals.h"

@@ -9,7 +9,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// [mass] of the vertices of lanes without a cell

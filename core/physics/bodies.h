@@ -1,11 +1,10 @@
 #pragma once
 // The bodies of all living cells: what the physics changes, in blocks of eight (block.h).
 //
-// A slot is a place in storage: lane s % 8 of block s / 8. Cells fill the slots in the order of lineage
-// paths, so where all have one mesh, cell number i has slot i. Cells with a coarser mesh stand in blocks of
-// their own behind the others, each mesh in whole blocks; Bodies::slots knows where. Slots follow from the
-// living cells alone, so nothing depends on the history of births. Lanes without a cell hold a resting egg of
-// enormous mass, which never moves.
+// A slot is a place in storage: lane s % 8 of block s / 8. Cells fill the slots in the order of lineage paths, so where
+// all have one mesh, cell number i has slot i. Cells with a coarser mesh stand in blocks of their own behind the
+// others, each mesh in whole blocks; Bodies::slots knows where. Slots follow from the living cells alone, so nothing
+// depends on the history of births. Lanes without a cell hold a resting egg of enormous mass, which never moves.
 #include <vector>
 
 #include "base/aligned.h"
@@ -124,8 +123,7 @@ Point measureCentre(const Bodies& bodies, int slot);
 /// Another mass for a cell's vertices; forces, which accelerations stand for, stay.
 void setVertexMass(Bodies& bodies, int slot, double mass);
 
-/// Replaces all cells; they come in the order of lineage paths. Accelerations are zero until the next force
-/// evaluation.
+/// Replaces all cells; they come in the order of lineage paths. Accelerations are zero until the next force evaluation.
 void setBodies(Bodies& bodies, const std::vector<Body>& cells);
 
 }  // namespace morula

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace morula {
-
 namespace {
 
 /// A damped oscillator k, c, m alternates without end where ω²Δt² + 4γΔt = 4 in velocity Verlet (s = 2), whose

@@ -70,8 +70,7 @@ struct PressureParameters {
   double outside = 48;
 };
 
-/// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and
-/// pressure.
+/// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and pressure.
 struct ShapeMatchingParameters {
   double stiffness = 400;  // k [1/time²]; a cell rings √k/2π times per time; higher: firmer, shorter steps
   double linear = 0;       // β, 0 to 1: how far goals follow linear deformations at the volume at rest

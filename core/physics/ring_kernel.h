@@ -13,8 +13,7 @@
 
 namespace morula::MORULA_ISA {
 
-// Wide lanes come with registers enough for the whole ring; elsewhere compilers would keep half of it in
-// memory.
+// Wide lanes come with registers enough for the whole ring; elsewhere compilers would keep half of it in memory.
 constexpr int unrolled = width == 8 ? 3 : 1;
 
 template <bool springs>

@@ -1,8 +1,7 @@
 #pragma once
-// The rotation nearest to a matrix: R that makes tr(Rᵀ M) largest, which for det M > 0 is the one of its
-// polar decomposition M = R S. [Horn 1987]: of a unit quaternion q the trace is qᵀ N q, so the largest
-// eigenvector of a symmetric 4 × 4 matrix N is wanted. That is a proper rotation for mirrored and flat
-// matrices too.
+// The rotation nearest to a matrix: R that makes tr(Rᵀ M) largest, which for det M > 0 is the one of its polar
+// decomposition M = R S. [Horn 1987]: of a unit quaternion q the trace is qᵀ N q, so the largest eigenvector of a
+// symmetric 4 × 4 matrix N is wanted. That is a proper rotation for mirrored and flat matrices too.
 //
 // Jacobi's method diagonalises N by rotations in one plane after the other, in a fixed order: square roots, no
 // branches, and after so many rounds as here what is off the diagonal is rounding.

@@ -11,8 +11,7 @@
 // with v_c + ω × p the rigid motion that has the cell's momentum and angular momentum. Forces sum to zero and
 // to no torque, for any β: Σ q = 0, and both R (Σ p qᵀ)ᵀ and A (Σ p qᵀ)ᵀ are symmetric.
 //
-// A cell that is flat has det A = 0 and no A/∛det A. Below an eighth of its volume det A counts as that
-// eighth.
+// A cell that is flat has det A = 0 and no A/∛det A. Below an eighth of its volume det A counts as that eighth.
 #include "physics/rotation_kernel.h"
 
 namespace morula::MORULA_ISA {

@@ -8,7 +8,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 void chooseShapeForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool surfaces) {
@@ -17,8 +16,7 @@ void chooseShapeForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
   s.finishForces = k.findShapeForces[resisted][!surfaces];
 }
 
-/// The stiffest mode oscillates fastest; where much is damped the softest, in the direction of β, relaxes
-/// fastest.
+/// The stiffest mode oscillates fastest; where much is damped the softest, in the direction of β, relaxes fastest.
 StabilityLimits shapeLimits(const Bodies& b, int) {
   const IntegratorKind& integrator = kindOf(b.parameters.integrator);
   const ShapeMatchingParameters& shape = b.parameters.shapeMatching;

@@ -11,7 +11,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {

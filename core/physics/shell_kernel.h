@@ -2,10 +2,9 @@
 // The egg shell: a vertex outside is moved to it and loses its outward velocity, so it slides [Nilsson 2008,
 // §4.2]. After the kick a vertex on the shell loses its outward acceleration too: the shell bears that force.
 //
-// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). A Newton step x −= (q − 1)/|g|² g goes along
-// the gradient, to almost the nearest point, and scaling by 1/√q puts the vertex on the shell to rounding. (A
-// second Newton step would lead farther from the nearest point.) A sphere needs the scaling only: there it is
-// the nearest point.
+// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). A Newton step x −= (q − 1)/|g|² g goes along the
+// gradient, to almost the nearest point, and scaling by 1/√q puts the vertex on the shell to rounding. (A second Newton
+// step would lead farther from the nearest point.) A sphere needs the scaling only: there it is the nearest point.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {

@@ -6,7 +6,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 void chooseSphereForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {

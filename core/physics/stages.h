@@ -21,13 +21,11 @@ struct PhysicsStages {
   PhysicsKernels::Stage accumulateRings = noOp;  // of each one-ring: gradient, volume; acceleration ← springs
   PhysicsKernels::Stage finishForces = noOp;     // all others, and the pressure; acceleration ← whole force
 
-  // finishForces, the kick and the next step's drift in one, for isolated cells; null where there is no such
-  // kernel.
+  // finishForces, the kick and the next step's drift in one, for isolated cells; null where there is no such kernel.
   PhysicsKernels::TimedStage endAndDrift = nullptr;
 };
 
-/// `surfaces`: whether contacts need the vertices' area vectors of each evaluation. Springs with
-/// gas have them anyway.
+/// `surfaces`: whether contacts need the vertices' area vectors of each evaluation. Springs with gas have them anyway.
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool surfaces = true);
 
 /// The narrowest of the instruction sets up to `widest` that takes so many cells in one go: a block with few

@@ -3,8 +3,7 @@
 //
 // Velocity Verlet, second order [Swope et al. 1982]:
 //   drift:  v½ = v + ½Δt a,   x' = x + Δt v½            kick:  v' = v½ + ½Δt a'
-// with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the
-// order.
+// with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the order.
 //
 // The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity
 // v = (x − x_prev)/Δt [eq. 4.7]:

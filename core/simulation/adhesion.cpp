@@ -7,7 +7,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// Which ends of which pairs a cell fits: [2 · pair + end]. Cells of one kind fit the same.

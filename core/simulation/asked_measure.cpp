@@ -8,7 +8,6 @@
 #include "simulation/organism_measures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::string_view beforeSelection = " of ";

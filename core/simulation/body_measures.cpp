@@ -10,7 +10,6 @@
 #include "physics/shell_surface.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius

@@ -16,7 +16,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// Runs the cycles that are due. Returns which cells had one.
@@ -78,20 +77,6 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-}  // namespace
-
-double paceOf(const World& world, const CellPath& path) {
-  const double sd = world.model.variation.cycle;
-  return sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
-}
-
-double nextCycleOf(const World& world, std::size_t cell) {
-  const Cells& cells = world.cells;
-  return cells.lastCycle[cell] + paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
-}
-
-namespace {
-
 /// [time] Of the cycles that a scene knows.
 double longestCycle(const CycleParameters& cycle) {
   double longest = cycle.length;
@@ -114,6 +99,16 @@ void requireCellsInTime(const World& world) {
 }
 
 }  // namespace
+
+double paceOf(const World& world, const CellPath& path) {
+  const double sd = world.model.variation.cycle;
+  return sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
+}
+
+double nextCycleOf(const World& world, std::size_t cell) {
+  const Cells& cells = world.cells;
+  return cells.lastCycle[cell] + paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
+}
 
 void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;

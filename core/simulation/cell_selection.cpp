@@ -10,7 +10,6 @@
 #include "simulation/organism_measures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::string_view generationWord = "generation ", clonesWord = "clones";

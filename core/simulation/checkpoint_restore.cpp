@@ -7,7 +7,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// How many numbers on file make one value.

@@ -7,7 +7,6 @@
 #include "simulation/checkpoint_state.h"
 
 namespace morula {
-
 namespace {
 
 Columns vectorsOf(const Bodies& b, const Reals& array) {

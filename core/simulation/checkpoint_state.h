@@ -79,8 +79,7 @@ void writeState(FieldWriter& out, const World& world);
 /// those of this world's scene.
 SavedState readState(FieldReader& in, const World& world);
 
-/// Throws InputError for a state that no run of this world's scene can have been in; it is then safe to take
-/// over.
+/// Throws InputError for a state that no run of this world's scene can have been in; it is then safe to take over.
 void checkSavedState(const SavedState& state, const World& world);
 
 /// Puts a checked state into the world.

@@ -8,7 +8,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// Whether one cell holds a substance of the pair, and the other one of the pair's other.

@@ -6,7 +6,6 @@
 #include "simulation/membrane_edges.h"
 
 namespace morula {
-
 namespace {
 
 double membraneEnergy(const Bodies& b, int slot) {

@@ -9,7 +9,6 @@
 #include "simulation/state_fields.h"
 
 namespace morula {
-
 namespace {
 
 /// What a state's substances are called, looked up once: a large lineage has few states.

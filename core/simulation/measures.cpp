@@ -8,7 +8,6 @@
 #include "simulation/asked_measure.h"
 
 namespace morula {
-
 namespace {
 
 /// True if there is what a measure needs.

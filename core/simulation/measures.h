@@ -1,8 +1,7 @@
 #pragma once
-// What can be read off a World: one row per measure, of the world, of a cell, of a pair of cells that touch.
-// Columns of the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come
-// from these rows; a new measure is a new row. Measured on demand only: nothing here is computed unless
-// it is asked for.
+// What can be read off a World: one row per measure, of the world, of a cell, of a pair of cells that touch. Columns of
+// the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come from these rows; a new
+// measure is a new row. Measured on demand only: nothing here is computed unless it is asked for.
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -10,7 +10,6 @@
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
 
 using Value = std::optional<double>;

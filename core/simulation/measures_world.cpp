@@ -8,7 +8,6 @@
 #include "simulation/organism_measures.h"
 
 namespace morula {
-
 namespace {
 
 using Value = std::optional<double>;

@@ -8,7 +8,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 template <class Array>
@@ -37,8 +36,7 @@ std::size_t searchBytes(const TreeSearch& s) {
   return sum;
 }
 
-// [byte] A lineage entry, its copy in the results, its row in the database, its place in the picture of the
-// tree.
+// [byte] A lineage entry, its copy in the results, its row in the database, its place in the picture of the tree.
 constexpr double perCellEver = 400;
 
 /// [byte] Of a vertex in storage.

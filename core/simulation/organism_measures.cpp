@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include "base/maths.h"
 #include "division/principal_axis.h"
 #include "division/superposition.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
-#include "simulation/rank_correlation.h"
 
 namespace morula {
-
 namespace {
 
 using Value = std::optional<double>;
@@ -63,6 +63,24 @@ std::vector<Point> centresOf(const Observation& now) {
 
 bool touch(const Observation& now, int a, int b) {
   return std::ranges::any_of(now.contactsOf(a), [&](const Observation::Contact& c) { return c.cell == b; });
+}
+
+/// Of each value, less the mean of all ranks: the least is −(n − 1)/2, the largest (n − 1)/2.
+std::vector<double> ranks(std::span<const double> values) {
+  std::vector<std::uint32_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(values[i], i); });
+  std::vector<double> rank(values.size());
+  double largest = 0;
+  for (double value : values) largest = std::max(largest, std::abs(value));
+  const double middle = 0.5 * (static_cast<double>(values.size()) - 1);
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first + 1;
+    while (end < order.size() && values[order[end]] - values[order[end - 1]] <= 1e-9 * largest) ++end;
+    for (std::size_t i = first; i < end; ++i) rank[order[i]] = 0.5 * static_cast<double>(first + end - 1) - middle;
+    first = end;
+  }
+  return rank;
 }
 
 }  // namespace
@@ -240,6 +258,14 @@ std::optional<PositionsCompared> comparePositions(const Observation& now) {
   const auto laid = superpose(here, there);
   if (!laid) return {};
   return PositionsCompared{laid->distance, laid->shape};
+}
+
+std::optional<double> rankCorrelation(std::span<const double> x, std::span<const double> y) {
+  const std::vector<double> a = ranks(x), b = ranks(y);
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) xx += a[i] * a[i], xy += a[i] * b[i], yy += b[i] * b[i];
+  if (!(xx > 0 && yy > 0)) return {};
+  return xy / (std::sqrt(xx) * std::sqrt(yy));
 }
 
 }  // namespace morula

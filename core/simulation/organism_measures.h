@@ -2,6 +2,7 @@
 // What is measured of all cells together: who touches whom, and where relatives lie. The observation's world has
 // bodies. Clones: the living descendants of each cell at some depth; cells nearer to the egg belong to none.
 #include <optional>
+#include <span>
 
 #include "simulation/observation.h"
 
@@ -58,5 +59,10 @@ struct PositionsCompared {
   double distance, shape;  // as Superposition
 };
 std::optional<PositionsCompared> comparePositions(const Observation& now);
+
+/// [1] How far y rises with x, whatever the curve: the correlation of their ranks, equal values having the mean of
+/// their ranks; −1 to 1 [Spearman 1904]. Neighbours in order that differ by at most 1e-9 of the largest count as equal:
+/// rounding must not decide. Absent where all x or all y are equal. As many x as y. O(n log n)
+std::optional<double> rankCorrelation(std::span<const double> x, std::span<const double> y);
 
 }  // namespace morula

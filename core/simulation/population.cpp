@@ -13,7 +13,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 Point centreOfBody(const Body& body) { return measureCentroid(body.position); }

@@ -13,8 +13,7 @@ enum class CellChange : std::uint8_t { none, cycled, divides, dies };
 /// this world as it is; not to be asked any more afterwards.
 void changePopulation(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
-/// A living cell that no division made, at time 0, without a body yet; cells come in the order of their
-/// paths.
+/// A living cell that no division made, at time 0, without a body yet; cells come in the order of their paths.
 void addFounder(World& world, const CellPath& path, StateId state);
 
 /// The start of life with a new set of bodies: lists, forces and the time step for them.

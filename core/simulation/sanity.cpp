@@ -12,7 +12,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double ballVolume = 4 * std::numbers::pi / 3;  // over the cube of the radius
@@ -144,9 +143,8 @@ Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
   return worst;
 }
 
-/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell
-/// at its end on the side with fewer cells. A cell far away from all others leaves one; a long chain of cells
-/// does not.
+/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at its end
+/// on the side with fewer cells. A cell far away from all others leaves one; a long chain of cells does not.
 Worst widestGap(const std::vector<Point>& centres, double radius) {
   Worst worst{0};
   const int count = static_cast<int>(centres.size());

@@ -1,7 +1,6 @@
 #pragma once
-// A scene: everything that decides what a run computes, and nothing else. An absent optional is an absent
-// part of the World, and costs nothing. A scenario file is read into this struct (runner/input/scenario); makeWorld
-// consumes it.
+// A scene: everything that decides what a run computes, and nothing else. An absent optional is an absent part of the
+// World, and costs nothing. A scenario file is read into this struct (runner/input/scenario); makeWorld consumes it.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -6,9 +6,8 @@
 
 namespace morula {
 
-// Each function takes its struct apart into all of its members: one that is added and not hashed does not
-// compile. One that joins when there are checkpoints is hashed where it is not at its default, so that these
-// stay valid.
+// Each function takes its struct apart into all of its members: one that is added and not hashed does not compile. One
+// that joins when there are checkpoints is hashed where it is not at its default, so that these stay valid.
 
 namespace {
 

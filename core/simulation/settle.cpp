@@ -15,7 +15,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double mostMove = 0.1;     // [mean edge at rest] of a vertex, in one evaluation

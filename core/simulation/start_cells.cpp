@@ -7,7 +7,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 StateId stateOf(const StartCell& cell, BiologicalUnit& biology) {

@@ -5,7 +5,6 @@
 #include "base/random.h"
 
 namespace morula {
-
 namespace {
 
 StartCell moved(StartCell cell, const Vector& by) {

@@ -1,12 +1,10 @@
 #pragma once
 // Every field of a world's state, listed once: for its hash (hash.cpp), for checkpoints (checkpoint_save.cpp,
-// checkpoint_restore.cpp) and for the first difference of two states (runner/runs/explain/state_difference.cpp).
+// checkpoint_restore.cpp) and for the first difference of two states (runner/runs/explain/explain.cpp).
 //
-// Each list takes its struct apart into all of its members: one that is added and not listed does not
-// compile.
+// Each list takes its struct apart into all of its members: one that is added and not listed does not compile.
 #include <concepts>
 #include <span>
-#include <type_traits>
 
 #include "base/record.h"
 #include "simulation/world.h"
@@ -34,8 +32,7 @@ struct StateNumbers {
 template <class Numbers>
 StateNumbers(Numbers&) -> StateNumbers<Numbers>;
 
-// visitFields(record, visit) calls visit(Field, member) for each member that is state, in the order of
-// checkpoints.
+// visitFields(record, visit) calls visit(Field, member) for each member that is state, in the order of checkpoints.
 
 template <IsA<Clock> T>
 void visitFields(T& clock, auto&& visit) {

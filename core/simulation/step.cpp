@@ -1,5 +1,7 @@
-// One step of a world: the stages of the thesis' figures 4.2 and 4.4.
+// One step of a world: the stages of the thesis' figures 4.2 and 4.4. A block of isolated cells, on which no other
+// cells act, goes through many time steps while it is in cache.
 #include <algorithm>
+#include <atomic>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -10,12 +12,38 @@
 #include "simulation/stages.h"
 
 namespace morula {
+namespace {
 
-double timeAfter(const Clock& clock, std::uint64_t steps) {
-  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
+bool areIsolated(const World& world) {
+  return world.bodies && !settles(world) && !world.contacts && !world.connections && !world.motility && !world.swirls &&
+         std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
 }
 
-namespace {
+/// False if a cell did not stay sound; the bodies are then as they were.
+bool moveIsolated(World& world, std::uint64_t steps) {
+  Bodies& b = *world.bodies;
+  if (!world.before) world.before.emplace();
+  BodyCopy& before = *world.before;
+  before.position = b.position, before.velocity = b.velocity, before.acceleration = b.acceleration;
+  std::atomic<bool> sound = true;
+  parallelFor(b.blockCount(), world.execution.threads, [&](int i) {
+    const BlockView block = b.block(i, threadNumber());
+    if (!stepIsolatedCells(world.stagesOfLanes[block.liveLanes - 1], b, block, world.clock.timeStep, steps))
+      sound = false;
+  });
+  if (sound) return true;
+  std::swap(b.position, before.position);
+  std::swap(b.velocity, before.velocity);
+  std::swap(b.acceleration, before.acceleration);
+  return false;
+}
+
+/// Of the clock's own length: a shorter last one is made by itself.
+std::uint64_t wholeStepsUntilEnd(const World& world) {
+  const std::uint64_t steps = stepsUntil(world.clock, plannedStop(world));
+  if (world.bodies->parameters.timeStep || steps == 1) return steps;
+  return endsLate(world, steps) ? steps - 1 : steps;
+}
 
 /// The last step before the planned end may be shorter. While this object exists the clock has that shorter time step;
 /// then the usual one is restored, because a run may be continued to a later end.
@@ -41,7 +69,29 @@ class LastStep {
   double usual_;
 };
 
+void refreshLists(World& world) {
+  const Bodies& bodies = *world.bodies;
+  world.contacts->list.mostBytes = memoryForLists(world);
+  try {
+    refreshList(*world.contacts, bodies, world.execution.threads);
+  } catch (const ListsTooLong& lists) {
+    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
+    throw NumericalError(
+        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
+        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
+            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
+            " leaves them: cells are in one another",
+        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
+        "raise --memory-limit",
+        Want::memory);
+  }
+}
+
 }  // namespace
+
+double timeAfter(const Clock& clock, std::uint64_t steps) {
+  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
+}
 
 void step(World& world) {
   if (settles(world)) return stepQuasiStatic(world);
@@ -62,28 +112,6 @@ void step(World& world) {
   runCellCycles(world, before, dueUntil(world, before));
   followContacts(world);
 }
-
-namespace {
-
-void refreshLists(World& world) {
-  const Bodies& bodies = *world.bodies;
-  world.contacts->list.mostBytes = memoryForLists(world);
-  try {
-    refreshList(*world.contacts, bodies, world.execution.threads);
-  } catch (const ListsTooLong& lists) {
-    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
-    throw NumericalError(
-        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
-        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
-            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
-            " leaves them: cells are in one another",
-        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
-        "raise --memory-limit",
-        Want::memory);
-  }
-}
-
-}  // namespace
 
 void movePhysics(World& world, double timeStep) {
   if (world.bodies->count == 0) return;
@@ -135,6 +163,32 @@ void growCells(World& world, double timeStep) {
     if (rate > 0 && growth->until) growUntil(*world.bodies, slot, rate, timeStep, *growth->until);
     else if (rate != 0) grow(*world.bodies, slot, rate, timeStep);
   }
+}
+
+std::uint64_t stepsUntil(const Clock& clock, double time) {
+  if (clock.timeStep == 0) return 1;
+  const double missing = (time - clock.time) / clock.timeStep;
+  if (!(missing < 1e15)) return std::uint64_t(1) << 50;
+  auto steps = static_cast<std::uint64_t>(std::max(1.0, missing));
+  // The quotient may be off by its rounding; what the clock will show decides.
+  while (steps > 1 && timeAfter(clock, steps - 1) >= time) --steps;
+  while (timeAfter(clock, steps) < time) ++steps;
+  return steps;
+}
+
+void takeSteps(World& world, std::uint64_t most) {
+  Clock& clock = world.clock;
+  std::uint64_t steps = 1;
+  if (areIsolated(world)) steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
+  if (steps <= 1) return step(world);
+  const double before = clock.time;
+  if (!moveIsolated(world, steps)) {
+    for (; steps > 0; --steps) step(world);  // one of which says what is wrong
+    return;
+  }
+  clock.time = timeAfter(clock, steps);
+  clock.step += steps;
+  runCellCycles(world, before, dueUntil(world, before));
 }
 
 }  // namespace morula

@@ -8,7 +8,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double lifetime = 8;  // in time constants

@@ -15,7 +15,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double margin = 0.8;      // of a stability limit
@@ -27,8 +26,7 @@ struct Limit {
   int cell;
 };
 
-/// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
-/// 1/stiffness.
+/// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
   if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection});

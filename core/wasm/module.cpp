@@ -10,7 +10,6 @@
 #include "simulation/measures.h"
 
 namespace morula::module {
-
 namespace {
 
 std::vector<float> places;

@@ -8,7 +8,6 @@
 #include "base/number_text.h"
 #include "comparison/comparison.h"
 #include "drawing/annotations.h"
-#include "drawing/colour_bar.h"
 #include "drawing/palette.h"
 #include "image/colour_difference.h"
 

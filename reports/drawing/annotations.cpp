@@ -1,11 +1,25 @@
 #include "drawing/annotations.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/number_text.h"
 #include "drawing/palette.h"
 
 namespace morula {
 namespace {
+
+/// A polygon around the centre, of points in units of the radius.
+void drawShape(Drawing& drawing, Spot centre, double radius, Colour colour, std::vector<Spot> points) {
+  for (Spot& p : points) p = {centre.x + radius * p.x, centre.y + radius * p.y};
+  drawing.area(points, colour);
+}
+
+/// Two bars across each other, upright and level.
+std::vector<Spot> bars(double reach, double half) {
+  return {{-half, -reach}, {half, -reach}, {half, -half}, {reach, -half}, {reach, half},   {half, half},
+          {half, reach},   {-half, reach}, {-half, half}, {-reach, half}, {-reach, -half}, {-half, -half}};
+}
 
 struct LegendPlace {
   double x;
@@ -32,7 +46,41 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
   return places;
 }
 
+/// Both with as many digits as it takes to tell them apart, four at least.
+std::pair<std::string, std::string> endTexts(double low, double high) {
+  for (int digits = 4; digits < 17; ++digits) {
+    const auto a = numberText(low, digits), b = numberText(high, digits);
+    if (a != b || low == high) return {a, b};
+  }
+  return {exactText(low), exactText(high)};
+}
+
 }  // namespace
+
+Marker seriesMarker(std::size_t i) {
+  constexpr Marker markers[] = {Marker::disc,    Marker::square, Marker::triangle, Marker::diamond,
+                                Marker::hanging, Marker::plus,   Marker::ring};
+  return markers[i % std::size(markers)];
+}
+
+void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Marker marker) {
+  const auto shape = [&](const std::vector<Spot>& points) { drawShape(drawing, centre, radius, colour, points); };
+  switch (marker) {
+    case Marker::disc: return drawing.disc(centre, radius, colour);
+    case Marker::square: return shape({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+    case Marker::triangle: return shape({{0, -1.3}, {1.2, 0.9}, {-1.2, 0.9}});
+    case Marker::diamond: return shape({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}});
+    case Marker::hanging: return shape({{0, 1.3}, {1.2, -0.9}, {-1.2, -0.9}});
+    case Marker::plus: return shape(bars(1.4, 0.45));
+    case Marker::ring: drawing.disc(centre, 1.15 * radius, colour); return drawing.disc(centre, 0.6 * radius, paper);
+    case Marker::cross: {
+      std::vector<Spot> points = bars(1.4, 0.35);
+      const double turn = std::sqrt(0.5);
+      for (Spot& p : points) p = {turn * (p.x - p.y), turn * (p.x + p.y)};
+      return shape(points);
+    }
+  }
+}
 
 double textSizeFor(int width, int height) {
   const int side = std::min(width, height);
@@ -82,5 +130,27 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
                  {.size = size, .colour = quietInk});
   }
 }
+
+void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot at, double width, double textSize) {
+  if (bar.blank) return;
+  const TextStyle title{.size = textSize, .colour = quietInk};
+  drawing.text({at.x, at.y + textSize}, shortened(bar.title, title, width), title);
+  const double top = at.y + 1.5 * textSize, height = 0.9 * textSize;
+  const int steps = std::max(2, int(width));
+  // Each box reaches to the bar's end, so that no edges shine through between two of them.
+  for (int i = 0; i < steps; ++i) {
+    const double from = width * i / steps;
+    const double share = bar.low < bar.high ? double(i) / (steps - 1) : 0;
+    drawing.box({at.x + from, top}, width - from, height, scaleColour(share));
+  }
+  TextStyle number{.size = 0.9 * textSize, .colour = quietInk};
+  const double baseline = top + height + 1.15 * textSize;
+  const auto [low, high] = endTexts(bar.low, bar.high);
+  drawing.text({at.x, baseline}, low, number);
+  number.anchor = Anchor::right;
+  if (bar.low < bar.high) drawing.text({at.x + width, baseline}, high, number);
+}
+
+double colourBarHeight(double textSize) { return 4.0 * textSize; }
 
 }  // namespace morula

@@ -1,11 +1,22 @@
 #pragma once
 // Title, caption and legend: bands above and below a picture, so that words never cover what is shown.
+// Marks of several shapes tell apart in grey, too, what has a colour; a colour bar shows the colours of a quantity from
+// its least to its greatest value, with both numbers.
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "drawing/marker.h"
+#include "drawing/drawing.h"
 
 namespace morula {
+
+enum class Marker { disc, square, triangle, diamond, hanging, plus, ring, cross };  // hanging: a triangle on its tip
+
+/// Of series number i, counted from 0: no two of the first seven are alike; never a cross.
+Marker seriesMarker(std::size_t i);
+
+/// Around the centre, about as large as a disc of this radius.
+void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Marker marker);
 
 struct LegendEntry {
   Colour colour;
@@ -32,5 +43,18 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize 
 
 /// [pixel] of ordinary text on a picture of this size.
 double textSizeFor(int width, int height);
+
+struct ColourBar {
+  std::string title;  // of the quantity, with its unit
+  double low = 0, high = 1;
+  bool blank = false;  // room is kept for it, and nothing is drawn: for pictures beside one that has it
+};
+
+/// Draws it into a box from `topLeft`, `width` pixels wide and colourBarHeight high: the title, the colours of
+/// scaleColour, the numbers below its two ends. One number alone where both are the same.
+void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot topLeft, double width, double textSize);
+
+/// [pixel]
+double colourBarHeight(double textSize);
 
 }  // namespace morula

@@ -35,8 +35,7 @@ struct ChartFrame {
   double textSize;
 };
 
-/// Numbers along the frame's left side, a faint line across the frame for each, and the title, upright, left
-/// of them.
+/// Numbers along the frame's left side, a faint line across the frame for each, and the title, upright, left of them.
 void drawUprightAxis(Drawing& drawing, const ChartFrame& frame, const Axis& axis, const std::string& title);
 
 /// Numbers below the frame, a faint line up through the frame for each, and the title below them.

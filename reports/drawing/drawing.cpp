@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <utility>
 
 #include "drawing/cairo.h"
 
@@ -193,8 +192,7 @@ namespace {
 
 constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, always the first
 
-/// The chunk "Software: Morula" with its length before it and its check sum behind it [PNG specification,
-/// annex D].
+/// The chunk "Software: Morula" with its length before it and its check sum behind it [PNG specification, annex D].
 constexpr std::string_view ownMark{
     "\0\0\0\x0f"
     "tEXtSoftware\0Morula\x19"

@@ -70,8 +70,7 @@ std::string pngFile(const Image& image);
 /// Whether a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
 bool isOwnPng(std::string_view head);
 
-/// Of a horizontal or vertical line one pixel wide: through the middle of a row or column, so that it is
-/// crisp.
+/// Of a horizontal or vertical line one pixel wide: through the middle of a row or column, so that it is crisp.
 double crisp(double place);
 
 }  // namespace morula

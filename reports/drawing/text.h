@@ -1,7 +1,6 @@
 #pragma once
-// Words in drawings: how wide they are and how they are shortened. The font is DejaVu Sans, or without it
-// whatever the system calls sans-serif. Letters are not hinted, so that text scales evenly; there is no
-// kerning.
+// Words in drawings: how wide they are and how they are shortened. The font is DejaVu Sans, or without it whatever the
+// system calls sans-serif. Letters are not hinted, so that text scales evenly; there is no kerning.
 #include <string>
 #include <string_view>
 #include <vector>

@@ -47,8 +47,7 @@ Colour parseColour(std::string_view text) {
 Colour mixColours(const std::vector<Colour>& colours) {
   if (colours.empty()) return neutralGrey;
   if (colours.size() == 1) return colours.front();
-  // Counted per channel value and summed from dark to light, so that the order of the colours cannot move a
-  // bit.
+  // Counted per channel value and summed from dark to light, so that the order of the colours cannot move a bit.
   std::array<std::array<int, 256>, 3> count{};
   for (const Colour& c : colours) ++count[0][c.r], ++count[1][c.g], ++count[2][c.b];
   std::array<std::uint8_t, 3> mean;

@@ -1,5 +1,4 @@
 // What runs for cells and lines.
-#include <cstddef>
 
 #include "organism/shader_parts.h"
 #include "organism/shaders.h"

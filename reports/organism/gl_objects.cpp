@@ -42,13 +42,9 @@ Program::Program(const std::string& vertexSource, const std::string& fragmentSou
 }
 
 Program::~Program() { glDeleteProgram(program_); }
-
 void Program::use() const { glUseProgram(program_); }
-
 void Program::set(const char* name, int value) const { glUniform1i(glGetUniformLocation(program_, name), value); }
-
 void Program::set(const char* name, float value) const { glUniform1f(glGetUniformLocation(program_, name), value); }
-
 void Program::set(const char* name, float x, float y) const { glUniform2f(glGetUniformLocation(program_, name), x, y); }
 
 void Program::set(const char* name, float x, float y, float z) const {
@@ -113,7 +109,6 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
 }
 
 Framebuffer::~Framebuffer() { glDeleteFramebuffers(1, &framebuffer_); }
-
 void Framebuffer::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
 
 VertexBuffer::VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,

@@ -9,7 +9,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 enum class Kind { axes, colourBar, arrowKey, scaleBar };

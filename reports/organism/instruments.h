@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/vec3.h"
-#include "drawing/colour_bar.h"
+#include "drawing/annotations.h"
 #include "drawing/drawing.h"
 
 namespace morula {

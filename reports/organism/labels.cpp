@@ -7,7 +7,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 /// [pixel] How far each pixel is from the next one of another owner, or from the edge: along rows, columns and

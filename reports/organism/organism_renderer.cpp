@@ -1,11 +1,14 @@
 // The passes over solid cells and lines; the others are in organism_compose.cpp.
 #include "organism/organism_renderer.h"
 
+#include <sys/utsname.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "drawing/palette.h"
+#include "organism/gl_context.h"
 #include "organism/organism_passes.h"
 
 namespace morula {
@@ -77,6 +80,14 @@ std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAx
   return {std::max(nearest, 0.02 * framing.distance), farthest};
 }
 
+/// "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".
+std::string mesaVersion() {
+  const OffscreenContext context;
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  const std::string version = text ? text : "unknown";
+  return version.substr(version.rfind(' ') + 1);
+}
+
 }  // namespace
 
 void clearLayer(float eyeDistance) {
@@ -93,7 +104,6 @@ void setPaper(const Program& program) {
 }
 
 OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
-
 OrganismRenderer::~OrganismRenderer() { context_->makeCurrent(); }
 
 Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const Framing& framing, int width,
@@ -306,6 +316,12 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
   targets_->secondVisible.bind(0);
   fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
+}
+
+std::string rendererName() {
+  utsname machine{};
+  const std::string kind = uname(&machine) == 0 ? machine.machine : "unknown";
+  return "mesa-" + mesaVersion() + '/' + kind;
 }
 
 }  // namespace morula

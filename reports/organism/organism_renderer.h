@@ -3,6 +3,7 @@
 // picture to the next. One per thread.
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "organism/organism.h"
@@ -10,8 +11,7 @@
 
 namespace morula {
 
-/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay
-/// whole.
+/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay whole.
 inline constexpr double shellThickness = 1.02;
 
 class OrganismRenderer {
@@ -46,5 +46,9 @@ class OrganismRenderer {
   std::unique_ptr<Programs> programs_;
   std::unique_ptr<Targets> targets_;
 };
+
+/// What draws organisms here, "mesa-22.3.6/x86_64", one word: only pictures of one renderer, without words, are the
+/// same to the pixel.
+std::string rendererName();
 
 }  // namespace morula

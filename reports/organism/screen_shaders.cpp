@@ -7,9 +7,8 @@ using namespace shader;
 
 namespace {
 
-// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at
-// an edge. llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence
-// the number of them.
+// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at an edge.
+// llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence the number of them.
 const char* const outlines = R"(
 uniform usampler2D owners;
 uniform int outlineReach;  // in samples

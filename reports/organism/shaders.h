@@ -1,7 +1,6 @@
 #pragma once
-// The programs that run per vertex and per pixel, as GLSL text. Space is eye space relative to the framing's
-// centre: x right, y up, z to the eye, the eye itself at z = eyeDistance. Light is linear until the last
-// pass.
+// The programs that run per vertex and per pixel, as GLSL text. Space is eye space relative to the framing's centre: x
+// right, y up, z to the eye, the eye itself at z = eyeDistance. Light is linear until the last pass.
 #include <compare>
 #include <string>
 

@@ -8,8 +8,7 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-/// How a face is split into n² triangles: points on a lattice, and the triangles between them, wound like the
-/// face.
+/// How a face is split into n² triangles: points on a lattice, and the triangles between them, wound like the face.
 struct Split {
   std::vector<Weights> points;
   std::vector<std::uint32_t> corners;
@@ -41,9 +40,8 @@ struct FaceInEye {
 
   Vector flat(const Weights& w) const { return position[0] * w[0] + position[1] * w[1] + position[2] * w[2]; }
 
-  /// The flat point moved halfway to the mean of its projections onto the corners' tangent planes: on a
-  /// sphere of radius R that lies within O(edge⁴/R³) of it, because each plane stands off twice as far as the
-  /// sphere.
+  /// The flat point moved halfway to the mean of its projections onto the corners' tangent planes: on a sphere of
+  /// radius R that lies within O(edge⁴/R³) of it, because each plane stands off twice as far as the sphere.
   Vector curved(const Weights& w) const {
     constexpr double share = 0.5;
     const Vector p = flat(w);

@@ -3,10 +3,9 @@
 #include <bit>
 #include <cstdint>
 
-#include "page/html.h"
+#include "page/page.h"
 
 namespace morula {
-
 namespace {
 
 using Words = std::array<std::uint32_t, 8>;

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Lets every operation of the program fail, one after the other, and looks at what is left.
 
-    faults.py PROGRAM LIBRARY [--every K] [--only WORD] [--kind KIND] [--list]
+    faults.py PROGRAM LIBRARY [--every K] [--only WORD] [--kind KIND] [--places] [--list]
 
 PROGRAM: morula; LIBRARY: what tests/preload/failing.cpp makes. Each verb below runs in a copy of a folder that is always the
 same, and fails at the n-th operation: for every n that it comes to, in each of the ways below; for memory, of which there are
-many thousands, for the first 100 and then for some evenly to the end. Then must hold:
+many thousands, for the first 100 and then for some evenly to the end, or with --places for the first from each place in the
+program: those whose six innermost calls are the same fail in the same way. Then must hold:
 
   - the exit code is one that is documented; never 70, a signal or a hang; with 0 the result is that of a run without a fault
   - else there is a sentence on standard error
@@ -15,6 +16,7 @@ many thousands, for the first 100 and then for some evenly to the end. Then must
 """
 import argparse
 import collections
+import ctypes
 import os
 import re
 import shutil
@@ -30,6 +32,7 @@ import time
 FILE_WAYS = [("write", "EIO"), ("write", "short"), ("sync", "EIO"), ("rename", "EIO"), ("make", "EIO"), ("remove", "EIO"),
              ("read", "EIO"), ("files", "ENOSPC+"), ("files", "kill"), ("files", "killall")]
 MEMORY_WAYS = [("new", "EIO"), ("malloc", "EIO")]
+ADDR_NO_RANDOMIZE = 0x0040000  # <sys/personality.h>
 FIRST, EVENLY = 100, 60  # of memory: so many from the first on, and so many after them
 
 TREE = """morula: 1
@@ -134,15 +137,15 @@ class Place:
                             "TMPDIR": self.work, "FAULT_FOLDER": self.work, "FAULT_COUNT": self.count,
                             "MESA_SHADER_CACHE_DISABLE": "true", "GIT_CEILING_DIRECTORIES": folder}
 
-    def run(self, words, fault=None):
-        """As often as an operation of the fault's kind came, and how it ended; 124: it did not."""
+    def run(self, words, fault=None, before=None):
+        """As often as an operation of the fault's kind came, and how it ended; 124: it did not. `before`: called in its process."""
         with open(self.count, "wb") as file:
             file.write(bytes(8))
         environment = dict(self.environment)
         if fault:
             environment.update(FAULT=fault, LD_PRELOAD=self.library)
         process = subprocess.Popen([self.program, *words], cwd=self.work, env=environment, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=before)
         try:
             err = process.communicate(timeout=120)[1].decode(errors="replace")
         except subprocess.TimeoutExpired:
@@ -152,6 +155,19 @@ class Place:
         with open(self.count, "rb") as file:
             count = struct.unpack("<Q", file.read())[0]
         return Ended(process.returncode if process.returncode >= 0 else 128 - process.returncode, err, count)
+
+    def places(self, words, kind):
+        """Where each request for memory comes from, as numbers: the same in every process, whose addresses are not shuffled."""
+        file = os.path.join(self.folder, "places")
+        if os.path.exists(file):
+            os.remove(file)
+        self.environment["FAULT_PLACES"] = file
+        try:
+            self.run(words, f"{kind}:0:EIO", before=lambda: ctypes.CDLL(None).personality(ADDR_NO_RANDOMIZE))
+        finally:
+            del self.environment["FAULT_PLACES"]
+        with open(file, "rb") as data:
+            return [place for (place,) in struct.iter_unpack("<Q", data.read())]
 
     def prepare(self, verb):
         """The folder as it is before the verb, kept as `start`."""
@@ -302,7 +318,9 @@ def judged(place, judge, good_code, kind, how, n):
     # A run of a study that finds no memory is a failure of its own, which the study keeps and tells.
     of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
     wrong += (text for text in judge.wrong_files(now, stays) if not (of_a_run and "says that" in text))
-    if ended.code != good_code or killed or of_a_run:
+    if now == judge.before and ended.code != good_code:
+        pass  # the next run begins as one without a fault does
+    elif ended.code != good_code or killed or of_a_run:
         again = place.run(judge.verb.command + (["--retry-failed"] if of_a_run else []))
         # Memory that ends after the last file has taken its place ends the command, and what is whole is not replaced.
         was_whole = not list(missing_or_other(judge, now)) and "is there already" in again.err
@@ -332,11 +350,13 @@ def main():
     parser.add_argument("--only", default="", help="verbs with this in their name")
     parser.add_argument("--kind", default="", help="only this kind, or only this way: kill")
     parser.add_argument("--at", type=int, help="only this one")
+    parser.add_argument("--places", action="store_true", help="of memory: the first from each place that none before came from")
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     if options.list:
         return print(*(verb.name for verb in VERBS), sep="\n")
     injected, kills, defects = 0, 0, 0
+    known = set()
     with tempfile.TemporaryDirectory(prefix="morula-faults-") as folder:
         place = Place(os.path.abspath(options.program), os.path.abspath(options.library), os.path.realpath(folder))
         for verb in VERBS:
@@ -364,7 +384,13 @@ def main():
                     place.restore()
                     counts[kind] = place.run(verb.command, f"{kind}:0:EIO").count
                 count, tried = counts[kind], 0
-                for n in [options.at] if options.at else numbers(count, kind, options.every):
+                if options.places and kind in ("new", "malloc"):
+                    place.restore()
+                    came_from = [(kind, where) for where in place.places(verb.command, kind)]
+                    at = [n for n, where in enumerate(came_from, 1) if where not in known and not known.add(where)]
+                else:
+                    at = [options.at] if options.at else numbers(count, kind, options.every)
+                for n in at:
                     wrong, fault = judged(place, judge, ended.code, kind, how, n)
                     tried += 1
                     kills += how.startswith("kill")

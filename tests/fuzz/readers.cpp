@@ -13,7 +13,7 @@
 #include "biology/dna.h"
 #include "drawing/drawing.h"
 #include "drawing/read_png.h"
-#include "explain/hash_trace_json.h"
+#include "explain/run_source.h"
 #include "golden/golden.h"
 #include "mesh/convex_shell.h"
 #include "mesh/mesh.h"
@@ -26,7 +26,7 @@
 #include "study_store/task_file.h"
 #include "system/json.h"
 #include "system/usage_error.h"
-#include "tasks/shard.h"
+#include "tasks/run_study.h"
 #include "temporary_folder.h"
 #include "unit/analysis/study_db.h"
 

@@ -15,7 +15,7 @@ ROOT = HERE.parents[1]
 # What is mutated: source, how many mutants of it, and the test programs that guard it, the quickest first. What follows a
 # colon are Catch2's names of cases, or [#file] of tests.
 TARGETS = [
-    ("runner/studies/statistics/compare_means.cpp", 12, "statistics:[#tests_test]|statistics"),
+    ("runner/studies/statistics/means.cpp", 12, "statistics:[#tests_test]|statistics"),
     ("runner/studies/statistics/sign_flip.cpp", 8, "statistics:[#tests_test]|statistics"),
     ("runner/studies/statistics/factorial.cpp", 10, "statistics:[#tests_test]|statistics"),
     ("runner/measurements/accuracy/state_error.cpp", 10, "accuracy:[#state_error_test]|accuracy"),

@@ -152,7 +152,7 @@ TEST_CASE("mirrored rules give the mirrored embryo") {
   Scene scene = withoutSeed(embryo({"stop.time=13"}).scene);
   // P0 along the egg, 3 degrees from its measured axis. With that one rounding decides in a cut, and not alike in the mirror:
   // 1e-15 more or less of the axis moves four cells by 0.02 radii (perhaps where a fold of the flat side opens or does not,
-  // division/unfold.h; it was not looked into).
+  // division/halves.h; it was not looked into).
   scene.mechanics->division.rules.at(0).plane->axis = {-1, 0, 0};
   World world = makeWorld(scene), image = makeWorld(mirror(scene, Axis::z));
   while (!finished(world)) step(world), step(image);

@@ -2,11 +2,10 @@
 #include <cstdio>
 
 #include "base/random.h"
-#include "statistics/compare_means.h"
 #include "statistics/distributions.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "statistics/holm.h"
+#include "statistics/means.h"
 #include "system/json.h"
 
 using namespace morula;

@@ -11,7 +11,6 @@
 #include "base/floating_point.h"
 
 namespace morula {
-
 namespace {
 
 thread_local int thisThread = 0;

@@ -4,7 +4,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 /// The axis lies in the contact's plane: of those directions the one of the cell's largest extent.

@@ -4,7 +4,6 @@
 #include "division/record.h"
 
 namespace morula {
-
 namespace {
 
 /// Of the directions within the mother's plane, the one of the cell's largest extent. Cells that no division

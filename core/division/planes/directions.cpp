@@ -7,7 +7,6 @@
 #include "division/principal_axis.h"
 
 namespace morula {
-
 namespace {
 
 Point centreOf(const CellContext& cell) { return cell.physical()->getShape().centre; }

@@ -3,7 +3,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 struct LongestExtent final : DivisionPolicy {

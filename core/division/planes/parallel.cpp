@@ -4,7 +4,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 /// Of the directions along the surface, the one of the cell's largest extent.

@@ -6,7 +6,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 struct Polarity final : DivisionPolicy {

@@ -5,7 +5,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 /// One direction per cell, whatever the order in which cells divide.

@@ -8,7 +8,6 @@
 #include "division/principal_axis.h"
 
 namespace morula {
-
 namespace {
 
 /// One of each two opposite directions, and which are next to each other.

@@ -4,7 +4,6 @@
 #include "division/planes/make_from_choice.h"
 
 namespace morula {
-
 namespace {
 
 struct ShellAxis final : DivisionPolicy {

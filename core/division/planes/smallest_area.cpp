@@ -4,7 +4,6 @@
 #include "division/planes/section.h"
 
 namespace morula {
-
 namespace {
 
 struct SmallestArea final : DivisionPolicy {

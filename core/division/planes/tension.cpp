@@ -6,7 +6,6 @@
 #include "division/principal_axis.h"
 
 namespace morula {
-
 namespace {
 
 struct AlongTension final : DivisionPolicy {

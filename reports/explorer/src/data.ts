@@ -37,7 +37,7 @@ export interface Frame {
 
 interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
 
-/** Forces on the vertices of each cell, as runner/publish/report_data/frame_forces.h writes them. */
+/** Forces on the vertices of each cell, as runner/publish/report_data/frames.h writes them. */
 export class VertexForces {
   private readonly steps: Float32Array; // [i * kinds + k]
   private readonly first: Uint32Array; // likewise, where its numbers begin

@@ -1,11 +1,9 @@
-// morula accuracy: speed against error, over time steps, integrators, meshes, precisions, contact laws and
-// cell models.
+// morula accuracy: speed against error, over time steps, integrators, meshes, precisions, contact laws and cell models.
 #include "accuracy/accuracy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "accuracy/into_golden.h"
 #include "accuracy/settling_error.h"
@@ -17,7 +15,6 @@
 #include "loop/simulate.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/program.h"
 #include "options/verb.h"
 #include "physics/integrator.h"
@@ -27,7 +24,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct AccuracyWords {

@@ -4,15 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-#include <sstream>
 
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
 #include "store/machine_info.h"
@@ -20,7 +17,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct BenchWords {

@@ -10,7 +10,6 @@
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
 #include "pictures/run_charts.h"
@@ -19,7 +18,6 @@
 #include "system/usage_error.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct ChartOptions {

@@ -22,7 +22,6 @@
 #include "system/json_record.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct CheckOptions {

@@ -8,7 +8,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct ExplainOptions {

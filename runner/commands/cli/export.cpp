@@ -6,7 +6,7 @@
 #include "cli/verbs.h"
 #include "document/table.h"
 #include "export/formats.h"
-#include "export/license.h"
+#include "export/ro_crate.h"
 #include "export/run_crate.h"
 #include "files/scratch_folder.h"
 #include "loop/stored_scenario.h"

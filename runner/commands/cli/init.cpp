@@ -15,7 +15,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct InitOptions {

@@ -6,11 +6,9 @@
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "system/installation.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct PlaygroundOptions {

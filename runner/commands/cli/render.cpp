@@ -13,13 +13,12 @@
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/verb.h"
-#include "organism/views.h"
+#include "organism/camera.h"
 #include "pictures/film.h"
 #include "pictures/pictures.h"
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 [[noreturn]] void failAfterEnd(double time, double end) {

@@ -8,13 +8,12 @@
 
 #include "base/error.h"
 #include "options/exit_codes.h"
-#include "options/picture_name.h"
+#include "options/options.h"
 #include "options/verb.h"
-#include "organism/views.h"
+#include "organism/camera.h"
 #include "pictures/film.h"
 
 namespace morula::cli {
-
 namespace {
 
 /// A finite number, or nothing.

@@ -1,5 +1,4 @@
-// morula replay: a stored run once more, from its record alone: under which other conditions, and the same
-// bits?
+// morula replay: a stored run once more, from its record alone: under which other conditions, and the same bits?
 #include "check/replay.h"
 
 #include "base/error.h"
@@ -13,7 +12,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct ReplayOptions {

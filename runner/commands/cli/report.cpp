@@ -7,7 +7,6 @@
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/verb.h"
 #include "system/console.h"
 

@@ -8,7 +8,7 @@
 #include "cli/verbs.h"
 #include "explain/explain.h"
 #include "files/folders.h"
-#include "files/quote.h"
+#include "files/text.h"
 #include "golden/accept.h"
 #include "golden/golden_diff.h"
 #include "options/exit_codes.h"
@@ -19,7 +19,6 @@
 #include "system/installation.h"
 
 namespace morula::cli {
-
 namespace {
 
 std::string usersName() {

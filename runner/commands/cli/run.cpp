@@ -1,6 +1,5 @@
 // morula run: simulate, store, check, draw.
 #include <map>
-#include <memory>
 #include <set>
 
 #include "base/error.h"
@@ -15,7 +14,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct RunOptions {

@@ -9,7 +9,6 @@
 #include "values/measure_list.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct SchemaOptions {

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "explain/explain.h"
-#include "explain/hash_trace_json.h"
+#include "explain/run_source.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
@@ -12,7 +12,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;

@@ -13,7 +13,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct ValidateOptions {

@@ -5,7 +5,6 @@
 #include "options/verb.h"
 
 namespace morula::cli {
-
 namespace {
 
 OptionInfo describe(const CLI::Option& option) {

@@ -1,11 +1,10 @@
 // Completions for bash, zsh and fish, out of the command line's declarations.
 #include <functional>
 
-#include "files/quote.h"
+#include "files/text.h"
 #include "options/command_tree.h"
 
 namespace morula::cli {
-
 namespace {
 
 using Visit = std::function<void(const CommandInfo& command, const std::string& words)>;

@@ -2,7 +2,6 @@
 #include "options/command_tree.h"
 
 namespace morula::cli {
-
 namespace {
 
 /// As roff shows it: no character of a text is an order.

@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "database/store_error.h"
-#include "files/quote.h"
 #include "files/text.h"
 #include "options/exit_codes.h"
 #include "store/build_info.h"
@@ -17,7 +16,6 @@
 #include "system/usable_memory.h"
 
 namespace morula::cli {
-
 namespace {
 
 std::string typed;

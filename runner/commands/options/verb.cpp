@@ -7,7 +7,6 @@
 #include "system/usage_error.h"
 
 namespace morula::cli {
-
 namespace {
 
 /// An empty word is a slip in a script (an unset variable), never an answer: it must not pass for an option
@@ -93,9 +92,7 @@ void Verb::addList(const std::string& name, const std::string& type, const std::
 }
 
 void Verb::require(const std::string& name) { verb_->get_option(name)->required(); }
-
 void Verb::takes(const std::string& name, bool& given, const std::string& help) { verb_->add_flag(name, given, help); }
-
 void Verb::showDefault(const std::string& name, const std::string& text) { verb_->get_option(name)->default_str(text); }
 
 void Verb::oneOf(const std::vector<std::string>& names) {

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/choice.h"
 #include "base/number_text.h"
-#include "base/parse_choice.h"
 
 namespace CLI {
 class App;

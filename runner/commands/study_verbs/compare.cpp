@@ -1,6 +1,5 @@
 // morula compare: what a study has found; or how different two pictures look.
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "analysis/comparison.h"
@@ -14,7 +13,6 @@
 #include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
-#include "options/picture_name.h"
 #include "options/verb.h"
 #include "pictures/compare_pictures.h"
 #include "pictures/pictures.h"
@@ -23,7 +21,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct CompareCommand {

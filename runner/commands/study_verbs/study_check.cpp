@@ -16,7 +16,6 @@
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct CheckCommand {

@@ -10,7 +10,6 @@
 #include "tasks/emit.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct EmitCommand {

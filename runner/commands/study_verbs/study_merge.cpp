@@ -8,7 +8,6 @@
 #include "tasks/merge.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct MergeCommand {

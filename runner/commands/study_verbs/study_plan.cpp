@@ -4,12 +4,11 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
-#include "study/plan_folder.h"
+#include "study/plan.h"
 #include "study_verbs/study_verbs.h"
 #include "system/console.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct PlanCommand {

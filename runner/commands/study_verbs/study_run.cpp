@@ -11,10 +11,9 @@
 #include "system/console.h"
 #include "system/usable_memory.h"
 #include "tasks/merge.h"
-#include "tasks/shard.h"
+#include "tasks/run_study.h"
 
 namespace morula::cli {
-
 namespace {
 
 struct RunCommand {

@@ -8,7 +8,6 @@
 #include "tasks/status.h"
 
 namespace morula::cli {
-
 namespace {
 
 int act(const StudyOptions& options) {

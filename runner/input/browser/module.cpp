@@ -3,7 +3,6 @@
 #include "wasm/module.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/floating_point.h"
 #include "physics/integrator.h"
@@ -14,7 +13,6 @@
 #include "values/measure_list.h"
 
 namespace morula::module {
-
 namespace {
 
 constexpr double memoryLimit = 1.5e9;      // [byte] browsers have less than programs

@@ -6,7 +6,6 @@
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// Whether a gene can make a cell do something that Bullet's bodies do not.

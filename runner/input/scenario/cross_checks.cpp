@@ -18,7 +18,6 @@
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.

@@ -4,7 +4,6 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t longestValue = 160;  // [character] what people still take in on one line

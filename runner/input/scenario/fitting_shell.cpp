@@ -7,7 +7,6 @@
 #include "scenario/loading.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr double rounding = 1e-9;  // a size that has been worked out before is not worked out again

@@ -37,8 +37,7 @@ Place placeOf(const Node& root, const std::string& path);
 /// The parameter's value, or else null.
 const Node* given(const Node& root, const std::string& path);
 
-/// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the
-/// same again.
+/// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the same again.
 Json resolve(const Scenario& scenario);
 
 /// Every parameter that decides results, as `hashMeaning` takes them.

@@ -11,8 +11,7 @@
 
 namespace morula::scenario {
 
-/// A map of parameters. Absent: its parameters have their defaults, or the part that it describes does not
-/// exist.
+/// A map of parameters. Absent: its parameters have their defaults, or the part that it describes does not exist.
 struct Section {
   enum class Members { any, atLeastOne, exactlyOne };  // not counting what refines another
   std::string path{};                                  // "" is the whole file

@@ -5,7 +5,6 @@
 #include "scenario/loading.h"
 
 namespace morula::scenario {
-
 namespace {
 
 std::string inside(const std::string& section, const std::string& key) {

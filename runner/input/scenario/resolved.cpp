@@ -2,7 +2,6 @@
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
-
 namespace {
 
 bool exists(const Section& section, const Scenario& scenario) { return !section.exists || section.exists(scenario); }

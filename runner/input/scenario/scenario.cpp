@@ -5,7 +5,6 @@
 #include "scenario/scene_checks.h"
 
 namespace morula {
-
 namespace {
 
 using namespace scenario;

@@ -21,10 +21,9 @@ struct Override {
 /// Reads `--set path=value`; null or ~ for the value removes. Throws InputError without a path or '='.
 Override parseOverride(const std::string& text);
 
-/// Reads, overrides and checks a scenario file. Throws InputError with one line per mistake, all of them at
-/// once, sorted by line: `file:line:column: path: what is wrong; what would be right`. Throws FileError if
-/// the file cannot be read. Files that it names must lie in its folder, or with it below a folder `scenarios`,
-/// unless `allowOutside`.
+/// Reads, overrides and checks a scenario file. Throws InputError with one line per mistake, all of them at once,
+/// sorted by line: `file:line:column: path: what is wrong; what would be right`. Throws FileError if the file cannot be
+/// read. Files that it names must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
 Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
                       bool allowOutside = false);
 

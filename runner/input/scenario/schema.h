@@ -1,5 +1,5 @@
 #pragma once
-// The table of parameters for editors and for people.
+// The table of parameters for editors and for people, and a scenario to begin with.
 #include <string>
 
 namespace morula {

@@ -5,7 +5,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 bool hasMembrane(const Scenario& s) {

@@ -9,7 +9,6 @@
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
-
 namespace {
 
 bool isRead(const Dna& dna, const std::string& name) {

@@ -6,7 +6,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr const char* pathAllowed = "1 to 120 letters A and B";

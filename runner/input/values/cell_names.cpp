@@ -7,7 +7,6 @@
 #include "base/utf8.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int longestName = 40;  // [character]

@@ -1,4 +1,5 @@
 // How cells divide: the plane, and the rules for some cells.
+// Chirality is here as a rule spells it; that of all divisions is two parameters as any.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -6,7 +7,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// "a or b"; "a, b, or c".
@@ -290,6 +290,34 @@ Parameter divisionRules() {
     return list;
   };
   return p;
+}
+
+std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems) {
+  if (node.kind != Node::Kind::map) {
+    refuse(node, path, "{angle: 20, time: 0.5}", problems);
+    return {};
+  }
+  refuseUnknown(node, path, {"angle", "time"}, problems);
+  Chirality chirality;
+  const auto read = [&](const char* key, const Range& range, const char* unit, double& value) {
+    const Member* member = nullptr;
+    for (const Member& one : node.members)
+      if (one.key == key) member = &one;
+    if (!member) return;
+    const auto given = readReal(member->value, range, path + "." + key, numberAllowed(range, unit), problems);
+    if (given) value = *given;
+  };
+  read("angle", chiralAngle, "degree", chirality.angle);
+  read("time", positive, "time", chirality.time);
+  return chirality;
+}
+
+Json writeChirality(const Chirality& c) { return {{"angle", c.angle}, {"time", c.time}}; }
+
+Json chiralitySchema() {
+  return {{"type", "object"},
+          {"properties", {{"angle", numberSchema(chiralAngle)}, {"time", numberSchema(positive)}}},
+          {"additionalProperties", false}};
 }
 
 }  // namespace morula::scenario

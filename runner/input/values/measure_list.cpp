@@ -3,7 +3,6 @@
 #include "values/scenario_data.h"
 
 namespace morula {
-
 namespace {
 
 template <class Of>

@@ -4,7 +4,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 std::vector<AskedMeasure> onDemand() {

@@ -7,7 +7,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr const char* contactsAllowed = "a list of pairs of cells, by names or paths, as [[ABa, ABp], [ABa, EMS]]";

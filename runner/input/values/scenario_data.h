@@ -50,8 +50,7 @@ struct BulletCheck {
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
 };
 
-/// What must hold of a run besides its golden. Nothing here changes what the cells do; what is absent is not
-/// looked at.
+/// What must hold of a run besides its golden. Nothing here changes what the cells do; what is absent is not looked at.
 struct CheckParameters {
   // At every step, of every cell
   std::optional<Bounds> volume;    // [1] over the volume at rest: the egg's mesh with the cell's rest lengths

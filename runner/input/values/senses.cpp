@@ -7,7 +7,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr const char* senseForm = "one condition, as {neighbours: {at-least: 6}} or {contact: {of: a5}}";

@@ -4,7 +4,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr const char* startForm = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";

@@ -2,7 +2,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// Calls `read` for each member of a map whose keys are substances, or also patterns.

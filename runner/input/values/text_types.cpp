@@ -5,7 +5,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 bool isName(const std::string& text) {

@@ -6,7 +6,6 @@
 #include "values/value_types.h"
 
 namespace morula::scenario {
-
 namespace {
 
 using Pair = std::array<std::string, 2>;

@@ -7,7 +7,6 @@
 #include "files/text.h"
 
 namespace morula::scenario {
-
 namespace {
 
 std::string withUnit(std::string allowed, const std::string& unit) {

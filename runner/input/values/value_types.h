@@ -1,6 +1,5 @@
 #pragma once
-// The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
-// one field.
+// The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes one field.
 #include "base/error.h"
 #include "simulation/asked_measure.h"
 #include "values/parameter.h"
@@ -34,8 +33,7 @@ struct NaturalRange {
 };
 
 Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field);
-/// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may
-/// be empty.
+/// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may be empty.
 Parameter optionalReal(std::string path, std::string unit, Range range, std::string word, std::string absent,
                        std::string meaning, Field<std::optional<double>> field);
 Parameter natural(std::string path, NaturalRange range, std::string meaning, Field<std::uint64_t> field);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace morula::scenario {
-
 namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }

@@ -8,7 +8,6 @@
 #include "files/printable.h"
 
 namespace morula::scenario {
-
 namespace {
 
 /// True if the option already says the path: "--set stop.cycles" and "stop.cycles", "--seed" and "seed".

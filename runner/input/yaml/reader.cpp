@@ -1,5 +1,4 @@
-// The only file that knows yaml-cpp, and only its events: structure, places and text, which 0.7 and 0.8
-// report alike.
+// The only file that knows yaml-cpp, and only its events: structure, places and text, which 0.7 and 0.8 report alike.
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
@@ -11,7 +10,6 @@
 #include "yaml/node.h"
 
 namespace morula::scenario {
-
 namespace {
 
 constexpr std::size_t maxDepth = 32;
@@ -25,8 +23,7 @@ const char* const notPlainText =
     "holds a control character, one that changes the direction of text, or bytes that are not UTF-8";
 const char* const plainTextNeeded = "write it without";
 
-/// The last parameter of OnMapStart, which is EmitterStyle::value up to yaml-cpp 0.8 and EmitterStyle after
-/// it.
+/// The last parameter of OnMapStart, which is EmitterStyle::value up to yaml-cpp 0.8 and EmitterStyle after it.
 template <class Style>
 Style styleOf(void (YAML::EventHandler::*)(const YAML::Mark&, const std::string&, YAML::anchor_t, Style));
 using Style = decltype(styleOf(&YAML::EventHandler::OnMapStart));
@@ -42,8 +39,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark& mark) override {
     open_.clear();
     if (++documents_ == 1) return;
-    // A ']' of its own ends a document for yaml-cpp, and stands there again at the beginning of the next, for
-    // ever.
+    // A ']' of its own ends a document for yaml-cpp, and stands there again at the beginning of the next, for ever.
     const auto text = rest(mark);
     if (!text.empty() && std::string_view("]},:?").find(text[0]) != text.npos)
       problems_.add(place(mark), "", "not YAML: '" + std::string(1, text[0]) + "' out of place",
@@ -115,8 +111,7 @@ class TreeBuilder : public YAML::EventHandler {
     return text;
   }
 
-  /// False if the text begins with a quote that it does not close. yaml-cpp would read on, if need be to the
-  /// end.
+  /// False if the text begins with a quote that it does not close. yaml-cpp would read on, if need be to the end.
   static bool isClosed(std::string_view text) {
     if (text.empty() || (text[0] != '"' && text[0] != '\'')) return true;
     for (std::size_t i = 1; i < text.size(); ++i) {

@@ -5,7 +5,6 @@
 #include "base/utf8.h"
 
 namespace morula::scenario {
-
 namespace {
 
 bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }

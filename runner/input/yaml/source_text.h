@@ -1,6 +1,5 @@
 #pragma once
-// The bytes of a scenario as text that YAML may look at: UTF-8, lines ended by '\n', spaces only where YAML
-// indents.
+// The bytes of a scenario as text that YAML may look at: UTF-8, lines ended by '\n', spaces only where YAML indents.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +10,8 @@ namespace morula::scenario {
 
 class SourceText {
  public:
-  /// Drops a UTF-8 byte order mark and turns CRLF into LF. What YAML would misread is a problem: bytes that
-  /// are not UTF-8, UTF-16, control characters (yaml-cpp takes some for the end of the file), tabs that
-  /// indent, directives.
+  /// Drops a UTF-8 byte order mark and turns CRLF into LF. What YAML would misread is a problem: bytes that are not
+  /// UTF-8, UTF-16, control characters (yaml-cpp takes some for the end of the file), tabs that indent, directives.
   SourceText(std::string_view bytes, Problems& problems);
 
   const std::string& text() const { return text_; }

@@ -11,7 +11,7 @@
 #include "base/number_text.h"
 #include "engines/engine_worker.h"
 #include "scenario/bullet_fit.h"
-#include "system/statistics.h"
+#include "system/clock.h"
 
 namespace morula {
 

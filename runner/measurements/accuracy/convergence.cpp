@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace morula {
-
 namespace {
 
 /// Written so that NaN is not.

@@ -37,9 +37,8 @@ struct WorkPoint {
   double cost = 0, error = 0;
 };
 
-/// The least cost at which a series of runs, in order of their steps, has that error: on the straight lines
-/// between neighbours in logarithms. Nothing if no two neighbours have it between them: there is no
-/// extrapolation.
+/// The least cost at which a series of runs, in order of their steps, has that error: on the straight lines between
+/// neighbours in logarithms. Nothing if no two neighbours have it between them: there is no extrapolation.
 std::optional<double> costAtError(const std::vector<WorkPoint>& series, double error);
 
 }  // namespace morula

@@ -5,7 +5,6 @@
 #include "base/number_text.h"
 
 namespace morula {
-
 namespace {
 
 std::vector<Cell> line(const char* what, const std::string& text) { return {what, text}; }

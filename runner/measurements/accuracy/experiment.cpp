@@ -14,7 +14,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 // One unit in the last place may have grown so much up to the last comparison: errors do the same.

@@ -10,7 +10,6 @@
 #include "golden/accept.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int mostShorter = 6;      // times that the time of comparison is halved

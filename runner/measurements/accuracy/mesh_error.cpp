@@ -9,7 +9,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 double largestPressure(const Shapes& shapes) {

@@ -8,7 +8,6 @@
 #include "base/number_text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t finestLevel = 4;    // of all icospheres that scenarios take

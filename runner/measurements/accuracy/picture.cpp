@@ -6,7 +6,6 @@
 #include "drawing/palette.h"
 
 namespace morula {
-
 namespace {
 
 constexpr Colour meshInk{0xa8, 0xad, 0xb3}, ownInk{0x20, 0x24, 0x28};

@@ -6,7 +6,6 @@
 #include "physics/integrator.h"
 
 namespace morula {
-
 namespace {
 
 bool counts(const AccuracyRow& row) { return row.error && row.resolved && !row.partedAt; }

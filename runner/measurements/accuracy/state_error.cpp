@@ -12,7 +12,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 /// Of the enclosed volume: tetrahedra from the vertices' mean, each with its centre a quarter of the way

@@ -72,9 +72,8 @@ bool haveSameCells(const Shapes& a, const Shapes& b);
 /// Centroids, volumes and surfaces of two with the same cells.
 StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius);
 
-/// Two runs whose cells divide at the same times, but across other planes: a round cell has no longest extent,
-/// and a small difference chooses one. What comes later then differs by a large share of a radius, whatever
-/// the time step.
+/// Two runs whose cells divide at the same times, but across other planes: a round cell has no longest extent, and a
+/// small difference chooses one. What comes later then differs by a large share of a radius, whatever the time step.
 struct DividedElsewhere {
   CellPath mother;
   double time = 0;                    // [time] of the division in the reference

@@ -8,7 +8,6 @@
 #include "base/number_text.h"
 
 namespace morula {
-
 namespace {
 
 std::string noteOf(const AccuracyRow& row, double referenceError) {

@@ -7,12 +7,11 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "files/quote.h"
 #include "files/scratch_folder.h"
+#include "files/text.h"
 #include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::uint64_t finestTried = 4;

@@ -10,7 +10,6 @@
 #include "physics/integrator.h"
 
 namespace morula {
-
 namespace {
 
 /// A run with the finest step, and what is left of its error.

@@ -1,11 +1,254 @@
 #include "bench/bench.h"
 
-#include "bench/scene_bench.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/packed_world.h"
+#include "bench/subject.h"
+#include "contacts/contacts.h"
 #include "engines/bullet_scene.h"
+#include "engines/engine_worker.h"
+#include "system/clock.h"
 
 namespace morula {
-
 namespace {
+
+struct PlannedScene {
+  PackedScene packed;
+  std::string name;
+  bool whole;  // with everything beside it; else only what this variant of a scene changes
+};
+
+constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
+
+void append(std::vector<double>& to, const std::vector<double>& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+class SceneBench {
+ public:
+  SceneBench(const BenchOptions& options, const PackedScene& packed, std::string name, bool whole)
+      : options_(options),
+        packed_(packed),
+        name_(std::move(name)),
+        whole_(whole),
+        everyStage_(whole || !packed.contact || packed.precision == Precision::binary32),
+        isas_(everyStage_ ? options.isas : std::vector{options.isas.back()}),
+        bulletProgram_(bulletProgram()),
+        subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
+                 options.tell) {
+    // By the size alone, so that what is counted on the way is the same everywhere.
+    const double wanted = options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
+    steps_ = std::max(4, static_cast<int>(wanted));
+  }
+
+  void round() {
+    for (const Isa isa : isas_) measureStages(isa);
+    if (whole_ && wants(Stage::internal))
+      series("scalar", Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
+    if (needsSteps() && subject_.touching()) measureSearches();
+    if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
+    if (!bulletProgram_.empty() && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
+      if (bullets_.empty())
+        for (const Baseline baseline : {Baseline::b1, Baseline::b2})
+          bullets_.emplace_back(baseline, bulletSubject(baseline));
+      for (auto& [baseline, bullet] : bullets_) bullet.round();
+    }
+    // Rebuilds are counted on the way, and the state must move on for the next round.
+    if (needsSteps()) measureSteps();
+  }
+
+  std::vector<BenchRow> rows() const {
+    std::vector<BenchRow> rows;
+    for (const Series& s : all_) finish(s, rows);
+    for (const auto& [baseline, bullet] : bullets_) finish(bullet, baseline, rows);
+    return rows;
+  }
+
+ private:
+  /// One row in the making: its samples, in seconds per vertex and step.
+  struct Series {
+    BenchRow row;
+    std::vector<double> samples;
+    std::vector<double> searches;  // step: of the searches that its samples leave out
+  };
+
+  bool wants(Stage stage) const {
+    return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
+  }
+
+  /// What asks Bullet in the scene's precision; "" where it is not asked.
+  std::string bulletProgram() const {
+    if (!options_.bullet) return "";
+    return whole_ ? options_.program : packed_.precision == Precision::binary32 ? options_.singleBullet : "";
+  }
+
+  bool needsSteps() const { return wants(Stage::step) || wants(Stage::rebuild); }
+
+  BenchRow rowOf(const std::string& engine, Stage stage) const {
+    BenchRow row;
+    row.scene = name_, row.engine = engine, row.stage = stage;
+    row.precision = packed_.precision;
+    row.cells = packed_.cells, row.vertices = subject_.world().bodies->vertexCount();
+    return row;
+  }
+
+  Series& series(const std::string& engine, Stage stage, const std::string& isa, int threads = 1, bool wall = false,
+                 const std::string& search = "") {
+    for (Series& s : all_)
+      if (s.row.engine == engine && s.row.stage == stage && s.row.isa == isa && s.row.threads == threads &&
+          s.row.wallClock == wall && s.row.search == search)
+        return s;
+    Series s;
+    s.row = rowOf(engine, stage);
+    s.row.isa = isa, s.row.threads = threads, s.row.wallClock = wall, s.row.search = search;
+    all_.push_back(std::move(s));
+    return all_.back();
+  }
+
+  void measureStages(Isa isa) {
+    if (wants(Stage::internal) && everyStage_)
+      series("morula", Stage::internal, name(isa)).samples.push_back(subject_.timeInternal(isa));
+    if (wants(Stage::contact) && subject_.touching())
+      series("morula", Stage::contact, name(isa)).samples.push_back(subject_.timeContact(isa));
+    if (wants(Stage::integrate) && everyStage_)
+      series("morula", Stage::integrate, name(isa)).samples.push_back(subject_.timeIntegration(isa));
+  }
+
+  void measureSearches() {
+    for (const Isa isa : isas_) {
+      const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
+      series("morula", Stage::step, name(isa)).searches.push_back(grid);
+      if (wants(Stage::rebuild) && whole_)
+        series("morula", Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid)).samples.push_back(grid);
+    }
+    if (!wants(Stage::rebuild) || !whole_) return;
+    for (const ContactSearch method : valuesOf<ContactSearch>()) {
+      if (method == ContactSearch::grid) continue;
+      if (method == ContactSearch::bruteForce && subject_.vertices() > mostBruteForceVertices) continue;
+      const Isa isa = isas_.back();
+      series("morula", Stage::rebuild, name(isa), 1, false, nameOf(method))
+          .samples.push_back(subject_.timeRebuild(isa, method));
+    }
+  }
+
+  void measureSteps() {
+    const int few = std::max(4, steps_ / 4);
+    for (const Isa isa : isas_)
+      if (isa != isas_.back())
+        append(series("morula", Stage::step, name(isa)).samples, subject_.trySteps(isa, 1, ClockKind::cpu, few));
+    const Isa widest = isas_.back();
+    append(series("morula", Stage::step, name(widest)).samples, subject_.goOn(widest, steps_));
+  }
+
+  void measureThreads() {
+    const Isa isa = isas_.back();
+    for (const int threads : options_.threads) {
+      Series& s = series("morula", Stage::step, name(isa), threads, true);
+      append(s.samples, subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
+      if (subject_.touching())
+        s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
+      s.row.processors = std::max(s.row.processors.value_or(0), processorsFor(threads));
+    }
+  }
+
+  BulletSubject bulletSubject(Baseline baseline) const {
+    BulletScene scene;
+    const Bodies& bodies = *subject_.world().bodies;
+    scene.baseline = baseline;
+    scene.mesh = bodies.mesh.mesh;
+    scene.physics = bodies.parameters;
+    scene.timeStep = subject_.world().clock.timeStep;
+    // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every step.
+    scene.cells = settledBodies(packed_, options_.folder, options_.tell);
+    return {scene, shareRadius(packed_.cells),
+            [program = bulletProgram_](const BulletRequest& request) { return runInBullet(request, program); }};
+  }
+
+  void finish(const BulletSubject& subject, Baseline baseline, std::vector<BenchRow>& rows) const {
+    BenchRow row = rowOf(std::string("bullet-") + name(baseline), Stage::step);
+    row.bulletSettings = subject.timings();
+    if (row.bulletSettings.empty()) return;
+    row.nsPerVertexStep = row.bulletSettings.front().nsPerVertexStep;
+    row.spread = spread(row.bulletSettings.front().samples);
+    rows.push_back(row);
+  }
+
+  double rebuildsPerStep() const {
+    const StepCounters& c = subject_.counters();
+    return c.steps == 0 ? 0 : static_cast<double>(c.rebuilds) / static_cast<double>(c.steps);
+  }
+
+  double pairsPerVertex() const {
+    const StepCounters& c = subject_.counters();
+    if (c.steps == 0) return subject_.touching() ? subject_.world().contacts->list.pairs / subject_.vertices() : 0;
+    return static_cast<double>(c.pairs) / static_cast<double>(c.steps) / subject_.vertices();
+  }
+
+  Work workOf(Stage stage) const {
+    const Bodies& bodies = *subject_.world().bodies;
+    const Work internal = internalWork(bodies.mesh, bodies.parameters);
+    const Work integration = integrationWork(bodies.parameters.shell.has_value());
+    const double pairs = pairsPerVertex();
+    const Work contact = contactWork(pairs, packed_.friction > 0);
+    switch (stage) {
+      case Stage::internal: return internal;
+      case Stage::contact: return contact;
+      case Stage::integrate: return integration;
+      default: return stepWork(internal, subject_.touching() ? &contact : nullptr, integration);
+    }
+  }
+
+  void finish(const Series& s, std::vector<BenchRow>& rows) const {
+    if (s.samples.empty() || !wants(s.row.stage)) return;  // something else needed it
+    BenchRow row = s.row;
+    // On the wall's clock others show too, and a thread that waits for one that was put aside counts double:
+    // the quickest tells best what it costs.
+    const auto typical = [&](const std::vector<double>& samples) {
+      return row.wallClock ? *std::min_element(samples.begin(), samples.end()) : median(samples);
+    };
+    double time = typical(s.samples);
+    row.spread = spread(s.samples);
+    if (row.stage == Stage::rebuild) {
+      row.nsPerVertexSearch = 1e9 * time;
+      time *= rebuildsPerStep();
+    }
+    if (!s.searches.empty()) time += rebuildsPerStep() * typical(s.searches);
+    row.nsPerVertexStep = 1e9 * time;
+    const bool knownLimit = row.precision == Precision::binary64;  // the machine's is measured with doubles
+    if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
+      row.work = workOf(row.stage);
+    const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
+    if (row.engine == "morula" && subject_.touching() && (goesThroughPairs || row.stage == Stage::rebuild)) {
+      row.pairsPerVertexStep = pairsPerVertex();
+      row.rebuildsPerStep = rebuildsPerStep();
+    }
+    rows.push_back(row);
+  }
+
+  const BenchOptions& options_;
+  PackedScene packed_;
+  std::string name_;
+  bool whole_, everyStage_;
+  std::vector<Isa> isas_;
+  std::string bulletProgram_;
+  Subject subject_;
+  int steps_;  // of a round
+  std::vector<Series> all_;
+  std::vector<std::pair<Baseline, BulletSubject>> bullets_;
+};
+
+/// From packing to the last round, all rows but for their shares of the machine's limits; `meter` is read in
+/// every round. Only one scene is in memory at a time.
+std::vector<BenchRow> measureScene(const PlannedScene& scene, const BenchOptions& options, LimitMeter& meter) {
+  SceneBench bench(options, scene.packed, scene.name, scene.whole);
+  for (int i = 0; i < options.rounds; ++i) {
+    options.tell(fmt::format("{} scene, {} cells, level {}: round {} of {}", scene.name, scene.packed.cells,
+                             scene.packed.level, i + 1, options.rounds));
+    meter.sample();
+    bench.round();
+  }
+  return bench.rows();
+}
 
 std::vector<PlannedScene> plan(const BenchOptions& options) {
   std::vector<PlannedScene> scenes;

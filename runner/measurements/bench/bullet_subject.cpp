@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "mesh/measures.h"
-#include "system/statistics.h"
+#include "system/clock.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double margins[] = {0.0025, 0.005, 0.01, 0.02};  // [share radii]

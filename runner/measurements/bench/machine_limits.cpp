@@ -5,7 +5,6 @@
 #include "base/parallel.h"
 #include "bench/peak_kernels.h"
 #include "system/clock.h"
-#include "system/statistics.h"
 
 namespace morula {
 

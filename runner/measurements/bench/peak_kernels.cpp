@@ -4,7 +4,6 @@
 #include "base/lanes.h"
 
 namespace morula::MORULA_ISA {
-
 namespace {
 
 #if MORULA_WIDTH == 1

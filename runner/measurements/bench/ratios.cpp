@@ -5,7 +5,6 @@
 #include "bench/bench.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int cellVertices = 162;

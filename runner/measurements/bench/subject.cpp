@@ -10,7 +10,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double stageSeconds = 2e-3;    // [s] of one timing of a stage

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace morula {
-
 namespace {
 
 constexpr double vectorBytes = 24, rowBytes = 64, indexBytes = 4;

@@ -25,8 +25,7 @@ Work integrationWork(bool shell);
 /// All of them: two passes over memory, or one without contact (null).
 Work stepWork(const Work& internal, const Work* contact, const Work& integration);
 
-/// [s] per vertex and step that the machine needs at least, with all its units busy at once. `vertices`: of
-/// all cells.
+/// [s] per vertex and step that the machine needs at least, with all its units busy at once. `vertices`: of all cells.
 double leastTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices);
 
 }  // namespace morula

@@ -6,7 +6,6 @@
 #include "parts/prediction.h"
 
 namespace morula {
-
 namespace {
 
 std::string memoryText(double bytes) {

@@ -10,7 +10,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// The share of all surfaces that touches another cell, when N equal cells fill a sphere: all but its own

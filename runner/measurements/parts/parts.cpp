@@ -7,7 +7,6 @@
 #include "physics/integrator.h"
 
 namespace morula {
-
 namespace {
 
 class Reasons {

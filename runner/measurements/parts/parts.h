@@ -1,7 +1,6 @@
 #pragma once
 // The parts of the program that a scenario engages, and which of its lines asks for each. A part that none
 // asks for does not exist in the run and costs nothing.
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -16,7 +16,6 @@
 #include "store/recorder.h"
 
 namespace morula {
-
 namespace {
 
 struct Cost {

@@ -1,7 +1,6 @@
 #include "parts/rates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.h"
 #include "bench/packed_world.h"
@@ -13,7 +12,6 @@
 #include "system/clock.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double timingSeconds = 1e-3;  // [s] of one timing

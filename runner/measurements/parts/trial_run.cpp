@@ -7,7 +7,6 @@
 #include "system/clock.h"
 
 namespace morula {
-
 namespace {
 
 int deepest(const Cells& cells) {

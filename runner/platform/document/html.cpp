@@ -1,13 +1,11 @@
 // Documents as HTML. Every text of theirs passes through `safe`, and through nothing else.
-#include "page/html.h"
-
 #include <fmt/format.h>
 
 #include "document/document.h"
 #include "files/printable.h"
+#include "page/page.h"
 
 namespace morula {
-
 namespace {
 
 /// Markup is text, and characters that a reader would not see are made visible.

@@ -4,11 +4,9 @@
 
 #include "base/number_text.h"
 #include "files/printable.h"
-#include "files/quote.h"
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 std::size_t letters(const std::string& s) {

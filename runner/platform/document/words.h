@@ -3,7 +3,6 @@
 // makes it safe.
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace morula {

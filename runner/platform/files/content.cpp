@@ -3,7 +3,6 @@
 #include "files/read_file.h"
 
 namespace morula {
-
 namespace {
 
 /// True if a line of the text begins so.

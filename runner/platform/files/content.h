@@ -1,7 +1,6 @@
 #pragma once
 // What a file holds, told from its first bytes: names do not say it.
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace morula {

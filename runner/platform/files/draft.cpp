@@ -17,7 +17,6 @@
 #include "files/folders.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

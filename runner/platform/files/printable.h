@@ -1,6 +1,7 @@
 #pragma once
-// Text of unknown origin made safe to show. Names, keys, file names, DNA and databases may hold bytes that a terminal
-// obeys: they could move the cursor, rewrite earlier lines, change the window's title, or reverse what is read.
+// Text of unknown origin made safe to show, and file names made from it. Names, keys, file names, DNA and databases may
+// hold bytes that a terminal obeys: they could move the cursor, rewrite earlier lines, change the window's title, or
+// reverse what is read.
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,10 @@ std::string printable(std::string_view text);
 /// The same where only one line is expected: line ends and tabs become \n, \r and \t, so that data cannot add lines of its
 /// own to a message.
 std::string printableLine(std::string_view text);
+
+/// A file name made from a text of unknown origin: what follows its last '/', with '_' in place of everything but
+/// letters, digits, blanks and . - _ + ( ), and without leading dots. At most 100 bytes, of which the extension is kept.
+/// `fallback` if nothing is left. Never "." or "..", never a path.
+std::string safeName(std::string_view text, std::string_view fallback);
 
 }  // namespace morula

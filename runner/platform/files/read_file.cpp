@@ -10,7 +10,6 @@
 #include "files/descriptor.h"
 
 namespace morula {
-
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {

@@ -6,9 +6,8 @@
 
 namespace morula {
 
-/// Made with a name that nothing else has, and removed with all that it then holds, so that no file of the
-/// user's can be in it. What a process that dies leaves behind, the next one in the same parent removes. Throws
-/// FileError.
+/// Made with a name that nothing else has, and removed with all that it then holds, so that no file of the user's can
+/// be in it. What a process that dies leaves behind, the next one in the same parent removes. Throws FileError.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::filesystem::path& parent);

@@ -1,9 +1,28 @@
 #include "files/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
 namespace morula {
+namespace {
+
+/// Between quotation marks, which are doubled within.
+std::string doubled(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+bool isMadeOf(std::string_view text, std::string_view others) {
+  for (const char c : text)
+    if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9') && others.find(c) == others.npos)
+      return false;
+  return !text.empty();
+}
+
+}  // namespace
 
 std::string join(const std::vector<std::string>& words, const std::string& last) {
   std::string text;
@@ -35,6 +54,34 @@ std::string firstLine(const std::string& text) { return text.substr(0, text.find
 std::string markdownCell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
   return text;
+}
+
+std::string csvField(std::string_view text) {
+  const bool isPlain =
+      !text.empty() && text.find_first_of("\",\r\n") == text.npos && text.front() != ' ' && text.back() != ' ';
+  return isPlain ? std::string(text) : doubled(text);
+}
+
+std::string sqlName(std::string_view name) { return doubled(name); }
+
+std::string shellWord(std::string_view text) {
+  if (isMadeOf(text, "-_=./,:+@%")) return std::string(text);
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+std::string yamlText(std::string_view text) {
+  const bool beginsAsWord = isMadeOf(text.substr(0, 1), "") && text[0] >= 'A';
+  // With one of these marks it is none of YAML's words for true, false and null.
+  if (beginsAsWord && isMadeOf(text, "-_./") && text.find_first_of("-_./") != text.npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\\') quoted += '\\', quoted += c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      quoted += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else quoted += c;
+  return quoted + '"';
 }
 
 }  // namespace morula

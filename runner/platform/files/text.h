@@ -1,5 +1,6 @@
 #pragma once
-// Small things that are done to texts.
+// Small things that are done to texts; and texts of any content as they may stand in files of others: each reads back
+// as the same text. HTML: reports/page/page.h.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,18 @@ std::vector<std::string> wordsOf(std::string_view line);
 
 /// As a cell of a Markdown table: a bar does not end it.
 std::string markdownCell(std::string text);
+
+/// A field of comma-separated values, by RFC 4180: in quotes where it needs them, and an empty text as "", which is not a
+/// missing one.
+std::string csvField(std::string_view text);
+
+/// The name of a table or a column in SQL.
+std::string sqlName(std::string_view name);
+
+/// A word of a POSIX shell. Not for its comments, which a line end in the word would end: put `oneLine` there.
+std::string shellWord(std::string_view text);
+
+/// A scalar of YAML that is this text, in quotes unless it is made of harmless letters. Without zero bytes.
+std::string yamlText(std::string_view text);
 
 }  // namespace morula

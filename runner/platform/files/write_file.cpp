@@ -13,7 +13,6 @@
 #include "files/folders.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -10,15 +10,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <thread>
 
 #include "base/error.h"
 #include "files/folders.h"
-#include "system/process_pipe.h"
 
 namespace morula {
-
 namespace {
 
 /// Writes all or as much as the other side takes.
@@ -64,12 +61,24 @@ void limitCpuTime(int seconds) {
 
 }  // namespace
 
+FileError processError(const std::string& what) {
+  return FileError("a process of its own: " + what + ": " + std::strerror(errno));
+}
+
+std::string readToEnd(int from) {
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (true) {
+    const ssize_t n = ::read(from, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+}
+
 bool ChildEnd::well() const { return WIFEXITED(status) && WEXITSTATUS(status) == 0; }
-
 bool ChildEnd::outOfTime() const { return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU; }
-
 bool ChildEnd::notStarted() const { return WIFEXITED(status) && WEXITSTATUS(status) == 127; }
-
 int ChildEnd::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 std::string ChildEnd::text() const {

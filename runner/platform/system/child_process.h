@@ -1,10 +1,18 @@
 #pragma once
 // Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its
-// stdout.
+// stdout; and what it says through a pipe.
 #include <string>
 #include <vector>
 
+#include "base/error.h"
+
 namespace morula {
+
+/// That a process could not be made or waited for, with the reason that errno holds.
+FileError processError(const std::string& what);
+
+/// What is written to the other end until it is closed.
+std::string readToEnd(int from);
 
 struct ChildOptions {
   std::string input = {};  // for its stdin, which then ends

@@ -1,6 +1,8 @@
 #pragma once
-// Clocks. On a machine that others use too, only the time that threads were given says what it costs.
+// Clocks. On a machine that others use too, only the time that threads were given says what it costs; and
+// of several measurements of one thing the middle one counts: what disturbed some of them does not.
 #include <ctime>
+#include <vector>
 
 namespace morula {
 
@@ -26,5 +28,11 @@ double timeOf(ClockKind kind, const Call& call) {
   call();
   return seconds(kind) - before;
 }
+
+/// NaN of nothing.
+double median(std::vector<double> values);
+
+/// Half the distance between the quartiles, over the median: how far measurements lay apart. [1]
+double spread(std::vector<double> values);
 
 }  // namespace morula

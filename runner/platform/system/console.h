@@ -1,6 +1,7 @@
 #pragma once
 // What is printed where: data on stdout, messages on stderr. The only file that writes to either. Every text passes through
 // `printable`, because texts hold names, paths and messages that come from the files of others.
+#include <chrono>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -41,5 +42,29 @@ void reserveStandardStreams();
 
 /// True if stderr is a terminal on which lines can be rewritten.
 bool isTerminal();
+
+/// How far something has come: a line that is rewritten on a terminal, otherwise a line every 30 seconds.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Whether it is time to show something; looks at the clock.
+  bool isDue() const;
+  void show(const std::string& text);
+  void clear();
+  /// "  [====    ]  42 %" of a share from 0 to 1; the bar only on a terminal.
+  std::string bar(double share) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool quiet_, terminal_, shown_ = false;
+  Clock::time_point next_;
+};
+
+/// [s] "0:42", "1:05:00".
+std::string formatDuration(double seconds);
 
 }  // namespace morula

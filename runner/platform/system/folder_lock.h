@@ -4,9 +4,8 @@
 
 namespace morula {
 
-/// Waits until no other process holds the folder, and holds it to the end of the scope. The system releases
-/// it when a process dies, and leaves no file behind. Where folders cannot be locked (some network disks) it
-/// does not wait.
+/// Waits until no other process holds the folder, and holds it to the end of the scope. The system releases it when a
+/// process dies, and leaves no file behind. Where folders cannot be locked (some network disks) it does not wait.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

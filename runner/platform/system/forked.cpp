@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -18,10 +17,9 @@
 
 #include "base/error.h"
 #include "files/read_file.h"
-#include "system/process_pipe.h"
+#include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostText = 16384;  // a quarter of what a pipe takes without a reader

@@ -4,7 +4,6 @@
 #include "system/child_process.h"
 
 namespace morula {
-
 namespace {
 
 /// Not `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file

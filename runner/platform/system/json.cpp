@@ -1,7 +1,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int maxDepth = 32;

@@ -8,7 +8,7 @@
 
 #include "base/cell_path.h"
 #include "base/error.h"
-#include "base/read_hash.h"
+#include "base/hash.h"
 #include "base/vec3.h"
 #include "simulation/measure_fields.h"
 #include "system/json.h"

@@ -3,7 +3,6 @@
 #include <csignal>
 
 namespace morula {
-
 namespace {
 
 volatile std::sig_atomic_t received = 0;
@@ -21,9 +20,7 @@ void handle(void (*handler)(int)) {
 }  // namespace
 
 SignalWatch::SignalWatch() { handle(note); }
-
 SignalWatch::~SignalWatch() { handle(SIG_DFL); }
-
 int SignalWatch::caught() { return received; }
 
 void stopAtSignal() {

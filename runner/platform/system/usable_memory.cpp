@@ -14,7 +14,6 @@
 #include "files/read_file.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double share = 0.9;

@@ -1,11 +1,79 @@
 #include "export/csv.h"
 
 #include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "base/number_text.h"
-#include "files/quote.h"
+#include "files/text.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
+namespace {
+
+constexpr std::pair<const char*, const char*> ofScopes[] = {
+    {"measures_world", "world"}, {"measures_cell", "cell"}, {"measures_pair", "pair"}};
+
+/// As it stands. Seeds from 2⁶³ on, which SQLite's signed integers hold as negative ones, become what they are.
+std::string plainTable(Store& store, const std::string& table, const std::string& id,
+                       const std::vector<std::string>& columns) {
+  CsvTable csv(columns);
+  store.eachRow(table, id, [&](const TableRow& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* seed = columns[i] == "seed" ? std::get_if<std::int64_t>(&row[i]) : nullptr;
+      if (seed && *seed < 0) csv.add(std::string_view(std::to_string(static_cast<std::uint64_t>(*seed))));
+      else csv.add(row[i]);
+    }
+    csv.endRow();
+  });
+  return csv.text();
+}
+
+/// One row a time and cell or pair, and a column a measure: what the table `measure` has in a row each.
+std::optional<std::string> wideMeasures(Store& store, const std::string& scope, const std::string& id) {
+  const auto text = [](const TableValue& v) { return std::get<std::string>(v); };
+  enum Column { run, time, scopeOf, name, a, b, value };  // of `measure`
+  std::set<std::string> names;
+  store.eachRow("measure", id, [&](const TableRow& r) {
+    if (text(r[scopeOf]) == scope) names.insert(text(r[name]));
+  });
+  if (names.empty()) return {};
+  std::vector<std::string> columns{"run_id", "time"};
+  if (scope == "cell") columns.push_back("path");
+  if (scope == "pair") columns.insert(columns.end(), {"a", "b"});
+  const std::size_t keys = columns.size();
+  columns.insert(columns.end(), names.begin(), names.end());
+  CsvTable csv(columns);
+
+  std::pair<std::string, double> now;  // run and time of the rows that are gathered
+  std::map<std::pair<std::string, std::string>, std::map<std::string, double>> rows;
+  const auto write = [&] {
+    for (const auto& [cells, values] : rows) {
+      csv.add(std::string_view(now.first)).add(std::optional(now.second));
+      if (keys > 2) csv.add(std::string_view(cells.first));
+      if (keys > 3) csv.add(std::string_view(cells.second));
+      for (const std::string& n : names) {
+        const auto found = values.find(n);
+        csv.add(found == values.end() ? std::nullopt : std::optional(found->second));
+      }
+      csv.endRow();
+    }
+    rows.clear();
+  };
+  store.eachRow("measure", id, [&](const TableRow& r) {  // by run, time, scope and name
+    if (text(r[scopeOf]) != scope || !std::holds_alternative<double>(r[value])) return;
+    const std::pair when(text(r[run]), std::get<double>(r[time]));
+    if (when != now) write();
+    now = when;
+    rows[{text(r[a]), text(r[b])}][text(r[name])] = std::get<double>(r[value]);
+  });
+  write();
+  return csv.text();
+}
+
+}  // namespace
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) {
   for (const std::string& c : columns) add(std::string_view(c));
@@ -45,6 +113,29 @@ CsvTable& CsvTable::add(const TableValue& value) {
 void CsvTable::endRow() {
   text_ += "\r\n";
   isFirst_ = true;
+}
+
+std::vector<std::string> csvTableNames() {
+  std::vector<std::string> names;
+  for (const SqlTable* t : allTables())
+    if (*t->info.csv) names.push_back(t->info.csv);
+  for (const auto& [file, scope] : ofScopes) names.push_back(file);
+  return names;
+}
+
+std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std::string& only) {
+  std::vector<NamedTable> tables;
+  const auto isWanted = [&](const std::string& name) { return only.empty() || only == name; };
+  for (const SqlTable* t : allTables()) {
+    if (!*t->info.csv || !isWanted(t->info.csv)) continue;
+    const auto columns = store.columns(
+        t->info.name);  // none where the file has no such table; without rows, too, so that a script finds it
+    if (!columns.empty()) tables.push_back({t->info.csv, plainTable(store, t->info.name, id, columns)});
+  }
+  for (const auto& [file, scope] : ofScopes)
+    if (isWanted(file))
+      if (auto text = wideMeasures(store, scope, id)) tables.push_back({file, std::move(*text)});
+  return tables;
 }
 
 }  // namespace morula

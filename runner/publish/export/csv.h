@@ -1,14 +1,15 @@
 #pragma once
 // Tables as comma-separated values, by RFC 4180: UTF-8, lines end in CR LF, a header line, quotes where a text needs them.
 // What is not there (NULL, not a number) is an empty field; an empty text is "". Numbers are the shortest that read back as
-// the same.
+// the same. And the tables of a database for spreadsheets and statistics: runs, cells, samples, …, each as one file.
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "store/table_rows.h"
+#include "store/contents.h"
+#include "store/store.h"
 
 namespace morula {
 
@@ -30,5 +31,18 @@ class CsvTable {
   std::string text_;
   bool isFirst_ = true;  // in its row
 };
+
+struct NamedTable {
+  std::string name;  // "cells"
+  std::string text;
+};
+
+/// All names that csvTables knows, in their order.
+std::vector<std::string> csvTableNames();
+
+/// The tables, each with run_id in front where rows are of a run; of the run `id` alone, or with "" of all. `only`: this one;
+/// "": all that the database has. Measures on demand are a table for each of world, cell and pair, with a column for each measure;
+/// a study's conditions, replicates, tasks and results are there where the database is of a study.
+std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std::string& only = "");
 
 }  // namespace morula

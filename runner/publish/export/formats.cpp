@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "export/csv.h"
-#include "export/csv_tables.h"
 #include "export/gltf.h"
 #include "export/newick.h"
 #include "export/npz.h"
 #include "export/ply.h"
-#include "export/run_tables.h"
 #include "export/surfaces.h"
 #include "export/vtk.h"
 #include "files/folders.h"
@@ -24,6 +23,35 @@
 #include "system/usage_error.h"
 
 namespace morula {
+namespace {
+
+/// A row for each cell that ever was: cell (from 0, by path), path, name, born, ended, fate, state.
+std::string cellTable(const ExportedRun& run) {
+  CsvTable csv({"cell", "path", "name", "born", "ended", "fate", "state"});
+  std::int64_t number = 0;
+  for (const LineageEntry& cell : run.results.lineage) {
+    csv.add(number++).add(std::string_view(cell.path.text())).add(std::string_view(run.nameOf(cell)));
+    csv.add(std::optional(cell.born));
+    csv.add(cell.fate == Fate::alive ? std::nullopt : std::optional(cell.ended)).add(std::string_view(name(cell.fate)));
+    csv.add(std::int64_t{run.stateNumber(cell.state)}).endRow();
+  }
+  return csv.text();
+}
+
+/// A row for each state: state (from 0), substances, colour (#rrggbb).
+std::string stateTable(const ExportedRun& run) {
+  CsvTable csv({"state", "substances", "colour"});
+  for (std::size_t i = 0; i < run.states.size(); ++i) {
+    Colour colour = neutralGrey;
+    for (const auto& [state, text] : run.results.stateTexts)
+      if (text == run.states[i]) colour = run.colours.at(state);
+    csv.add(static_cast<std::int64_t>(i)).add(std::string_view(run.states[i]));
+    csv.add(std::string_view(fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b))).endRow();
+  }
+  return csv.text();
+}
+
+}  // namespace
 
 namespace fs = std::filesystem;
 

@@ -10,7 +10,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 // glTF's numbers for what it calls component types and targets.

@@ -5,7 +5,6 @@
 #include "base/number_text.h"
 
 namespace morula {
-
 namespace {
 
 bool isPlain(char c) {

@@ -1,15 +1,163 @@
 #include "export/npz.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "export/npy.h"
+#include "base/error.h"
+#include "base/utf8.h"
+#include "files/bytes.h"
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
+
+class NpzWriter {
+ public:
+  // Arrays of these shapes; the values fill the last axis first.
+  void add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape);
+  void add(const std::string& name, const std::vector<std::int64_t>& values, const std::vector<std::size_t>& shape);
+  void add(const std::string& name, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape);
+  /// One axis, UTF-32 (<U…).
+  void add(const std::string& name, const std::vector<std::string>& texts);
+
+  /// Throws FileError for more than 4 GB, which such a zip cannot hold.
+  std::string file() const;
+
+ private:
+  void addArray(const std::string& name, const std::string& type, const std::vector<std::size_t>& shape,
+                const std::string& bytes);
+  std::vector<std::pair<std::string, std::string>> files_;  // name, bytes
+};
+
+constexpr std::uint32_t replacement = 0xfffd;  // of what is no character
+
+std::vector<std::uint32_t> codePoints(std::string_view text) {
+  std::vector<std::uint32_t> points;
+  while (!text.empty()) {
+    const int length = utf8Length(text);
+    points.push_back(length > 0 ? static_cast<std::uint32_t>(utf8Value(text, length)) : replacement);
+    text.remove_prefix(length > 0 ? static_cast<std::size_t>(length) : 1);
+  }
+  return points;
+}
+
+std::string shapeText(const std::vector<std::size_t>& shape) {
+  std::string text = "(";
+  for (const std::size_t n : shape) text += std::to_string(n) + ", ";
+  if (shape.size() > 1) text.resize(text.size() - 2);
+  else text.resize(text.size() - 1);  // (3,)
+  return text + ")";
+}
+
+std::size_t valuesIn(const std::vector<std::size_t>& shape) {
+  std::size_t n = 1;
+  for (const std::size_t length : shape) n *= length;
+  return n;
+}
+
+/// The checksum of zip files: CRC-32 with the polynomial 0xedb88320.
+std::uint32_t crc32Of(const std::string& bytes) {
+  static const auto table = [] {
+    std::array<std::uint32_t, 256> t{};
+    for (std::uint32_t i = 0; i < 256; ++i) {
+      std::uint32_t c = i;
+      for (int bit = 0; bit < 8; ++bit) c = (c >> 1) ^ ((c & 1) != 0 ? 0xedb88320u : 0u);
+      t[i] = c;
+    }
+    return t;
+  }();
+  std::uint32_t c = 0xffffffff;
+  for (const char b : bytes) c = table[(c ^ static_cast<std::uint8_t>(b)) & 0xff] ^ (c >> 8);
+  return ~c;
+}
+
+void NpzWriter::add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape) {
+  MORULA_CHECK(values.size() == valuesIn(shape), name);
+  std::string bytes;
+  for (const double v : values) putDouble(bytes, v);
+  addArray(name, "<f8", shape, bytes);
+}
+
+void NpzWriter::add(const std::string& name, const std::vector<std::int64_t>& values,
+                    const std::vector<std::size_t>& shape) {
+  MORULA_CHECK(values.size() == valuesIn(shape), name);
+  std::string bytes;
+  for (const std::int64_t v : values) put64(bytes, static_cast<std::uint64_t>(v));
+  addArray(name, "<i8", shape, bytes);
+}
+
+void NpzWriter::add(const std::string& name, const std::vector<std::int32_t>& values,
+                    const std::vector<std::size_t>& shape) {
+  MORULA_CHECK(values.size() == valuesIn(shape), name);
+  std::string bytes;
+  for (const std::int32_t v : values) put32(bytes, v);
+  addArray(name, "<i4", shape, bytes);
+}
+
+void NpzWriter::add(const std::string& name, const std::vector<std::string>& texts) {
+  std::vector<std::vector<std::uint32_t>> all;
+  std::size_t longest = 1;  // NumPy makes <U1 of empty texts, too
+  for (const std::string& text : texts) longest = std::max(longest, all.emplace_back(codePoints(text)).size());
+  std::string bytes;
+  for (auto& points : all) {
+    points.resize(longest, 0);
+    for (const std::uint32_t p : points) put32(bytes, p);
+  }
+  addArray(name, "<U" + std::to_string(longest), {texts.size()}, bytes);
+}
+
+void NpzWriter::addArray(const std::string& name, const std::string& type, const std::vector<std::size_t>& shape,
+                         const std::string& bytes) {
+  // NumPy's format, version 1.0: the values begin at a multiple of 64 bytes.
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shapeText(shape) + ", }";
+  header.resize((10 + header.size() + 1 + 63) / 64 * 64 - 11, ' ');
+  header += '\n';
+  std::string file = "\x93NUMPY";
+  put8(file, 1), put8(file, 0);
+  put16(file, static_cast<std::uint16_t>(header.size()));
+  files_.emplace_back(name + ".npy", file + header + bytes);
+}
+
+std::string NpzWriter::file() const {
+  constexpr std::uint16_t version = 20,
+                          day = 1 << 5 | 1;  // zip 2.0; 1980-01-01: the same run, the same bytes
+  const auto common = [&](std::string& out, const std::string& name, const std::string& bytes) {
+    put16(out, version), put16(out, 0), put16(out, 0);  // no flags; stored as it is
+    put16(out, 0), put16(out, day);
+    put32(out, crc32Of(bytes));
+    put32(out, static_cast<std::uint32_t>(bytes.size())), put32(out, static_cast<std::uint32_t>(bytes.size()));
+    put16(out, static_cast<std::uint16_t>(name.size())), put16(out, 0);
+  };
+  std::string out, directory;
+  for (const auto& [name, bytes] : files_) {
+    if (out.size() + bytes.size() > 4'000'000'000)
+      throw FileError("npz: more than 4 GB of arrays, which one file cannot hold; give --time, or use --format vtk");
+    const auto offset = static_cast<std::uint32_t>(out.size());
+    put32(directory, std::uint32_t{0x02014b50});
+    put16(directory, version);
+    common(directory, name, bytes);
+    put16(directory, 0), put16(directory, 0), put16(directory, 0);  // no comment, one disk, no kind
+    put32(directory, std::uint32_t{0}), put32(directory, offset);
+    directory += name;
+    put32(out, std::uint32_t{0x04034b50});
+    common(out, name, bytes);
+    out += name + bytes;
+  }
+  const auto begin = static_cast<std::uint32_t>(out.size()), size = static_cast<std::uint32_t>(directory.size());
+  const auto count = static_cast<std::uint16_t>(files_.size());
+  out += directory;
+  put32(out, std::uint32_t{0x06054b50});
+  put16(out, 0), put16(out, 0), put16(out, count), put16(out, count);
+  put32(out, size), put32(out, begin);
+  put16(out, 0);
+  return out;
+}
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 using Starts = std::vector<std::int64_t>;

@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// Binary, little-endian. A vertex: x, y, z (float), red, green, blue (uchar) of its cell's state, cell (int: run_tables.h);
-/// a face: three vertices, counter-clockwise seen from outside. Cells stand one after the other, by path.
+/// Binary, little-endian. A vertex: x, y, z (float), red, green, blue (uchar) of its cell's state, cell (int:
+/// formats.cpp); a face: three vertices, counter-clockwise seen from outside. Cells stand one after the other, by path.
 std::string plyFile(const ExportedRun& run, const Sample& sample);
 
 }  // namespace morula

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "files/content.h"
 #include "files/folders.h"
-#include "files/safe_name.h"
+#include "files/printable.h"
 #include "golden/accept.h"
 
 namespace morula {

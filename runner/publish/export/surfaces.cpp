@@ -15,7 +15,6 @@
 #include "system/usage_error.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double rounding = 1e-9;  // [1] of times that people type

@@ -10,7 +10,6 @@
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
 
 /// What follows the markup: pieces of bytes, each behind its length, found by where they begin.

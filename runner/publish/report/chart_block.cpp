@@ -10,7 +10,6 @@
 #include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostLines = 24;     // runs in one chart

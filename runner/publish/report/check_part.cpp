@@ -8,14 +8,12 @@
 #include "files/read_file.h"
 #include "golden/change.h"
 #include "pictures/pictures.h"
-#include "report/check_tables.h"
-#include "report/golden_pictures.h"
 #include "report/parts.h"
+#include "report/run_blocks.h"
 #include "system/installation.h"
 #include "system/json_record.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTold = 40;   // failed scenarios with all that differs

@@ -1,12 +1,10 @@
-#include "report/check_tables.h"
-
 #include <algorithm>
 
 #include "base/number_text.h"
 #include "golden/change.h"
+#include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 /// Where a check failed first, or what has used the most of its tolerance.

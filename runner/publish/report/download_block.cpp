@@ -1,12 +1,11 @@
 // What of the runs can be taken along: tables, trees, and where the databases are.
 #include <set>
 
-#include "export/csv_tables.h"
+#include "export/csv.h"
 #include "export/newick.h"
 #include "report/run_blocks.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostRuns = 24;       // with links

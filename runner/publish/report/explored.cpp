@@ -3,7 +3,6 @@
 #include "report/bullet_block.h"
 
 namespace morula {
-
 namespace {
 
 ExplorerRun explorerRunOf(const RunFacts& facts) {

@@ -1,15 +1,13 @@
 // Pictures of runs: organisms, meshes, trees.
-#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "base/number_text.h"
 #include "pictures/pictures.h"
-#include "report/golden_pictures.h"
 #include "report/run_blocks.h"
+#include "report_data/words.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostPictured = 8;   // runs with pictures
@@ -109,6 +107,26 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   if (runs.size() > 1 && trees.size() == 1 && drawn == 1) section.body.note("The lineage is the same in all runs.");
   if (section.commands.size() > 6) section.commands.resize(6);
   return section;
+}
+
+Document goldenPictures(const BesideGolden& beside, const std::string& name) {
+  Document all, pictures;
+  const ComparisonImages& images = beside.images;
+  if (beside.source == BesideGolden::Source::none) {
+    pictures.add(pngPicture(images.other, name + ": the organism as it is now", "as it is now"));
+  } else {
+    all.add(Swipe{"accepted", "now", "as accepted | as it is now"});
+    const auto add = [&](const Image& image, const std::string& id, const std::string& what) {
+      pictures.add(pngPicture(image, name + ": " + what, what, id));
+    };
+    add(images.one, "accepted", "as accepted");
+    add(images.other, "now", "as it is now");
+    add(images.distance, "distance", "how far it is from what is accepted");
+  }
+  all.add(Group{Group::Kind::pictures, "", std::move(pictures)});
+  for (const std::string& note : beside.notes) all.note(note);
+  if (!images.unmatched.empty()) all.note(images.unmatched);
+  return all;
 }
 
 }  // namespace morula

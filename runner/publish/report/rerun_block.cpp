@@ -1,13 +1,11 @@
-#include "report/rerun_block.h"
-
-#include "files/quote.h"
+#include "files/text.h"
 #include "library/scene_format.h"
+#include "report/run_blocks.h"
 #include "report_data/words.h"
 #include "system/installation.h"
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 /// What is stored or, of runs whose step hashes are not, what making the page has found.

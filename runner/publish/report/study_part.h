@@ -26,7 +26,7 @@ struct Representative {
   std::string name() const { return condition + ", seed " + std::to_string(seed); }
 };
 /// All runs that are done, equal ones once: with the first seed those of the conditions that differ most first
-/// [analysis/differing.h], and so on with the next seeds.
+/// [byDifference], and so on with the next seeds.
 std::vector<Representative> representativesOf(const std::string& database);
 
 }  // namespace morula

@@ -1,7 +1,6 @@
 #include "report_data/explorer_data.h"
 
 #include <cstdio>
-#include <set>
 
 #include "drawing/palette.h"
 #include "files/printable.h"
@@ -11,7 +10,6 @@
 #include "values/measure_list.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t colourSteps = 33;  // of the scale

@@ -1,8 +1,59 @@
 #include "report_data/words.h"
 
+#include <map>
+
+#include "scenario/deciding_values.h"
 #include "system/installation.h"
 
 namespace morula {
+namespace {
+
+constexpr std::size_t mostKeys = 2;    // in a title
+constexpr std::size_t longest = 24;    // [byte] of a value in a title
+constexpr std::size_t mostNamed = 64;  // runs of one scenario that are told apart by their parameters
+
+using RunGroup = std::vector<RunFacts*>;
+
+void addIds(const RunGroup& group) {
+  for (RunFacts* run : group) run->title += " (" + run->run.id + ")";
+}
+
+/// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`, they
+/// alone are the titles.
+void tellApart(const RunGroup& group, bool others) {
+  if (group.size() > mostNamed) return addIds(group);
+  std::vector<std::map<std::string, std::string>> values;
+  std::map<std::string, std::size_t> known;  // key: how many have it
+  for (const RunFacts* run : group) {
+    const auto deciding = decidingValues(run->scenario);
+    values.emplace_back(deciding.begin(), deciding.end());
+    for (const auto& [key, value] : values.back()) ++known[key];
+  }
+  std::vector<std::string> keys;
+  for (const auto& [key, count] : known) {
+    bool differs = count < group.size();
+    for (const auto& of : values) differs = differs || (of.contains(key) && of.at(key) != values[0].at(key));
+    if (differs && key != "seed") keys.push_back(key);
+  }
+  if (keys.empty() || keys.size() > mostKeys) return addIds(group);
+  for (const auto& of : values)
+    for (const std::string& key : keys)
+      if (of.contains(key) && of.at(key).size() > longest) return addIds(group);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (!others) group[i]->title.clear();
+    for (const std::string& key : keys)
+      group[i]->title += (group[i]->title.empty() ? "" : ", ") + key + ' ' +
+                         (values[i].contains(key) ? values[i].at(key) : "not given");
+  }
+}
+
+std::map<std::string, RunGroup> groupsOf(std::vector<RunFacts>& runs) {
+  std::map<std::string, RunGroup> groups;
+  for (RunFacts& run : runs) groups[run.title].push_back(&run);
+  return groups;
+}
+
+}  // namespace
 
 Finding failedBecause(Finding::Kind kind, const std::string& before, const std::string& failure) {
   const auto end = failure.find("; ");
@@ -34,6 +85,16 @@ std::string sourceOf(const RunFacts& run) {
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options) {
   return programWord() + " " + verb + " " + shellWord(run.database) + " --run " + run.run.id +
          (options.empty() ? "" : " " + options);
+}
+
+void nameRuns(std::vector<RunFacts>& runs) {
+  for (RunFacts& run : runs)
+    run.title =
+        (run.label.empty() ? run.run.record.scenario : run.label) + ", seed " + std::to_string(run.run.record.seed);
+  for (const auto& [title, group] : groupsOf(runs))
+    if (group.size() > 1) tellApart(group, group.size() < runs.size());
+  for (const auto& [title, group] : groupsOf(runs))
+    if (group.size() > 1 && !title.ends_with(" (" + group[0]->run.id + ")")) addIds(group);
 }
 
 }  // namespace morula

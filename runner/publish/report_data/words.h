@@ -5,7 +5,7 @@
 
 #include "document/document.h"
 #include "drawing/drawing.h"
-#include "files/quote.h"
+#include "files/text.h"
 #include "report_data/run_facts.h"
 
 namespace morula {

@@ -8,14 +8,13 @@
 #include <new>
 
 #include "base/error.h"
-#include "base/read_hash.h"
+#include "base/hash.h"
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

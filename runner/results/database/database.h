@@ -234,9 +234,8 @@ class Statement {
   Hash hash(int column) const;
   CellPath path(int column) const;
 
-  /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes
-  /// NULL. So REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a
-  /// hash beside them.
+  /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes NULL. So
+  /// REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a hash beside them.
   void bind(int place, double value);
   void bind(int place, std::int64_t value);
   void bind(int place, std::uint64_t value);  // two's complement: SQLite's integers are signed

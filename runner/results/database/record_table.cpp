@@ -8,7 +8,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 std::vector<std::string> words(const char* text) {

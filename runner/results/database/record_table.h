@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "database/database.h"
-#include "files/quote.h"
+#include "files/text.h"
 
 namespace morula {
 

@@ -1,6 +1,5 @@
 #include "golden/accept.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "base/error.h"

@@ -8,7 +8,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* absent = "not given";

@@ -6,7 +6,6 @@
 #include "document/table.h"
 #include "files/content.h"
 #include "files/printable.h"
-#include "files/quote.h"
 #include "files/text.h"
 #include "files/write_file.h"
 #include "golden/change.h"
@@ -14,7 +13,6 @@
 #include "system/installation.h"
 
 namespace morula {
-
 namespace {
 
 /// What XML cannot hold, not even escaped, becomes visible.

@@ -11,9 +11,8 @@ namespace morula {
 /// changed in words, all that differs and what follows from it; the checks that only follow are skipped.
 std::string junitXml(const std::vector<CheckReport>& reports);
 
-/// Workflow commands, one line for each cause: `::error file=…,line=…,title=…::what changed, in words`.
-/// Not more than `most`, as services show only so many, and then one that says how many more there are. ""
-/// when all pass.
+/// Workflow commands, one line for each cause: `::error file=…,line=…,title=…::what changed, in words`. Not more than
+/// `most`, as services show only so many, and then one that says how many more there are. "" when all pass.
 std::string annotations(const std::vector<CheckReport>& reports, std::size_t most = 9);
 
 /// A Markdown table of the scenarios, and under it for each cause what changed, in words, and what to type next.

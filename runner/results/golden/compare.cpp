@@ -10,7 +10,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 /// An item of the golden and the same item of the run; null if one of them does not have it.

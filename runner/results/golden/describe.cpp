@@ -10,7 +10,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 std::string shareInWords(double share) {

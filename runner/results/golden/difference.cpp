@@ -10,7 +10,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTold = 9;  // told one by one

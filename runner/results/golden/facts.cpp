@@ -4,7 +4,6 @@
 #include <map>
 
 namespace morula {
-
 namespace {
 
 /// Works out each state's text once: a large lineage has few states.

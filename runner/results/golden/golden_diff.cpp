@@ -1,13 +1,11 @@
 #include "golden/golden_diff.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 /// The last rule that matches; null if none does.

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/read_hash.h"
+#include "base/hash.h"
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 // Each reads a text, or tells what would have been right.

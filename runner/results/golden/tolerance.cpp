@@ -9,7 +9,6 @@
 #include "golden/number_text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* ruleForm =

@@ -9,7 +9,6 @@
 #include "mesh/measures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double steps = 65535;  // from one side of the box to the other

@@ -1,7 +1,6 @@
 #include "store/provenance.h"
 
 namespace morula {
-
 namespace {
 
 bool isIdentity(RunPart part) { return part == RunPart::scene || part == RunPart::program; }

@@ -11,7 +11,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 /// Copies the faces of the mesh with number `mesh` from `from`, unless `kept` has them.

@@ -103,8 +103,7 @@ class Recorder {
   std::map<std::pair<CellPath, CellPath>, double> touchingSince_;
 };
 
-/// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state
-/// hash.
+/// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state hash.
 RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {}, Want want = Want::nothing);
 
 }  // namespace morula

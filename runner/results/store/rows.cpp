@@ -6,7 +6,6 @@
 #include "store/run_tables.h"
 
 namespace morula {
-
 namespace {
 
 class Documents {

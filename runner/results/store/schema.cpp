@@ -6,7 +6,6 @@
 #include "store/run_tables.h"
 
 namespace morula {
-
 namespace {
 
 [[noreturn]] void refuseVersion(const Database& db, const std::string& why) {

@@ -10,7 +10,6 @@
 #include "store/schema.h"
 
 namespace morula {
-
 namespace {
 
 /// What the file says of a run that is already there.

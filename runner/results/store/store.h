@@ -20,7 +20,6 @@
 #include "store/contents.h"
 #include "store/records.h"
 #include "store/table_difference.h"
-#include "store/table_rows.h"
 
 namespace morula {
 
@@ -59,8 +58,7 @@ class Store {
   /// The step of the checkpoint that the run of this id can be resumed from.
   std::optional<std::uint64_t> checkpointStep(const std::string& id);
 
-  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for
-  /// `begin`.
+  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for `begin`.
   std::optional<ResumedRun> resume(const RunRecord& record);
 
   /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
@@ -104,7 +102,7 @@ class Store {
   /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
-  /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
+  /// A table's rows as they stand [store/contents.h]. `id`: of this run alone, "": of all.
   std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
   void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take) {
     morula::eachRow(db_, table, id, take);

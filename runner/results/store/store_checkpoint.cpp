@@ -5,7 +5,6 @@
 #include "store/store.h"
 
 namespace morula {
-
 namespace {
 
 /// The step of the checkpoint that the file has, if samples and hashes were recorded for it in the same way.

@@ -8,7 +8,6 @@
 #include "store/run_tables.h"
 
 namespace morula {
-
 namespace {
 
 struct TypedColumn {

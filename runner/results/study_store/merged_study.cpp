@@ -4,7 +4,6 @@
 #include "store/schema.h"
 
 namespace morula {
-
 namespace {
 
 /// What `run` holds of times and machines stands in `timing` alone here.

@@ -4,7 +4,6 @@
 #include "store/run_tables.h"
 
 namespace morula {
-
 namespace {
 
 std::string columnsOfTexts(const std::vector<std::string>& names) {

@@ -3,7 +3,6 @@
 // `level`, `condition`, `condition_key` and `replicate` in the merged file alone. study_store/README.md describes their columns.
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/hash.h"

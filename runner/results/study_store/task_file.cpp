@@ -7,7 +7,6 @@
 #include "store/schema.h"
 
 namespace morula {
-
 namespace {
 
 // A task's file has some thirty tables, most of them empty or short, so small pages; rows of cells do not fit into smaller ones.

@@ -11,7 +11,6 @@
 #include "system/signals.h"
 
 namespace morula {
-
 namespace {
 
 /// Bits are checked exactly; the values beside them tell how large a difference is.

@@ -16,7 +16,6 @@
 #include "pictures/pictures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int side = 700;  // [pixel] of each picture

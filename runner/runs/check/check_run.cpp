@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "files/folders.h"
-#include "files/quote.h"
+#include "files/text.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
-#include "organism/renderer_name.h"
+#include "organism/organism_renderer.h"
 #include "pictures/pictures.h"
 #include "scenario/deciding_values.h"
 #include "simulation/measures.h"
@@ -14,7 +14,6 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 /// [radii of the shell] How far a vertex may lie outside the shell. Positions are projected onto the shell, up to

@@ -61,8 +61,7 @@ std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const Chec
 /// What must hold whatever the golden file says.
 std::vector<CheckResult> checkInvariants(const Scenario& scenario, const CheckedRun& checked);
 
-/// Of a scenario that must stop: whether it has, and has said why. `failure`: the reason; "" if it ended
-/// well.
+/// Of a scenario that must stop: whether it has, and has said why. `failure`: the reason; "" if it ended well.
 CheckReport checkStop(const Scenario& scenario, const std::string& failure);
 
 }  // namespace morula

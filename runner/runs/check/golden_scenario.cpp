@@ -9,7 +9,6 @@
 #include "system/git_text.h"
 
 namespace morula {
-
 namespace {
 
 using Values = std::vector<std::pair<std::string, std::string>>;

@@ -8,7 +8,6 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 double valueOf(const char* name, const Observation& now) { return *measure<Observation>(name).get(now); }

@@ -45,8 +45,7 @@ class Invariants {
   std::optional<Vector> momentum_;  // at the start
 };
 
-/// The check of a run that had to stop: with all of `fails` in the reason. `failure`: why it stopped; "" if
-/// it did not.
+/// The check of a run that had to stop: with all of `fails` in the reason. `failure`: why it stopped; "" if it did not.
 CheckResult stopsAsItMust(const std::vector<std::string>& fails, const std::string& failure);
 
 }  // namespace morula

@@ -11,7 +11,6 @@
 #include "store/run_tables.h"
 
 namespace morula {
-
 namespace {
 
 /// The same run under the conditions of now.

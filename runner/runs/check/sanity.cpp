@@ -14,7 +14,6 @@
 #include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 /// Of the energy at the start: automatic steps keep it to 0.5 %, steps just below the limit of stability to a few per cent.

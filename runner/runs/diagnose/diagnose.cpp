@@ -3,20 +3,84 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/number_text.h"
 #include "contacts/contacts.h"
-#include "diagnose/force_work.h"
 #include "diagnose/remedies.h"
+#include "diagnose/vertex_forces.h"
 #include "physics/stability.h"
 #include "simulation/body_measures.h"
 #include "simulation/checkpoint.h"
 #include "simulation/sanity.h"
 #include "simulation/stages.h"
+#include "simulation/world.h"
 
 namespace morula {
-
 namespace {
+
+struct ForceWork {
+  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  std::string force;
+  double work = 0;  // [force·length] on the cell's vertices; negative: it resisted
+};
+
+/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell: f the mean of the forces
+/// at both ends of the step.
+class WorkMeter {
+ public:
+  /// The cell must live in the world and go on living.
+  WorkMeter(World& world, const CellPath& cell);
+  /// To be called after each step; the forces that it measures come from the world's last evaluation.
+  void observe(World& world);
+
+  /// Largest first; only forces that the scene has.
+  std::vector<ForceWork> works() const;
+
+ private:
+  std::vector<Point> positions(const World& world) const;
+  int slotIn(const World& world) const;
+
+  CellPath cell_;
+  std::vector<Point> before_;
+  std::vector<VertexForces> forces_;
+  std::vector<ForceWork> works_;
+};
+
+WorkMeter::WorkMeter(World& world, const CellPath& cell)
+    : cell_(cell), before_(positions(world)), forces_(measureForces(world, slotIn(world))) {
+  for (const VertexForces& f : forces_) works_.push_back({f.name, 0});
+}
+
+int WorkMeter::slotIn(const World& world) const {
+  const auto& paths = world.cells.path;
+  return world.bodies->slots[std::lower_bound(paths.begin(), paths.end(), cell_) - paths.begin()];
+}
+
+std::vector<Point> WorkMeter::positions(const World& world) const {
+  const int slot = slotIn(world);
+  std::vector<Point> points;
+  for (int v = 0; v < world.bodies->vertexCount(slot); ++v) points.push_back(world.bodies->vertex(slot, v));
+  return points;
+}
+
+void WorkMeter::observe(World& world) {
+  const std::vector<Point> now = positions(world);
+  std::vector<VertexForces> forces = measureForces(world, slotIn(world));
+  for (std::size_t f = 0; f < forces.size(); ++f)
+    for (std::size_t v = 0; v < now.size(); ++v)
+      works_[f].work += 0.5 * dot(forces_[f].onVertex[v] + forces[f].onVertex[v], now[v] - before_[v]);
+  before_ = now;
+  forces_ = std::move(forces);
+}
+
+std::vector<ForceWork> WorkMeter::works() const {
+  std::vector<ForceWork> sorted = works_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const ForceWork& a, const ForceWork& b) { return a.work > b.work; });
+  return sorted;
+}
 
 // Steps in which the work of forces is measured: all from the last good state on, or if these are more than
 // mostStepsMeasured the last few.
@@ -151,8 +215,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to
-/// it.
+/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to it.
 Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {

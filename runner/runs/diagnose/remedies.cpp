@@ -7,7 +7,6 @@
 #include "simulation/stages.h"
 
 namespace morula {
-
 namespace {
 
 void add(std::vector<Remedy>& remedies, const char* key, double value, std::function<void(World&)> apply) {

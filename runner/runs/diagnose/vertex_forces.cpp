@@ -15,7 +15,6 @@
 #include "simulation/swirls.h"
 
 namespace morula {
-
 namespace {
 
 /// [force] Of the membrane's springs [Nilsson 2008, eq. 4.2].

@@ -6,7 +6,6 @@
 #include "mesh/measures.h"
 
 namespace morula {
-
 namespace {
 
 btVector3 toBullet(const Point& a) { return {btScalar(a.x), btScalar(a.y), btScalar(a.z)}; }

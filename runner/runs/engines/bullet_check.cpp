@@ -1,13 +1,20 @@
+// The metrics in which two engines may honestly be held against each other.
 #include "engines/bullet_check.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "engines/bullet_scene.h"
 #include "engines/engine_comparison.h"
 #include "engines/engine_worker.h"
+#include "mesh/measures.h"
+#include "simulation/measures.h"
 #include "system/child_process.h"
+#include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* skipped = "not checked: this build has no Bullet";
@@ -20,6 +27,82 @@ CheckResult about(const char* failureClass, const std::string& text) {
 /// Bullet's step is that of either Verlet (BulletScene::physics).
 bool isVerlet(Integrator integrator) {
   return integrator == Integrator::thesisVerlet || integrator == Integrator::velocityVerlet;
+}
+
+using Shape = std::vector<Point>;
+
+/// √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid.
+double aspect(const Shape& shape) {
+  const Point centre = measureCentroid(shape);
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Point& p : shape) {
+    const Eigen::Vector3d d(p.x - centre.x, p.y - centre.y, p.z - centre.z);
+    moments += d * d.transpose();
+  }
+  const auto values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  return values[2] == 0 ? 1 : std::sqrt(values[2] / values[0]);
+}
+
+double meanRadius(const Shape& shape) {
+  const Point centre = measureCentroid(shape);
+  double sum = 0;
+  for (const Point& p : shape) sum += norm(p - centre);
+  return sum / static_cast<double>(shape.size());
+}
+
+double centreDistance(const Shape& a, const Shape& b) { return norm(measureCentroid(a) - measureCentroid(b)); }
+
+/// The worst of several comparisons of one metric.
+class Metric {
+ public:
+  Metric(const char* field, std::string tolerance, double allowed)
+      : allowed_(allowed),
+        result_{.check = std::string("bullet ") + field,
+                .kind = "bullet",
+                .tolerance = std::move(tolerance),
+                .field = field,
+                .share = -1} {}
+
+  /// What is off by a NaN is off for ever.
+  void see(double expected, double actual, double off, const std::string& where) {
+    const double share = off / allowed_;
+    if (!(*result_.share <= share) && !std::isnan(share)) return;
+    result_.share = share;
+    result_.expected = exactText(expected);
+    result_.actual = exactText(actual);
+    result_.cell = where;
+  }
+  void seeRelative(double expected, double actual, const std::string& where) {
+    see(expected, actual, std::abs(actual - expected) / std::abs(expected), where);
+  }
+
+  CheckResult result(std::uint64_t step) const {
+    CheckResult r = judged(result_, *result_.share <= 1,
+                           "check.bullet." + result_.field + ": ours " + result_.actual + ", Bullet's " +
+                               result_.expected + "; needs " + result_.tolerance + ", at step " + std::to_string(step) +
+                               " of " + cellName(result_.cell.value_or("")));
+    if (!r.passed) r.firstStep = step;
+    return r;
+  }
+
+ private:
+  double allowed_;
+  CheckResult result_;
+};
+
+/// Indices of cells whose distance is looked at: of those that touch, or of all where none does.
+std::vector<std::pair<std::size_t, std::size_t>> pairsOf(const World& world, bool& touching) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const auto& paths = world.cells.path;
+  const auto place = [&](const CellPath& path) {
+    return static_cast<std::size_t>(std::find(paths.begin(), paths.end(), path) - paths.begin());
+  };
+  for (const ContactMeasures& c : measureContacts(world)) pairs.push_back({place(c.a), place(c.b)});
+  touching = !pairs.empty();
+  if (touching) return pairs;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t j = i + 1; j < paths.size(); ++j) pairs.push_back({i, j});
+  return pairs;
 }
 
 }  // namespace
@@ -64,6 +147,48 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
                                       std::to_string(end.clock.step))},
             {}};
   return {compareWithBullet(end, bullet.shapes, check), bullet};
+}
+
+std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<Shape>& shapes,
+                                           const BulletCheck& check) {
+  std::vector<Shape> own;
+  std::vector<std::string> names;
+  for (const CellPath& path : ours.cells.path) {
+    own.push_back(cellVertices(ours, path));
+    names.push_back(path.text());
+  }
+  std::vector<CheckResult> results;
+  const auto relative = [](double tolerance) { return "rel " + exactText(tolerance); };
+  const auto eachCell = [&](const char* field, const std::optional<double>& tolerance, const auto& measure) {
+    if (!tolerance) return;
+    Metric metric(field, relative(*tolerance), *tolerance);
+    for (std::size_t i = 0; i < own.size(); ++i) metric.seeRelative(measure(shapes[i]), measure(own[i]), names[i]);
+    results.push_back(metric.result(ours.clock.step));
+  };
+
+  if (check.positions) {
+    Metric metric("positions", "abs " + exactText(*check.positions), *check.positions);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      for (std::size_t v = 0; v < own[i].size(); ++v) {
+        const double off = norm(own[i][v] - shapes[i][v]);
+        metric.see(0, off, off, names[i]);
+      }
+    results.push_back(metric.result(ours.clock.step));
+  }
+  eachCell("radius", check.radius, meanRadius);
+  eachCell("volume", check.volume, [&](const Shape& s) { return measureVolume(s, ours.model.mechanics->mesh.faces); });
+  if (check.distance) {
+    Metric metric("distance", relative(*check.distance), *check.distance);
+    bool touching = false;
+    for (const auto& [i, j] : pairsOf(ours, touching)) {
+      const double gap = touching ? 2 * check.margin * ours.model.mechanics->physics.cell.radius : 0;
+      metric.seeRelative(centreDistance(shapes[i], shapes[j]) - gap, centreDistance(own[i], own[j]),
+                         names[i] + " and " + names[j]);
+    }
+    if (own.size() > 1) results.push_back(metric.result(ours.clock.step));
+  }
+  eachCell("aspect", check.aspect, aspect);
+  return results;
 }
 
 }  // namespace morula

@@ -3,7 +3,6 @@
 #include "physics/stages.h"
 
 namespace morula {
-
 namespace {
 
 /// The core's bodies serve as the notebook in which Bullet's nodes are read: forces and the shell are then

@@ -9,7 +9,6 @@
 #include "engines/bullet_engine.h"
 
 namespace morula {
-
 namespace {
 
 /// The contents' pressure and the medium's drag, which Bullet has not. The solver takes them as constant

@@ -3,7 +3,6 @@
 #include "mesh/measures.h"
 
 namespace morula {
-
 namespace {
 
 BulletScene sceneOf(const World& world, Baseline baseline, double margin, Integrator integrator) {

@@ -25,8 +25,7 @@ struct Verdict {
 /// "holds", "breaks", "stops", "goes-on", "no-answer", "not-asked".
 const char* name(Verdict::Kind kind);
 
-/// A scenario and what was found of it: first ours, then the engines in the order in which they were asked
-/// for.
+/// A scenario and what was found of it: first ours, then the engines in the order in which they were asked for.
 struct ComparisonRow {
   std::string scenario;  // "hard/needle"
   std::vector<Verdict> verdicts;

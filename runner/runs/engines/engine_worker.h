@@ -1,12 +1,15 @@
 #pragma once
 // A scene computed in a process of its own, by this program once more: it may hang or die there, and what Bullet computes
 // depends on what it did before. One question in JSON on the worker's stdin; on its stdout a line {"step": N} after each
-// step of a scenario, and last a line {"answer": …} (messages.h).
+// step of a scenario, and last a line {"answer": …} . Numbers in JSON are written in their shortest
+// exact form, vectors of one kind as one flat list x, y, z, x, …; a number that is not finite becomes null, and NaN again.
+// What reads throws Json::exception for anything that its counterpart did not write.
 #include <iosfwd>
 #include <string>
 
 #include "engines/bullet_scene.h"
 #include "engines/external_run.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -20,5 +23,19 @@ BulletResult runInBullet(const BulletRequest& request, const std::string& progra
 /// The same of a scenario with mechanics; with the engine thesis it has that law already. Never throws for what goes wrong
 /// on the other side.
 ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question, const std::string& program);
+
+Json toJson(const BulletRequest& request);
+BulletRequest bulletRequestFrom(const Json& json);
+
+Json toJson(const BulletResult& result);
+BulletResult bulletResultFrom(const Json& json);
+
+Json toJson(const Scenario& scenario, const ExternalQuestion& question);
+/// The scenario as it was sent, and the question.
+Scenario scenarioFrom(const Json& json);
+ExternalQuestion externalQuestionFrom(const Json& json);
+
+Json toJson(const ExternalRun& run);
+ExternalRun externalRunFrom(const Json& json);
 
 }  // namespace morula

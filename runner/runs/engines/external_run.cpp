@@ -5,15 +5,13 @@
 #include "base/error.h"
 #include "check/invariants.h"
 #include "engines/bullet_run.h"
-#include "engines/messages.h"
+#include "engines/engine_worker.h"
 #include "simulation/measures.h"
 
 namespace morula {
-
 namespace {
 
-/// Of every run that its cells be cells: volumes above 0 and places that are numbers. Bullet goes on with
-/// anything.
+/// Of every run that its cells be cells: volumes above 0 and places that are numbers. Bullet goes on with anything.
 CheckParameters leastDemands() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CheckParameters check;

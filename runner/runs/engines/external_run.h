@@ -2,7 +2,6 @@
 // A scenario's run as another engine computes it, in a process of its own: that may hang or die, and what
 // Bullet computes depends on what it did before.
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,7 +65,7 @@ struct ExternalRun {
 
 using OnStep = std::function<void(std::uint64_t)>;
 
-/// In this process: what was asked in JSON (messages.h). `onStep` is called with the number of each step that is done.
+/// In this process: what was asked in JSON (engine_worker.h). `onStep` is called with the number of each step.
 ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

@@ -1,14 +1,32 @@
 #pragma once
-// Where two runs of one scene part, and of which kind the first difference is.
+// Where two runs of one scene part, and of which kind the first difference is; and where two states do, down to the
+// vertex.
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "explain/run_source.h"
-#include "explain/state_difference.h"
 
 namespace morula {
+
+struct World;
+
+struct StateDifference {
+  bool lineage = false;             // who lives, what they are or when they were born; else physics
+  std::optional<std::string> cell;  // path; "" is the egg; none: it is no cell's
+  std::string field;                // "position", "substances", "clock.time step"
+  std::optional<int> vertex;        // of the cell's mesh
+  std::string component;            // "x", "y" or "z" of a vector
+  std::string expected, actual;     // numbers in decimal, shortest
+  std::string text;                 // for people, one line; numbers also in hexadecimal and ulps
+};
+
+/// The first difference in the order: living cells, their biology, connections and lineage, then the clock,
+/// then each cell's parameters, positions, accelerations and velocities (as a step makes them, one from the
+/// other) by lineage path and vertex. Bits count: 0 and −0 differ, and equal bits are equal even if they are
+/// no number. None if all agrees.
+std::optional<StateDifference> findStateDifference(const World& expected, const World& actual);
 
 struct Explanation {
   std::string failureClass;                // "": the same bits; SETUP, LINEAGE, COMPUTATION; a caller may know better
@@ -27,8 +45,7 @@ struct Explanation {
 Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every = 64);
 /// Two runs of the scenario by this program, computed so and in another way (otherExecution).
 Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every = 64);
-/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told
-/// first.
+/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told first.
 Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every = 64);
 
 }  // namespace morula

@@ -60,4 +60,49 @@ class OwnRun : public RunSource {
 /// The scenario, which must outlive it, computed so; stops at signals.
 OwnRun scenarioRun(const Scenario& scenario, const Execution& how, const std::string& called = "this program");
 
+/// A run of another Morula, perhaps an older build, which is asked for its hashes and states.
+class ProgramRun : public RunSource {
+ public:
+  /// `program` is started as `PROGRAM trail SCENARIO …`; `make` gives the scenario's world here, into which
+  /// its states are restored. Both must know the same scenario file.
+  ProgramRun(std::string program, std::string scenario, std::function<World()> make,
+             std::vector<std::string> more = {});
+  std::string name() const override { return program_; }
+  /// Throws InputError if the program cannot be started or does not answer.
+  HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
+  /// Null if its states are of a form that is not known here.
+  std::unique_ptr<World> stateAt(std::uint64_t step) override;
+
+ private:
+  std::string answer(const std::vector<std::string>& arguments) const;
+
+  std::string program_, scenario_;
+  std::function<World()> make_;
+  std::vector<std::string> more_;  // further options of `trail`
+};
+
+/// A run in a database: the hashes of its states, without the states themselves.
+class StoredRunSource : public RunSource {
+ public:
+  /// `chain` as the database has it, `steps` and `failure` as the run ended.
+  StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps, std::string failure);
+  std::string name() const override { return name_; }
+  /// Of the steps asked for, those that are stored.
+  HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
+  std::unique_ptr<World> stateAt(std::uint64_t) override;
+
+ private:
+  std::string name_, failure_;
+  std::vector<ChainLink> chain_;
+  std::uint64_t steps_;
+};
+
+/// What is wrong with a stored chain in itself: a row lost, put in or edited. Each link's hash must follow from its
+/// state and the link before, each state's from its parts. "" if all holds. `step`: of the first bad link.
+std::string findBrokenLink(const std::vector<ChainLink>& chain, std::uint64_t& step);
+
+std::string writeHashTrace(const HashTrace& trace);
+/// Throws InputError for anything else.
+HashTrace readHashTrace(const std::string& text);
+
 }  // namespace morula

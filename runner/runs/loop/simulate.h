@@ -1,12 +1,12 @@
 #pragma once
 // The loop: step until the scene's end, a failure or a signal.
+#include <chrono>
 #include <functional>
-#include <optional>
 
-#include "loop/progress.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
 #include "store/recorder.h"
+#include "system/console.h"
 
 namespace morula {
 
@@ -67,5 +67,27 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
 
 /// Throws what a run failed of if that was for want of something (Want): compared with another one, it would say nothing.
 void requireEnough(const RunEnd& end);
+
+/// How far a run has come.
+class Progress {
+ public:
+  Progress(std::string label, bool quiet);
+
+  /// Call after every step; looks at the clock only now and then.
+  void show(const World& world);
+  void clear() { line_.clear(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string text(const World& world, double stepsPerSecond, double timePerSecond) const;
+
+  std::string label_;
+  ProgressLine line_;
+  unsigned calls_ = 0;
+  // Where the run was when it was last shown, for the rates.
+  Clock::time_point lastShown_;
+  double lastTime_ = 0;
+  double lastStep_ = 0;
+};
 
 }  // namespace morula

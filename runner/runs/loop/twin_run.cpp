@@ -11,7 +11,6 @@
 #include "simulation/world.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::array decades{1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8,

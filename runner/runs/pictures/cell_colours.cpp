@@ -11,7 +11,6 @@
 #include "store/sample_values.h"
 
 namespace morula {
-
 namespace {
 
 constexpr Colour notMeasured = neutralGrey;

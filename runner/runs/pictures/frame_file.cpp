@@ -7,7 +7,6 @@
 #include "base/fields.h"
 
 namespace morula {
-
 namespace {
 
 using Numbers = std::vector<std::uint64_t>;

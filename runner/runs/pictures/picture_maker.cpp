@@ -9,7 +9,6 @@
 #include "pictures/pictures.h"
 
 namespace morula {
-
 namespace {
 
 constexpr Colour connectionColour{0x6a, 0x3d, 0x9a}, normalColour{0x77, 0x77, 0x77};

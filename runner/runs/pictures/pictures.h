@@ -76,9 +76,8 @@ void writePicture(const Image& image, const std::filesystem::path& file);
 /// By the ending, in capitals or not: ".svg", ".pdf"; PNG for ".png" and without any. Others: absent.
 std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 
-/// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
-/// Returns the files. Pictures that an earlier, longer run left in the sequence are removed; other files
-/// stay.
+/// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder. Returns the
+/// files. Pictures that an earlier, longer run left in the sequence are removed; other files stay.
 std::vector<std::string> writePictures(const World& world, const Scenario& scenario, FrameCollector& collector,
                                        const std::filesystem::path& folder);
 

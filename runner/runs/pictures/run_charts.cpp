@@ -13,7 +13,6 @@
 #include "store/sample_values.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostLineLabels = 24;  // at the ends of lines

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "charts/chart.h"
-#include "charts/matrix.h"
-#include "charts/rose.h"
+#include "charts/charts_of_pairs.h"
 #include "pictures/cell_colours.h"
 #include "scenario/scenario.h"
 #include "simulation/asked_measure.h"

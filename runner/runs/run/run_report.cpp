@@ -9,7 +9,6 @@
 #include "values/measure_list.h"
 
 namespace morula {
-
 namespace {
 
 std::string against(const Scenario& scenario) {

@@ -14,7 +14,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 /// The axis in which the sides of a pair differ.

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "analysis/compare_parts.h"
 #include "analysis/compare_tables.h"
@@ -11,7 +10,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTroubles = 20;  // that are told

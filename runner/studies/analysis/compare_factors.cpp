@@ -1,9 +1,8 @@
 // Main effects and interactions.
 #include "analysis/compare_parts.h"
-#include "statistics/holm.h"
+#include "statistics/equivalence.h"
 
 namespace morula {
-
 namespace {
 
 /// A cell of the design: all conditions with these levels of the axes that are compared.

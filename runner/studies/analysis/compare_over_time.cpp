@@ -1,12 +1,10 @@
 // Time courses.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "analysis/compare_parts.h"
 
 namespace morula {
-
 namespace {
 
 constexpr int manyTimes = 21;

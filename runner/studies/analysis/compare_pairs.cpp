@@ -4,10 +4,9 @@
 #include <set>
 
 #include "analysis/compare_parts.h"
-#include "statistics/holm.h"
+#include "statistics/equivalence.h"
 
 namespace morula {
-
 namespace {
 
 using Fixed = std::vector<std::optional<std::size_t>>;

@@ -6,7 +6,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 Cell bound(const std::optional<Interval>& i, double Interval::*end) {

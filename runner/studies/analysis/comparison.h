@@ -1,16 +1,17 @@
 #pragma once
 // A study's results held against each other: every condition, every pair of levels, every factor.
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/comparison.h"
 #include "analysis/margins.h"
 #include "analysis/study_results.h"
 #include "document/document.h"
-#include "statistics/compare_means.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "statistics/mean.h"
+#include "statistics/means.h"
 
 namespace morula {
 
@@ -124,5 +125,10 @@ Json toJson(const StudyComparison& comparison);
 /// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
 /// says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
+
+/// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest from all
+/// before it [Gonzalez 1985]. Far: the root of the sum of squared differences over the measures, each in standard deviations
+/// of all its values. Among equals the earlier one; conditions without any value come last.
+std::vector<std::size_t> byDifference(const StudyComparison& comparison);
 
 }  // namespace morula

@@ -13,7 +13,6 @@
 #include "system/usage_error.h"
 
 namespace morula {
-
 namespace {
 
 /// A golden states statistics in three digits: they are measured, not results.

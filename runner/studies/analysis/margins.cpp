@@ -9,7 +9,6 @@
 #include "system/usage_error.h"
 
 namespace morula {
-
 namespace {
 
 constexpr const char* forms =

@@ -7,7 +7,6 @@
 #include "simulation/asked_measure.h"
 
 namespace morula {
-
 namespace {
 
 struct KnownWords {

@@ -21,7 +21,6 @@
 #include "tasks/study_folder.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double rounding = 1e-9;  // [1] the last step may end a rounding before the planned end

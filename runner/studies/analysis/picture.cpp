@@ -11,7 +11,6 @@
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 /// The axis that is told by colour; none without axes.

@@ -11,7 +11,6 @@
 #include "system/json.h"
 
 namespace morula {
-
 namespace {
 
 std::string quoted(const std::string& name) {

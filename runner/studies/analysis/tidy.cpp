@@ -3,11 +3,9 @@
 #include "analysis/study_results.h"
 #include "base/number_text.h"
 #include "database/database.h"
-#include "files/quote.h"
 #include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 /// The joins from a condition's labels to its runs.

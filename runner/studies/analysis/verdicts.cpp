@@ -12,7 +12,6 @@
 #include "simulation/asked_measure.h"
 
 namespace morula {
-
 namespace {
 
 /// A measure whose values differ by less than this fraction of the largest one, without a difference that is shown, is

@@ -5,7 +5,6 @@
 #include "base/maths.h"
 
 namespace morula {
-
 namespace {
 
 /// The continued fraction of the incomplete beta function by Lentz's method, which converges fast for

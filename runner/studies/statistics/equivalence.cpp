@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "base/error.h"
 #include "statistics/distributions.h"
@@ -34,6 +35,19 @@ Equivalence testEquivalence(const MeanDifference& d, double margin) {
 
 Equivalent verdictOf(double p, double pBeyond) {
   return p < 0.05 ? Equivalent::yes : pBeyond < 0.05 ? Equivalent::no : Equivalent::undecided;
+}
+
+std::vector<double> correctHolm(std::span<const double> p) {
+  std::vector<std::size_t> order(p.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::vector<double> corrected(p.size());
+  double least = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    least = std::max(least, std::min(1.0, p[order[i]] * static_cast<double>(p.size() - i)));
+    corrected[order[i]] = least;
+  }
+  return corrected;
 }
 
 }  // namespace morula

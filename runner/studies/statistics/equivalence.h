@@ -1,8 +1,10 @@
 #pragma once
-// Are two means the same but for a margin? Two one-sided tests [Schuirmann 1987].
-#include <string>
+// Are two means the same but for a margin? Two one-sided tests [Schuirmann 1987]. And several tests at once: the more
+// are made, the more of them find a difference where there is none.
+#include <span>
+#include <vector>
 
-#include "statistics/compare_means.h"
+#include "statistics/means.h"
 
 namespace morula {
 
@@ -27,5 +29,10 @@ Equivalence testEquivalence(const MeanDifference& d, double margin);
 
 /// What the p-values, as they are or corrected, say at 5 %.
 Equivalent verdictOf(double p, double pBeyond);
+
+/// p-values of a family of tests, corrected so that if those below 0.05 are called differences, at most 5 % of such
+/// families have any false one among them [Holm 1979]: in rising order the i-th of m (from 0) is taken (m − i) times, is at least
+/// the one before, and at most 1. In the order given.
+std::vector<double> correctHolm(std::span<const double> p);
 
 }  // namespace morula

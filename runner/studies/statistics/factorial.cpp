@@ -4,11 +4,10 @@
 
 #include "base/error.h"
 #include "statistics/distributions.h"
-#include "statistics/mean.h"
+#include "statistics/means.h"
 #include "statistics/sign_flip.h"
 
 namespace morula {
-
 namespace {
 
 struct Design {

@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "statistics/mean.h"
+#include "statistics/means.h"
 
 namespace morula {
 
@@ -36,7 +36,7 @@ struct FactorEffect {
   double epsilon = 1;                         // ε
   std::optional<double> partial{};            // partial η²: squares / (squares + error); absent without error
   std::optional<Interval> partialInterval{};  // 95 %
-  std::optional<double> f{}, p{};  // absent where the effect does not differ between seeds; p as compare_means.h has it
+  std::optional<double> f{}, p{};  // absent where the effect does not differ between seeds; p as means.h has it
 };
 
 struct FactorialAnalysis {

@@ -9,7 +9,6 @@
 #include "base/error.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostTried = 20;

@@ -3,7 +3,6 @@
 #include "study/plan_parts.h"
 
 namespace morula::study {
-
 namespace {
 
 /// What a path is called from the folder; as it is where that cannot be said, as of "/a" from "b".

@@ -1,6 +1,7 @@
 #pragma once
 // What a study computes, decided before anything runs: its conditions, and each run that they need once.
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,5 +105,15 @@ Json summaryOf(const Plan& plan);
 
 /// Where a study's results lie unless told otherwise: results/studies/NAME.
 std::filesystem::path studyFolder(const Study& study);
+
+/// FOLDER/plan.json.
+std::filesystem::path planFile(const std::filesystem::path& folder);
+
+/// Writes the plan into the folder, which is made; false if the same plan is there already, which stays as it is. Throws
+/// InputError if another plan is there: what was computed by it would be taken for this one's. Throws FileError.
+bool keepPlan(const Plan& plan, const std::filesystem::path& folder);
+
+/// The plan of the folder. Throws FileError as readPlan, and if there is none.
+Plan loadPlan(const std::filesystem::path& folder);
 
 }  // namespace morula

@@ -12,7 +12,6 @@
 #include "study/plan.h"
 
 namespace morula {
-
 namespace {
 
 constexpr std::size_t mostNamed = 10;  // conditions, in a list for people

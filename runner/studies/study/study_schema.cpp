@@ -1,6 +1,5 @@
 #include "study/study_schema.h"
 
-#include "files/quote.h"
 #include "files/text.h"
 #include "study/study_table.h"
 

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "files/quote.h"
+#include "files/text.h"
 
 namespace morula {
-
 namespace {
 
 constexpr double secondsPerJob = 600;

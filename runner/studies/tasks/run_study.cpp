@@ -4,20 +4,74 @@
 
 #include <algorithm>
 #include <csignal>
-#include <deque>
 #include <memory>
 
 #include "base/error.h"
 #include "files/draft.h"
 #include "files/folders.h"
-#include "loop/progress.h"
+#include "study/plan.h"
 #include "system/clock.h"
+#include "system/console.h"
 #include "system/signals.h"
-#include "tasks/task_progress.h"
+#include "yaml/numbers.h"
 
 namespace morula {
-
 namespace {
+
+class TaskProgress {
+ public:
+  /// `tasks`: those that are to be computed; `jobs` of them at a time.
+  TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet);
+
+  /// A task has ended.
+  void ended(std::size_t task, bool failed);
+  /// Shows it if it is time to; call often.
+  void show();
+  void clear() { line_.clear(); }
+
+ private:
+  double expected(std::size_t task) const;
+  std::string text() const;
+
+  const Plan& plan_;
+  int jobs_;
+  double begun_;  // [s] by the wall clock
+  ProgressLine line_;
+  std::size_t all_, done_ = 0, failed_ = 0;
+  double expectedAll_ = 0, expectedDone_ = 0;  // [s] of CPU time
+};
+
+TaskProgress::TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet)
+    : plan_(plan), jobs_(jobs), begun_(seconds(ClockKind::wall)), line_(quiet), all_(tasks.size()) {
+  for (const std::size_t task : tasks) expectedAll_ += expected(task);
+}
+
+/// What was predicted; without predictions all tasks count alike.
+double TaskProgress::expected(std::size_t task) const {
+  return plan_.costs.empty() ? 1 : std::max(plan_.costs[plan_.tasks[task].condition].seconds, 1e-3);
+}
+
+void TaskProgress::ended(std::size_t task, bool failed) {
+  ++done_;
+  if (failed) ++failed_;
+  expectedDone_ += expected(task);
+}
+
+void TaskProgress::show() {
+  if (line_.isDue()) line_.show(text());
+}
+
+std::string TaskProgress::text() const {
+  const double share = expectedAll_ > 0 ? std::min(expectedDone_ / expectedAll_, 1.0) : 1;
+  std::string text = plan_.study.name + line_.bar(share) + fmt::format("  {} of {} runs", done_, all_);
+  if (failed_) text += fmt::format("  {} failed", failed_);
+  // As fast as so far by the wall clock, whatever else the machine does: what was predicted is off by one and the same factor.
+  const double perExpected = expectedDone_ > 0     ? (seconds(ClockKind::wall) - begun_) / expectedDone_
+                             : plan_.costs.empty() ? 0
+                                                   : 1.0 / jobs_;
+  if (perExpected > 0) text += "  " + formatDuration((expectedAll_ - expectedDone_) * perExpected) + " left";
+  return text;
+}
 
 /// Whether a process that ended by this signal crashed by its own fault. Other signals come from outside: from a user,
 /// a scheduler, or the system when memory runs out.
@@ -220,6 +274,26 @@ Json toJson(const RunStudyReport& r, const PlannedStudy& study) {
           {"complete", r.isComplete()},
           {"seconds", r.seconds},
           {"cpu_seconds", r.cpuSeconds}};
+}
+
+Shard parseShard(const std::string& text) {
+  const auto refuse = [&] {
+    throw InputError("'" + text + "' is no share; needs NUMBER/OF with 1 ≤ NUMBER ≤ OF ≤ 1000000, as 3/40");
+  };
+  const auto slash = text.find('/');
+  if (slash == text.npos) refuse();
+  const auto number = scenario::parseNatural(text.substr(0, slash)),
+             of = scenario::parseNatural(text.substr(slash + 1));
+  constexpr std::uint64_t most = 1'000'000;
+  if (!number.wrong.empty() || !of.wrong.empty() || number.value < 1 || number.value > of.value || of.value > most)
+    refuse();
+  return {static_cast<std::size_t>(number.value), static_cast<std::size_t>(of.value)};
+}
+
+std::vector<std::size_t> tasksOf(const Shard& shard, std::size_t count) {
+  std::vector<std::size_t> tasks;
+  for (std::size_t task = shard.number - 1; task < count; task += shard.of) tasks.push_back(task);
+  return tasks;
 }
 
 }  // namespace morula

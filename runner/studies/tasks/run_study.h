@@ -1,6 +1,6 @@
 #pragma once
 // All tasks of a study, or a share of them: each in a process of its own, several at a time.
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -46,5 +46,17 @@ Json toJson(const RunStudyReport& report, const PlannedStudy& study);
 
 /// "division: longest, connections: none, seed 4 (task 0123456789abcdef)"
 std::string nameOfTask(const Plan& plan, std::size_t task);
+
+/// The tasks number, number + of, number + 2·of, … of the plan, counted from 1. The plan alone decides, so machines need not
+/// communicate. Consecutive tasks, which belong to one condition and cost about the same, are in different shards.
+struct Shard {
+  std::size_t number = 1, of = 1;  // number: from 1
+};
+
+/// "3/40". Throws InputError.
+Shard parseShard(const std::string& text);
+
+/// Of tasks 0 to count − 1, rising.
+std::vector<std::size_t> tasksOf(const Shard& shard, std::size_t count);
 
 }  // namespace morula

@@ -11,12 +11,11 @@
 #include "files/write_file.h"
 #include "loop/simulate.h"
 #include "pictures/pictures.h"
+#include "store/sample_values.h"
 #include "system/clock.h"
 #include "system/usable_memory.h"
-#include "tasks/values.h"
 
 namespace morula {
-
 namespace {
 
 /// The scenario's `record` says already what the study measures, and every how often.
@@ -200,6 +199,22 @@ bool keepsPicture(const Plan& plan, std::size_t task) {
   const std::uint64_t first = plan.study.seeds.front();
   return std::any_of(plan.replicates.begin(), plan.replicates.end(),
                      [&](const Replicate& r) { return r.task == task && r.seed == first; });
+}
+
+std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::map<StateId, std::string>& states,
+                                const std::vector<std::string>& measures) {
+  std::vector<ResultRow> rows;
+  for (const std::string& name : measures) {
+    const std::optional<AskedMeasure> measure = findMeasure(name);
+    MORULA_CHECK(measure, "a study's measures are known");
+    for (const Sample& sample : samples) {
+      const auto values = valuesIn(sample, *measure, states);
+      double sum = 0;  // in the order of paths, so that the last bit is the same everywhere
+      for (const auto& [thing, value] : values) sum += value;
+      if (!values.empty()) rows.push_back({measure->name, sample.world.time, sum / static_cast<double>(values.size())});
+    }
+  }
+  return rows;
 }
 
 }  // namespace morula

@@ -1,8 +1,12 @@
 #pragma once
 // One task: its run from beginning to end, and the file of its result. Each is computed in a process of its own.
-#include <optional>
+// What a study keeps of a run is one number for each measure and time.
+#include <map>
 #include <string>
+#include <vector>
 
+#include "store/records.h"
+#include "study_store/study_tables.h"
 #include "study_store/task_file.h"
 #include "system/forked.h"
 #include "tasks/study_folder.h"
@@ -28,5 +32,11 @@ void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder,
 
 /// Whether the study keeps a picture of the task.
 bool keepsPicture(const Plan& plan, std::size_t task);
+
+/// The measures' values in each of the samples: a measure of the world as it is; of cells, the mean over the living cells
+/// that have it; of pairs, the mean over the pairs that touch; of some cells alone where a measure says so. No row where there was
+/// nothing to measure. `states`: the substances of each state in the samples. `measures`: names that findMeasure knows.
+std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::map<StateId, std::string>& states,
+                                const std::vector<std::string>& measures);
 
 }  // namespace morula

@@ -4,12 +4,11 @@
 
 #include "base/error.h"
 #include "files/folders.h"
-#include "files/quote.h"
-#include "loop/progress.h"
+#include "files/text.h"
 #include "simulation/memory.h"
+#include "system/console.h"
 
 namespace morula {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -6,11 +6,10 @@
 #include "files/folders.h"
 #include "files/write_file.h"
 #include "store/build_info.h"
-#include "study/plan_folder.h"
+#include "study/plan.h"
 #include "study_store/task_file.h"
 
 namespace morula {
-
 namespace {
 
 PlannedStudy openFolder(const StudyChoice& choice) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "accuracy/setting.h"
+#include "accuracy/trial.h"
 
 namespace morula {
 

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "analysis/comparison.h"
-#include "analysis/differing.h"
 #include "base/random.h"
 #include "catch.h"
 #include "database/database.h"
 #include "database/store_error.h"
-#include "statistics/holm.h"
+#include "statistics/equivalence.h"
 #include "store/schema.h"
 #include "study_db.h"
 #include "system/usage_error.h"

@@ -1,12 +1,10 @@
 // Where packed cells begin, and that they come to fill their shell.
-#include "bench/packing.h"
 
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "bench/body_file.h"
 #include "bench/packed_world.h"
 #include "bench/subject.h"
 #include "catch.h"

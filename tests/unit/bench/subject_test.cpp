@@ -6,7 +6,7 @@
 #include "bench/peak_kernels.h"
 #include "catch.h"
 #include "simulation/hash.h"
-#include "system/statistics.h"
+#include "system/clock.h"
 #include "worst.h"
 
 using namespace morula;

@@ -1,7 +1,7 @@
 #pragma once
 // What a cut folds over.
 #include "division/cut.h"
-#include "division/unfold.h"
+#include "division/halves.h"
 #include "unit/physics/lab.h"
 
 namespace morula {

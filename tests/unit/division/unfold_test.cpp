@@ -1,8 +1,7 @@
 // What the cut folds over lies flat again, and what it does not fold stays.
-#include "division/unfold.h"
-
 #include "catch.h"
 #include "division/cut.h"
+#include "division/halves.h"
 #include "folds.h"
 #include "through_mean.h"
 

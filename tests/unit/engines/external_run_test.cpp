@@ -8,7 +8,6 @@
 #include "catch.h"
 #include "engines/bullet_world.h"
 #include "engines/engine_worker.h"
-#include "engines/messages.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 #include "temporary_folder.h"

@@ -1,5 +1,4 @@
 // What the program and its worker tell each other.
-#include "engines/messages.h"
 
 #include <cmath>
 #include <limits>

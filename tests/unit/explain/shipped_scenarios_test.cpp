@@ -1,7 +1,7 @@
 // A stored run beside the same run again: no difference, wherever the last step lies.
 #include "catch.h"
 #include "explain/explain.h"
-#include "explain/stored_run.h"
+#include "explain/run_source.h"
 #include "files/folders.h"
 #include "loop/simulate.h"
 

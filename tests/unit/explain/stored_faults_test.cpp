@@ -3,9 +3,7 @@
 
 #include "catch.h"
 #include "explain/explain.h"
-#include "explain/hash_trace_json.h"
-#include "explain/program_run.h"
-#include "explain/stored_run.h"
+#include "explain/run_source.h"
 #include "simulation/checkpoint.h"
 #include "store/recorder.h"
 #include "store/store.h"

@@ -4,7 +4,6 @@
 #include "base/utf8.h"
 #include "catch.h"
 #include "files/printable.h"
-#include "files/safe_name.h"
 
 using namespace morula;
 

@@ -1,10 +1,9 @@
 // Bullet's run on a page: its shapes as frames, what is said of it, and that it is held to what is stored.
-#include "report_data/bullet_again.h"
-
 #include "catch.h"
 #include "engines/bullet_scene.h"
 #include "loop/simulate.h"
 #include "report/bullet_block.h"
+#include "report_data/run_facts.h"
 #include "simulation/measures.h"
 
 namespace morula {

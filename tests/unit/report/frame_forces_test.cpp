@@ -1,5 +1,4 @@
 // Forces in frames: they add up to mass times acceleration, and measuring them changes nothing.
-#include "report_data/frame_forces.h"
 
 #include <bit>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 #include "golden/change.h"
-#include "report/check_tables.h"
+#include "report/run_blocks.h"
 
 namespace morula {
 namespace {

@@ -1,4 +1,6 @@
 // Roses and matrices: what is counted, and where colours lie.
+#include "charts/charts_of_pairs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -6,8 +8,6 @@
 #include "base/error.h"
 #include "catch.h"
 #include "charts/chart.h"
-#include "charts/matrix.h"
-#include "charts/rose.h"
 #include "drawing/palette.h"
 
 using namespace morula;

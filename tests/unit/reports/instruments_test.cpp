@@ -6,7 +6,7 @@
 #include "catch.h"
 #include "drawing/annotations.h"
 #include "drawing/palette.h"
-#include "organism/views.h"
+#include "organism/camera.h"
 #include "pictures.h"
 
 namespace morula {

@@ -1,10 +1,9 @@
 // Marks that are told apart without colours.
-#include "drawing/marker.h"
-
 #include <set>
 
 #include "catch.h"
 #include "charts/chart.h"
+#include "drawing/annotations.h"
 
 namespace morula {
 

@@ -2,7 +2,6 @@
 #include "page/page.h"
 
 #include "catch.h"
-#include "page/html.h"
 
 namespace morula {
 namespace {

@@ -1,5 +1,3 @@
-#include "trees/tree_layout.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -8,6 +6,7 @@
 #include "base/random.h"
 #include "catch.h"
 #include "pictures.h"
+#include "trees/lineage_tree.h"
 
 namespace morula {
 namespace {

@@ -1,4 +1,3 @@
-#include "organism/views.h"
 
 #include <cmath>
 

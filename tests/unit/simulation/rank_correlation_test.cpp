@@ -1,9 +1,8 @@
 // Against the definition, and what ranks promise.
-#include "simulation/rank_correlation.h"
-
 #include <cmath>
 
 #include "catch.h"
+#include "simulation/organism_measures.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;

@@ -7,11 +7,9 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "statistics/compare_means.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "statistics/holm.h"
-#include "statistics/mean.h"
+#include "statistics/means.h"
 #include "statistics/sign_flip.h"
 
 using namespace morula;

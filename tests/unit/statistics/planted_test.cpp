@@ -15,7 +15,7 @@
 
 #include "catch.h"
 #include "scenes.h"
-#include "statistics/compare_means.h"
+#include "statistics/means.h"
 
 using namespace morula;
 

@@ -3,11 +3,10 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "statistics/compare_means.h"
 #include "statistics/distributions.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "statistics/holm.h"
+#include "statistics/means.h"
 
 using namespace morula;
 

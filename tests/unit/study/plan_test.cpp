@@ -1,11 +1,12 @@
 // Plans: all combinations, each distinct run once, ids that follow from content alone.
+#include "study/plan.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include "base/error.h"
 #include "studies.h"
-#include "study/plan_folder.h"
 // Last, because of CHECK:
 #include "catch.h"
 

@@ -1,12 +1,11 @@
 // One number for each measure and time, beside sums by hand.
-#include "tasks/values.h"
-
 #include <array>
 
 #include "base/error.h"
 #include "catch.h"
 #include "simulation/asked_measure.h"
-#include "tasks/shard.h"
+#include "tasks/run_study.h"
+#include "tasks/run_task.h"
 
 using namespace morula;
 

@@ -1,0 +1,161 @@
+#include "charts/charts_of_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "drawing/annotations.h"
+#include "drawing/axis.h"
+#include "drawing/palette.h"
+
+namespace morula {
+namespace {
+
+constexpr double leastText = 6;    // [pixel] smaller letters cannot be read
+constexpr double leastFramed = 5;  // [pixel] a frame around less would hide the colour
+
+struct Circle {
+  Spot middle;
+  double radius;  // [pixel]
+  Spot at(double degrees, double share) const {
+    const double angle = degrees * std::numbers::pi / 180;
+    return {middle.x + share * radius * std::cos(angle), middle.y - share * radius * std::sin(angle)};
+  }
+};
+
+/// Points along the arc between two directions.
+std::vector<Spot> arc(const Circle& circle, double from, double to, double share) {
+  std::vector<Spot> points;
+  const int steps = std::max(2, int(std::ceil((to - from) / 3)));
+  for (int i = 0; i <= steps; ++i) points.push_back(circle.at(from + (to - from) * i / steps, share));
+  return points;
+}
+
+void drawRose(Drawing& drawing, const Rose& rose, const Circle& circle, const std::vector<int>& counts, int most,
+              double size) {
+  for (const double share : {0.5, 1.0}) drawing.line(arc(circle, 0, 360, share), {.colour = gridInk});
+  for (const double degrees : {0.0, 90.0})
+    drawing.line({circle.at(degrees, 1), circle.at(degrees + 180, 1)}, {.colour = gridInk});
+  const double wide = 360.0 / double(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    std::vector<Spot> wedge =
+        arc(circle, (double(i) - 0.46) * wide, (double(i) + 0.46) * wide, std::sqrt(double(counts[i]) / most));
+    wedge.push_back(circle.middle);
+    drawing.area(wedge, seriesColour(0));
+  }
+  const TextStyle plain{.size = size, .colour = quietInk, .anchor = Anchor::centre};
+  const Spot right = circle.at(0, 1), up = circle.at(90, 1);
+  drawing.text({right.x + 0.9 * size, right.y + 0.36 * size}, rose.right, plain);
+  drawing.text({up.x, up.y - 0.5 * size}, rose.up, plain);
+  const Spot ring = circle.at(45, 1);
+  if (most > 0)
+    drawing.text({ring.x + 0.3 * size, ring.y - 0.2 * size}, std::to_string(most),
+                 {.size = 0.9 * size, .colour = quietInk});
+  TextStyle title = plain;
+  title.colour = ink;
+  drawing.text({circle.middle.x, circle.middle.y + circle.radius + 2.2 * size},
+               shortened(rose.title + ": " + std::to_string(rose.degrees.size()), title, 2.6 * circle.radius), title);
+}
+
+}  // namespace
+
+Drawing drawMatrix(const MatrixPicture& asked) {
+  MatrixPicture picture = asked;
+  const std::size_t n = picture.names.size();
+  if (picture.values.size() != n * n)
+    throw InputError("a matrix of " + std::to_string(n) + " names needs " + std::to_string(n * n) + " values, not " +
+                     std::to_string(picture.values.size()));
+  if (picture.width == 0) picture.width = int(std::clamp(260.0 + 14.0 * double(n), 800.0, 2400.0));
+  if (picture.height == 0) picture.height = picture.width + 120;
+  Drawing drawing(picture.width, picture.height);
+  const Annotations words{picture.title, picture.caption, {}};
+  annotate(drawing, words);
+  if (n == 0) return drawing;
+  const double size = textSizeFor(picture.width, picture.height);
+  const double bar = colourBarHeight(size) + 2 * size, top = bandsFor(words, picture.width, picture.height).top;
+  const double most = std::min(picture.width - 3 * size, picture.height - top - bar - size);
+  // Names take a part of the square; their letters are as high as a row.
+  double text = std::min(size, 0.8 * most / double(n)), room = 0;
+  for (int turn = 0; turn < 2; ++turn) {
+    room = 0;
+    for (const std::string& name : picture.names) room = std::max(room, textWidth(name, {.size = text}));
+    room = std::min(room, 0.3 * most);
+    text = std::min(size, 0.8 * (most - room) / double(n));
+  }
+  const bool named = text >= leastText;
+  const double edge = named ? room + 0.6 * text : 0, side = (most - edge) / double(n);
+  const Spot corner{0.5 * (picture.width - most) + edge, top + edge};
+  Range range;
+  for (const auto& value : picture.values)
+    if (value) range.see(*value);
+  drawing.area({corner,
+                {corner.x + side * double(n), corner.y},
+                {corner.x + side * double(n), corner.y + side * double(n)},
+                {corner.x, corner.y + side * double(n)}},
+               {0xf0, 0xf0, 0xec});
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t column = 0; column < n; ++column)
+      if (const auto& value = picture.values[row * n + column]) {
+        // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
+        const double gap = side >= leastFramed ? 0.06 * side : 0, own = side - 2 * gap;
+        const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
+        drawing.box({x, y}, own, own,
+                    scaleColour(range.low < range.high ? (*value - range.low) / (range.high - range.low) : 0));
+        if (side >= leastFramed)
+          drawing.line({{x, y}, {x + own, y}, {x + own, y + own}, {x, y + own}, {x, y}},
+                       {.width = side < 12 ? 0.5 : 1, .colour = quietInk});
+      }
+  for (std::size_t i = 0; named && i < n; ++i) {
+    const double middle = side * (double(i) + 0.5) + 0.36 * text;
+    TextStyle style{.size = text, .colour = ink, .anchor = Anchor::right};
+    const std::string name = shortened(picture.names[i], style, room);
+    drawing.text({corner.x - 0.4 * text, corner.y + middle}, name, style);
+    style.anchor = Anchor::left, style.upward = true;
+    drawing.text({corner.x + middle, corner.y - 0.4 * text}, name, style);
+  }
+  if (range.low <= range.high)
+    drawColourBar(drawing, {picture.quantity, range.low, range.high}, {1.5 * size, picture.height - bar + size},
+                  std::min(picture.width - 3 * size, 24 * size), size);
+  return drawing;
+}
+
+std::vector<int> countSectors(const std::vector<double>& degrees, int sectors) {
+  std::vector<int> counts(sectors);
+  for (const double direction : degrees) {
+    const double turns = direction / 360;
+    const double share = turns - std::floor(turns);  // 0 to 1
+    ++counts[std::size_t(std::lround(share * sectors)) % std::size_t(sectors)];
+  }
+  return counts;
+}
+
+Drawing drawRoses(const RosePicture& picture) {
+  if (picture.sectors < 4 || picture.sectors > 360)
+    throw InputError("a rose cannot have " + std::to_string(picture.sectors) + " sectors; it must have 4 to 360");
+  for (const Rose& rose : picture.roses)
+    for (const double direction : rose.degrees)
+      if (!std::isfinite(direction)) throw InputError("a direction of a rose is not finite");
+  Drawing drawing(picture.width, picture.height);
+  const Annotations words{picture.title, picture.caption, {}};
+  annotate(drawing, words);
+  if (picture.roses.empty()) return drawing;
+  const double size = std::max(11.0, textSizeFor(picture.width, picture.height));
+  const double top = bandsFor(words, picture.width, picture.height).top + 1.8 * size;
+  const double bottom = picture.height - 3.4 * size, each = double(picture.width) / double(picture.roses.size());
+  const double radius = std::max(8.0, std::min(0.5 * (bottom - top), 0.5 * each - 3.2 * size));
+  int most = 0;
+  std::vector<std::vector<int>> counts;
+  for (const Rose& rose : picture.roses) {
+    counts.push_back(countSectors(rose.degrees, picture.sectors));
+    most = std::max(most, *std::max_element(counts.back().begin(), counts.back().end()));
+  }
+  for (std::size_t i = 0; i < picture.roses.size(); ++i)
+    drawRose(drawing, picture.roses[i], {{each * (double(i) + 0.5), 0.5 * (top + bottom)}, radius}, counts[i], most,
+             size);
+  return drawing;
+}
+
+}  // namespace morula

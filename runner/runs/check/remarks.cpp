@@ -1,0 +1,53 @@
+#include "check/remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "division/rules.h"
+#include "document/words.h"
+
+namespace morula {
+
+std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings) {
+  const auto count =
+      std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return !(s.residual <= asked.tolerance); });
+  if (count == 0) return "";
+  const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, &SettlingRecord::residual);
+  return fmt::format(
+      "physics.settle: {} of {} ended after {} evaluations above the tolerance of {:.3g}, the farthest at time {:.4g} "
+      "with {} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
+      count, counted(settlings.size(), "settling"), asked.evaluations, asked.tolerance, farthest.time,
+      counted(farthest.cells, "cell"), farthest.residual);
+}
+
+std::string distanceText(const std::vector<SettlingRecord>& settlings) {
+  const auto way = [](const SettlingRecord& s) { return s.displacementLeft.value_or(-1); };
+  const auto count = std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return way(s) >= 0; });
+  if (count == 0) return "";
+  const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, way);
+  return fmt::format(
+      "{} measured: from there to a hundredth of the tolerance no vertex goes farther than {:.2g}, at time "
+      "{:.4g} with {}, which loses an energy of {:.2g}",
+      counted(count, "settling") + (count == 1 ? " was" : " were"), *farthest.displacementLeft, farthest.time,
+      counted(farthest.cells, "cell"), farthest.energyLeft.value_or(0));
+}
+
+std::vector<DivisionRecord> ambiguousDivisions(const Scene& scene, const std::vector<LineageEntry>& lineage,
+                                               const std::function<std::string(StateId)>& describe,
+                                               const std::vector<DivisionRecord>& divisions) {
+  std::vector<DivisionRecord> ambiguous;
+  if (!scene.mechanics) return ambiguous;
+  std::map<CellPath, StateId> states;  // of mothers, as they were when they divided
+  for (const LineageEntry& cell : lineage) states.emplace(cell.path, cell.state);
+  for (const DivisionRecord& d : divisions) {
+    if (!d.extentRatio || !(*d.extentRatio < ambiguousExtentRatio)) continue;
+    const auto mother = states.find(d.path);
+    const std::string substances = mother == states.end() ? "" : describe(mother->second);
+    if (planeFor(scene.mechanics->division, substances).plane == DivisionPlane::longest) ambiguous.push_back(d);
+  }
+  return ambiguous;
+}
+
+}  // namespace morula

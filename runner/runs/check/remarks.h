@@ -1,0 +1,30 @@
+#pragma once
+// What is to be said of a run though it is fine: whether a quasi-static one came as near to equilibrium as its scenario
+// asks, and divisions across the longest extent of cells that have none: another mesh or time step may cut them
+// elsewhere.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "biology/lineage.h"
+#include "division/record.h"
+#include "physics/parameters.h"
+#include "simulation/scene.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+/// A sentence on settlings that ended at `evaluations` above the tolerance: how many, the farthest, and what to change; "" where
+/// there are none.
+std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings);
+
+/// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
+std::string distanceText(const std::vector<SettlingRecord>& settlings);
+
+/// Those of `divisions` where the longest extent decides, and hardly differs from the next one. `describe` gives the
+/// substances of a state in `lineage`.
+std::vector<DivisionRecord> ambiguousDivisions(const Scene& scene, const std::vector<LineageEntry>& lineage,
+                                               const std::function<std::string(StateId)>& describe,
+                                               const std::vector<DivisionRecord>& divisions);
+
+}  // namespace morula
