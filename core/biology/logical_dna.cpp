@@ -18,7 +18,7 @@ constexpr StateId unknown = std::numeric_limits<StateId>::max();
 
 using Substances = std::vector<SubstanceId>;  // sorted, each once
 
-/// A state and all that the simulator will ask about it.
+/// A state with everything that follows from its substances.
 struct State {
   Substances substances;
   double cycleLength = 0;
@@ -26,10 +26,10 @@ struct State {
   double growth = 0, connecting = 0;
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
-  // Where the DNA has senses; bit i: sense number i
+  // If the DNA has senses; bit i is for sense number i
   std::uint64_t sensed = 0;                                      // whose substances it holds
-  std::uint64_t counted = 0;                                     // that its cell counts for [SenseParameters::of]
-  std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by what is sensed then
+  std::uint64_t counted = 0;                                     // that count its cell [SenseParameters::of]
+  std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by the bits sensed in it
 };
 
 constexpr std::size_t mostSenses = 64;
@@ -40,7 +40,8 @@ struct Sense {
   SubstanceId substance;
 };
 
-/// One gene, as seen from the input that it waits for: active if the other inputs are there too, and no repressor.
+/// One gene, filed under one of its inputs: if that input is present, the gene is active if the other inputs are, too,
+/// and no repressor is.
 struct WaitingGene {
   SubstanceId product = 0;
   Substances otherInputs;
@@ -80,17 +81,17 @@ class LogicalDna final : public BiologicalUnit {
   void readSenses(const Dna& dna, std::span<const SenseParameters> senses);
 
   std::vector<std::string> names_;
-  std::vector<double> pace_;       // cycle length by substance; infinite where it says nothing
-  std::vector<double> firstPace_;  // that of newborns, by what their genes will make; empty: none is given
+  std::vector<double> pace_;       // cycle length by substance; infinite: none is given
+  std::vector<double> firstPace_;  // time to the first cycle, by a substance that genes will make; empty: none given
   double length_;                  // cycle length of all other states
   std::optional<DivisionSize> divisionSize_;
   std::vector<Sense> senses_;
-  std::vector<std::vector<WaitingGene>> waiting_;  // by the substance that they wait for
+  std::vector<std::vector<WaitingGene>> waiting_;  // by the input under which they are filed
   mutable std::vector<bool> isPresent_;            // by substance; all false between calls
-  // The substances that act; `unknown` for those that this DNA does not mention.
+  // The substances with an effect; `unknown` for those that this DNA does not mention.
   SubstanceId divide_, die_, a_, b_, grow_, shrink_, connect_, release_;
 
-  // States that have been met so far. Any call that meets a new one adds it, const ones too.
+  // All states that have occurred so far. Any call with a new state adds it, so these are mutable.
   mutable std::vector<State> states_;
   mutable std::map<Substances, StateId> ids_;
   StateId start_ = 0;
@@ -119,7 +120,7 @@ void LogicalDna::readPace(const CycleParameters& cycle) {
   if (!cycle.atBirth.empty()) firstPace_ = paceBySubstance(cycle.atBirth);
 }
 
-/// [substance] The shortest of those whose names or patterns fit.
+/// For each substance the shortest of the lengths whose names or patterns fit.
 std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, double>& lengths) const {
   std::vector<double> pace(names_.size(), std::numeric_limits<double>::infinity());
   for (const auto& [pattern, length] : lengths) {
@@ -177,8 +178,8 @@ StateId LogicalDna::intern(Substances substances) const {
   if (!isNew) return place->second;
   const auto has = [&](SubstanceId s) { return std::ranges::binary_search(substances, s); };
   State state;
-  // A daughter inherits `divide` with the rest of its mother's state. It is a command that has been obeyed:
-  // only what the daughter's own next cycle produces counts.
+  // A daughter inherits `divide` with the rest of its mother's state, but that division has been made: only a `divide`
+  // from the daughter's own next cycle counts.
   const bool isNewborn = has(a_) || has(b_);
   state.cycleLength = cycleLengthOf(substances, isNewborn);
   state.divides = has(divide_) && !isNewborn;
@@ -218,7 +219,7 @@ StateId LogicalDna::nextState(const CellContext& cell) const {
   return states_[cell.state].next;
 }
 
-/// What the cell perceives now. Its state tells what it did at its last cycle, or its mother at hers.
+/// The bits of what the cell perceives now. Its state holds those of its last cycle, or for a newborn of its mother's.
 std::uint64_t LogicalDna::sense(const CellContext& cell) const {
   std::uint64_t sensed = 0;
   for (std::size_t i = 0; i < senses_.size(); ++i) {
@@ -256,7 +257,7 @@ StateId LogicalDna::nextOnSensing(StateId state, std::uint64_t sensed) const {
   return next;
 }
 
-/// True if it would divide, and is too small for it. Without a body it has no size to wait for.
+/// Whether the cell's cycle would divide it and the cell is too small for that. A cell without a body never waits.
 bool LogicalDna::waitsForSize(const CellContext& cell) const {
   if (!cell.physical()) return false;
   const State& next = states_[nextState(cell)];

@@ -1,52 +1,52 @@
 #pragma once
-// Contact and adhesion of cells: an energy of each pair of vertices i, j of two cells, and its exact gradient.
+// Contact and adhesion of cells: an energy for each pair of vertices i, j of two cells, and its exact gradient.
 //
-//   y     where the surface stands at a vertex, n its outward normal (surface_kernel.h);  a = y_i − y_j
+//   y     position of the surface at a vertex, n its outward normal (surface_kernel.h);  a = y_i − y_j
 //   κ     1/R², the mean of both vertices' (R: influence radius, one mean edge at rest)
 //   u     max(0, 1 − κ² a⁴)                       fades with the distance, 0 from R on
-//   v     max(0, 1 − κ a²)                        the same, more evenly
+//   v     max(0, 1 − κ a²)                        the same, with a less steep fall
 //   h     (n_j − n_i)/2                           from j's cell to i's; 1 long face to face
 //   D     max(0, −a·h)                            overlap: by how much the planes half-way between i and j overlap
-//   B     κ D² u                                  how deep, over the reach, of vertices that lie on each other
+//   B     κ D² u                                  (depth over reach)² for vertices that lie on each other
 //   m     1 − n_i·n_j                             2 face to face, 0 for parallel normals
-//   s     t² (3 − 2t),  t = min(m/m₀, 1), m₀ = ½  1, but for nearly parallel normals: a thin cell's far side
-//   z     m² (3 − m)/4                            the same, more evenly
+//   s     t² (3 − 2t),  t = min(m/m₀, 1), m₀ = ½  1, but less for nearly parallel normals, as on a thin cell's far side
+//   z     m² (3 − m)/4                            the same, with a less steep rise
 //
 //   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z v³,   β₁ = 6, β₂ = 200                                      [energy]
 //
-// The first part repels: K [force/length]. Pressed together face to face its energy rises until B = 0.38, 0.74 R deep,
-// where it is 4.5 K R²; whatever is pressed farther falls into the other cell, and the run ends (deepestHeld). β₁ and β₂
-// harden B, not κ D²: otherwise vertices whose planes overlap far beside each other, where u ends, are so stiff that
-// crowds never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of separation
-// W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
+// The first part repels: K [force/length]. Face to face its energy rises until B = 0.38, at a depth of 0.74 R, where it
+// is 4.5 K R². Surfaces that are pressed deeper would pass through each other, so the run ends before (deepestHeld). β₁
+// and β₂ multiply B, not κ D²: otherwise vertices far beside each other, where u ends, would be so stiff that many
+// cells together never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of
+// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
 //
-// y and n depend on the vertices' one-rings, and so do forces: that is what makes them the gradient of an energy. With
+// y and n depend on the vertices' one-rings, so the gradient of the energy does, too. With
 //
 //   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                                ∂E/∂D
 //   E_q = −κ a² s K D² u (2 + 3β₁ B + 4β₂ B²) + T/2 z v²               ∂E/∂(κa²)
 //   E_m = ½ ds/dm K D² u² (1 + β₁ B + β₂ B²) − ¾ m (2 − m) T/6 v³      ∂E/∂m,   ds/dm = 6 t (1 − t)/m₀
 //
-// the pair gives i
+// the pair adds to the sums of vertex i
 //
 //   f = E_D h − 2κ E_q a                    −∂E/∂y_i
 //   q = −½ E_D a + E_m n_j                  −∂E/∂n_i
 //
-// and surface_kernel.h hands f and q on to the vertices. Exchanging i and j negates f and gives the other q: momentum
-// and, E being the same wherever both surfaces are turned together, angular momentum are kept to rounding.
+// and surface_kernel.h distributes f and q to the vertices. Exchanging i and j negates f and gives the q of j, so
+// momentum is kept to rounding. So is angular momentum, since E does not change when both surfaces are turned together.
 //
-// Damping adds s C u² ḋ to E_D, with ḋ = −(v_i − v_j)·h how fast the surfaces close, where the sum pushes: it acts
-// along the gradient of D, with its couple, so it keeps both momenta. ḋ leaves out how fast normals turn, which in the
-// sum over a surface cancels: damping takes energy from surfaces, though a single pair may give some. It may push a
-// little before surfaces overlap, so that no force jumps.
+// Damping adds s C u² ḋ to E_D where the sum repels, with the closing speed of the surfaces ḋ = −(v_i − v_j)·h. It acts
+// along the gradient of D, with its couple, so it keeps both momenta. ḋ leaves out the rate at which normals turn,
+// which cancels in the sum over a surface: damping takes energy from surfaces, although a single pair may add some. It
+// may push a little before surfaces overlap, so that no force is discontinuous.
 //
-// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and v_t
-// the speed along the surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where
-// neighbours stand around a vertex on all sides, half of it acts along the slip: hence the 2. Two vertices face to face
-// have a along the normal and feel none, so Coulomb's limit holds in the mean over how meshes lie. c_max keeps friction
-// from reversing the slip within a step (contacts.cpp).
+// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and
+// v_t the speed along the surface. A central force of the pair keeps both momenta and only takes energy. Over a
+// surface, where neighbours lie on all sides of a vertex, half of it acts along the slip: hence the factor 2. Two
+// vertices face to face have a along the normal and so no friction; Coulomb's limit holds in the mean over positions of
+// meshes. c_max keeps friction from reversing the slip within a step (contacts.cpp).
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
-// potentials [Li et al. 2020; Li et al. 2023]; here vertices see vertices, so that forces are only gathered.
+// potentials [Li et al. 2020; Li et al. 2023]; here pairs are of vertices, so that each vertex only gathers forces.
 #include "contacts/surface_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -67,9 +67,9 @@ struct PairLaw {
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
     const Lanes nearness = min(curvature * square, 1.0);  // in single precision the far row's is infinite
     const Mask near = nearness < Lanes(1.0);
-    const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D, or how far apart
+    const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D; negative: the distance
     const Lanes opening = 0.5 * dot(relative, apartNormals);
-    if constexpr (!withAdhesion)  // without overlap or a push against approach a pair adds exactly nothing
+    if constexpr (!withAdhesion)  // neither overlap nor a push by damping: the pair adds exactly nothing
       if (!any(max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0) & near)) return;
     const Lanes v = 1.0 - nearness, u = v * (1.0 + nearness);
     const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
@@ -81,7 +81,7 @@ struct PairLaw {
     const Lanes barrier = stiffness * (depth * depth);
     Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
     Lanes byTurn = 0.0;
-    if (any(t < Lanes(1.0)))  // from normals 60° apart on ds/dm is 0
+    if (any(t < Lanes(1.0)))  // ds/dm is 0 for normals 60° apart or more
       byTurn =
           ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {

@@ -8,8 +8,8 @@
 namespace morula {
 namespace {
 
-/// The height at which a share falls from above `wanted` to below it: 1 at the lower end, 0 at the upper one. Always
-/// so many halvings, below the last place of a double.
+/// The height at which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The number
+/// of halvings is fixed, and enough for the last place of a double.
 template <class ShareAbove>
 double bisect(double low, double high, double wanted, const ShareAbove& shareAbove) {
   for (int turn = 0; turn < 60; ++turn) {
@@ -19,8 +19,8 @@ double bisect(double low, double high, double wanted, const ShareAbove& shareAbo
   return 0.5 * (low + high);
 }
 
-/// What lies above a height, without a body for each: with the faces' shadows A_f on the plane, which projecting
-/// leaves as they are, and heights h,
+/// The volume above a height, without cutting the mesh. With heights h and the areas A_f of the faces projected onto
+/// the plane, which a projection of the part below onto the plane does not change,
 ///
 ///   V(t) = Σ_f A_f · mean over f's corners of max(h − t, 0) = Σ_v w_v max(h_v − t, 0),   w_v = ⅓ Σ_{f∋v} A_f
 class VolumeAbove {
@@ -29,7 +29,7 @@ class VolumeAbove {
     const Point centre = measureCentroid(vertices);
     for (const Point& x : vertices) height_.push_back(dot(x - centre, normal));
     for (const auto& [i, j, k] : faces) {
-      // Twice the area, and a third of it to each corner.
+      // `dot` is twice the area; each corner gets a third of the area.
       const double shadow = dot(cross(vertices[j] - vertices[i], vertices[k] - vertices[i]), normal) / 6;
       weight_[i] += shadow, weight_[j] += shadow, weight_[k] += shadow;
     }

@@ -11,13 +11,13 @@
 namespace morula {
 namespace {
 
-// The lines along one axis: the middles of equal shares of [low, high].
+// Equidistant lines along one axis: the middles of equal parts of the box's side.
 struct Grid {
   double low, spacing;
   int count;
 
   double at(int i) const { return low + (i + 0.5) * spacing; }
-  // Line numbers [first, end) that hold all lines within [from, to]; one more on each side for the rounding.
+  // Numbers [first, end) of all lines within [from, to], with one more on each side because of rounding.
   std::pair<int, int> linesWithin(double from, double to) const {
     const auto number = [this](double x) {
       return static_cast<int>(std::clamp(std::floor((x - low) / spacing - 0.5), -1.0, static_cast<double>(count)));
@@ -30,7 +30,7 @@ struct Triangle {
   int mesh, face;
 };
 
-// A line's way into (sign −1) or out of (+1) a mesh.
+// Where a line enters (sign −1) or leaves (+1) a mesh.
 struct Crossing {
   double z;
   int mesh, sign;
@@ -57,13 +57,13 @@ class Scan {
     return result;
   }
 
-  /// [length³] Of mesh number `mesh`, what lies in others too.
+  /// [length³] The part of mesh number `mesh` that also lies in other meshes.
   double sharedVolume(int mesh) {
     sweepAll({});
     return shared_[mesh] * x_.spacing * y_.spacing;
   }
 
-  /// Calls visit(column, row, from, to) for each stretch that lies in a mesh.
+  /// Calls visit(column, row, from, to) for each interval of a line that lies in a mesh.
   void sweepAll(const std::function<void(int, int, double, double)>& visit) {
     sortTrianglesByRow();
     for (int row = 0; row < y_.count; ++row) {
@@ -116,7 +116,7 @@ class Scan {
     }
   }
 
-  // Walks up one line and adds each stretch to those that it lies in.
+  // Goes up one line and adds the length of each interval to the meshes that it lies in.
   void sweep(const std::vector<Crossing>& crossings, const auto& visit) {
     around_.clear();
     double below = 0;
@@ -146,8 +146,8 @@ class Scan {
   Grid x_, y_;
   std::vector<std::size_t> rowStart_;
   std::vector<Triangle> rows_;
-  std::vector<std::vector<Crossing>> crossings_;  // of the present row, per column
-  std::vector<std::pair<int, int>> around_;       // meshes and how often they wind around the present stretch
+  std::vector<std::vector<Crossing>> crossings_;  // of the current row, per column
+  std::vector<std::pair<int, int>> around_;       // meshes, and their winding numbers around the current interval
   std::vector<double> inside_, shared_;           // [length] per mesh, over all lines
   double union_ = 0;                              // [length]
 };

@@ -1,5 +1,5 @@
-// The step, as the thesis' figures 4.2 and 4.4 draw it. Isolated cells: where no force acts between
-// them, a block goes through many time steps while it is in cache.
+// One step of a world: the stages of the thesis' figures 4.2 and 4.4. A block of isolated cells, on which no other
+// cells act, goes through many time steps while it is in cache.
 #include <algorithm>
 #include <atomic>
 
@@ -45,8 +45,8 @@ std::uint64_t wholeStepsUntilEnd(const World& world) {
   return endsLate(world, steps) ? steps - 1 : steps;
 }
 
-/// While the step before the planned end is made, it is the clock's time step. What comes after it, if the
-/// run goes on to a later end, has the usual one again.
+/// The last step before the planned end may be shorter. While this object exists the clock has that shorter time step;
+/// then the usual one is restored, because a run may be continued to a later end.
 class LastStep {
  public:
   explicit LastStep(World& world) : clock_(world.clock), usual_(clock_.timeStep) {
@@ -124,7 +124,7 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
   const bool isolated =
-      !world.contacts && !world.connections && !world.motility && !world.swirls;  // one pass while a block is in cache
+      !world.contacts && !world.connections && !world.motility && !world.swirls;  // one pass over a block in cache
 
   const auto stagesOf = [&](const BlockView& block) {
     const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];

@@ -19,22 +19,23 @@ namespace morula {
 
 namespace {
 
-// Sums of cycle lengths may miss their product by rounding; a stop at cycle k must still see cycle k.
+// Relative tolerance. A sum of k cycle lengths may differ from their product by rounding, and a stop at cycle k must
+// still run cycle k.
 constexpr double slack = 1e-9;
 
-/// [time] When the last cell cycles are due that the run still sees; infinite without a planned end.
+/// [time] The latest time at which a cell cycle is due that the run still makes; infinite without a planned end.
 double lastDue(const Scene& scene) {
   const std::optional<double> end = plannedEnd(scene);
   return end ? *end + slack * scene.cycle.length : INFINITY;
 }
 
-/// What moves cells or slows them, and does not matter where they come to rest.
+/// Sets to 0 what acts on moving cells only, and so does not change where they come to rest.
 void leaveOutMotion(MechanicsScene& m) {
   m.physics.drag = m.physics.membrane.damping = 0;
   if (m.contact) m.contact->damping = m.contact->friction = 0;
 }
 
-/// Lists that serve for more evaluations, where each moves cells farther than a time step does.
+/// Wider neighbour lists for integrators that settle, because an evaluation moves cells farther than a time step does.
 SearchSettings searchOf(const MechanicsScene& m, SearchSettings search) {
   if (kindOf(m.physics.integrator).settles) search.skinShare *= 2;
   return search;
@@ -87,7 +88,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     checkStart(world);
   } catch (const NumericalError& e) {
     const std::string who = e.cell.empty() ? "" : "cell " + e.cell + ": ";
-    throw InputError(who + e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
+    throw InputError(who + e.quantity + "; " + e.remedy);  // no step has been made: the scene is invalid
   }
   return world;
 }

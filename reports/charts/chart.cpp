@@ -39,7 +39,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
     if (levelIsLinear) x.low -= 0.5, x.high += 0.5;
     else x.low /= 2, x.high *= 2;
   }
-  if (upIsLinear) {  // room above and below, and around a line that is level some
+  if (upIsLinear) {  // space above and below; also around a horizontal line
     const double room = y.low < y.high ? 0.04 * (y.high - y.low) : std::max(1e-300, 0.1 * std::abs(y.low));
     y.low -= room, y.high += room;
   } else y.low *= 0.8, y.high *= 1.25;
@@ -63,8 +63,8 @@ struct Box {
 
 Box around(Spot p, double reach) { return {p.x - reach, p.y - reach, p.x + reach, p.y + reach}; }
 
-/// Labels beside their points, each at the nearest place of a few where it covers no point, no other label
-/// and as little as can be of lines.
+/// Puts labels beside their points: of a few places, nearest first, the one where a label covers the fewest points and
+/// labels, and then the least of lines.
 class PointLabels {
  public:
   PointLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) : drawing_(drawing), sheet_(sheet) {
@@ -109,7 +109,7 @@ class PointLabels {
   std::vector<Box> taken_, lines_;
 };
 
-/// Which shape goes with a colour.
+/// The marker of each colour, so that lines differ without colour, too.
 class Shapes {
  public:
   explicit Shapes(const Chart& chart) {
@@ -123,7 +123,7 @@ class Shapes {
   bool tellApart() const { return shown_ && colours_.size() > 1; }
 
  private:
-  static constexpr std::size_t mostLines = 200;  // without dots: beyond, marks would hide the lines
+  static constexpr std::size_t mostLines = 200;  // without dots: markers of more lines would hide them
   std::vector<Colour> colours_;
   bool shown_ = false;
 };

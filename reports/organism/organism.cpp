@@ -15,7 +15,7 @@ namespace {
 
 bool finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// How many vertices a cell with these faces has at least.
+/// The least number of vertices that these faces need.
 std::int32_t neededBy(const std::vector<Face>& faces) {
   std::int32_t needed = 0;
   for (const Face& face : faces)
@@ -53,7 +53,7 @@ void check(const OrganismPicture& picture) {
   if (picture.samples < 1 || picture.samples > 4)
     throw InputError("a picture cannot have " + std::to_string(picture.samples) +
                      " samples per pixel side; it must be 1 to 4");
-  constexpr long long mostSamples = 50'000'000;  // some 40 bytes each
+  constexpr long long mostSamples = 50'000'000;  // of some 40 bytes each
   if (1LL * picture.width * picture.height * picture.samples * picture.samples > mostSamples)
     throw InputError("a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                      " pixels with " + std::to_string(picture.samples) +
@@ -91,14 +91,14 @@ int sceneHeight(const OrganismPicture& picture, int width) {
   return height;
 }
 
-/// What must be inside the picture.
+/// The points that must lie inside the picture.
 std::vector<Point> extent(const OrganismPicture& picture) {
   std::vector<Point> points;
   if (picture.shell) {
     const Vector semi = *picture.shell * shellThickness;
     for (const Point& p : makeIcosphere(3).vertices) points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
   }
-  // With a shell cells may come and go in one framing.
+  // With a shell cells do not affect the framing, so that it does not change when cells are born or die.
   for (const CellShape& cell : picture.cells)
     if (cell.opacity > 0 && !picture.shell) points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
   for (const LineMark& line : picture.lines) points.push_back(line.from), points.push_back(line.to);
@@ -113,7 +113,7 @@ FramingFinder finderFor(const OrganismPicture& picture) {
   return {eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, picture.width))};
 }
 
-/// The labels of cells that are seen at all: translucent ones, which own no pixels, at their middles.
+/// The labels of all visible cells. A translucent cell owns no pixels, so its label is placed at its middle.
 std::vector<LabelWish> labelsOf(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
                                 const Aperture& aperture, const LabelGround& ground) {
   std::vector<LabelWish> wishes;
@@ -141,7 +141,7 @@ OrganismRenderer& rendererOfThisThread() {
   return renderer;
 }
 
-/// The scenes side by side, one per style, in one frame of words.
+/// Draws one scene for each style, side by side, with one title, caption and legend.
 Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) {
   check(picture);
   const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);

@@ -33,11 +33,11 @@ struct Planned {
   RunSettings settings;
 };
 
-/// Eight digits over all values of a scenario.
+/// Eight hexadecimal digits of a hash over all values of a scenario.
 std::string digits(const Scenario& scenario) { return Hasher().add(scenario.resolved).digest().text().substr(0, 8); }
 
-/// Whether the last run of this name and seed in the database is of another file, which says something else; absent: there is
-/// none. Of runs that began in the same second any may be the last.
+/// Whether the last run of this name and seed in the database is of another scenario file with other values; absent:
+/// there is no such run. If several began in the same second, any of them may be the last.
 std::optional<bool> isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
   if (database.empty() || !fileExists(database)) return {};
   try {
@@ -55,26 +55,25 @@ std::optional<bool> isOfOther(const std::filesystem::path& database, const Scena
             (d.role == "resolved" && d.content == scenario.resolved))
           return false;
     return true;
-  } catch (const FileError&) { return {}; }  // who writes to it says what is wrong
+  } catch (const FileError&) { return {}; }  // the error is reported when the run opens the database for writing
 }
 
-/// Whether the folder may hold results of another file of this name and seed. Where its pictures were drawn by a run that is
-/// stored elsewhere, only the database that is given can tell.
+/// Whether the folder may hold results of another file with this name and seed. If its pictures are of a run that is
+/// stored elsewhere, only the database of --db shows whose they are.
 bool isTaken(const std::filesystem::path& folder, const std::filesystem::path& database, const Scenario& scenario) {
   const auto inside = isOfOther(folder / "run.db", scenario), given = isOfOther(database, scenario);
   return inside.value_or(false) || given.value_or(false) ||
          (!database.empty() && !inside && !given && fileExists(folder));
 }
 
-/// results/unique-four-20080617, name and seed. Eight digits follow where values were changed by --set, and
-/// where `twin`, another file of the same name, is run at the same time or has been before, so that each has a
-/// folder of its own.
+/// "unique-four-20080617": name and seed. Eight digits follow if values were changed by --set, and if there is a
+/// `twin`: another file of the same name and seed, run in the same call or before. So each has a folder of its own.
 std::string folderName(const Scenario& scenario, const SceneOptions& scene, bool twin) {
   const std::string name = scenario.scene.name + "-" + std::to_string(scenario.scene.seed);
   return scene.set.empty() && !twin ? name : name + '-' + digits(scenario);
 }
 
-/// Everything that is to be run, read and checked before the first step of the first.
+/// All runs of the call. Every scenario is read and checked before the first step of the first run.
 std::vector<Planned> plan(const RunOptions& options) {
   std::vector<std::optional<std::uint64_t>> seeds(options.seeds.begin(), options.seeds.end());
   if (seeds.empty()) seeds = {options.scene.seed};
@@ -130,7 +129,7 @@ std::string describePlanForPeople(const Planned& run) {
          run.settings.database.string() + "\n";
 }
 
-/// Ten seeds of one result must not be taken for ten results.
+/// Warns where seeds change nothing, so that ten equal results are not taken for ten samples.
 void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned>& runs) {
   if (options.seeds.empty() && !options.scene.seed) return;
   const Planned* told = nullptr;
@@ -164,7 +163,7 @@ int act(const RunOptions& options) {
   int code = fine;
   for (const auto& run : runs) {
     if (options.dryRun) {
-      makeScenarioWorld(run.scenario, run.settings.execution);  // its time step may be above the limit
+      makeScenarioWorld(run.scenario, run.settings.execution);  // throws if the time step is above its limit
       if (options.output.json) list.push_back(describePlan(run));
       else print(describePlanForPeople(run));
       continue;

@@ -97,7 +97,7 @@ const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& s
   for (const auto& entry : scenario.colours) {
     const std::string& pattern = entry.first;
     if (pattern.empty() || pattern.back() != '*') continue;
-    // '*' sorts before all that names are made of, so of the fitting patterns the longest comes last.
+    // '*' sorts before all characters of names, so the longest of the patterns that fit comes last.
     if (substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) found = &entry;
   }
   return found;

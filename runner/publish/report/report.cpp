@@ -77,11 +77,11 @@ namespace fs = std::filesystem;
 namespace {
 
 struct AllFacts {
-  std::vector<RunFacts> runs, more;         // `more`: of studies, for the explorer alone
+  std::vector<RunFacts> runs, more;         // `more`: runs of studies that only the explorer shows
   std::vector<std::size_t> ofStudies = {};  // how many runs each study has
 };
 
-/// The runs of the study that the page is to show, of all that it has.
+/// The runs of a study that the page shows: all, or the one that `wanted` names.
 std::vector<Representative> chosenOf(const std::vector<Representative>& all, Store& store, const std::string& wanted) {
   if (wanted.empty()) return all;
   auto found = std::ranges::find_if(all, [&](const Representative& r) { return r.name() == wanted; });
@@ -115,7 +115,7 @@ AllFacts factsOfAll(const Sources& sources, const ReportQuestion& question) {
   return facts;
 }
 
-/// Which runs of studies the explorer has, and how the others are seen.
+/// Adds a note on which runs of a study the explorer has, and how to see the others.
 void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std::vector<ExplorerRun>& shown,
                        Document& body) {
   for (std::size_t i = 0; i < sources.studies.size(); ++i) {
@@ -135,7 +135,7 @@ void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std:
 PageSection explorerSection(const ReportQuestion& question, const Sources& sources, const AllFacts& facts,
                             const std::vector<ExplorerRun>& runs) {
   PageSection section{"explorer", "Explorer", {}};
-  if (question.program.empty()) section.body.say("This page was made without its explorer: " + question.whyNone);
+  if (question.program.empty()) section.body.say("This page has no explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
   sayWhichOfStudies(sources, facts, runs, section.body);
   return section;
@@ -167,8 +167,8 @@ std::string commandOf(const ReportQuestion& question) {
   return command + " -o page.html";
 }
 
-/// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
-/// Parts are told apart by their titles, unless they are of `one` source.
+/// Fills the page: the verdict of each part, what changed in each, the explorer, and then the other sections of each
+/// part. Titles of sections name their part, unless all are of `one` source.
 void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // ids
@@ -189,7 +189,7 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector
     for (const PageSection& section : part.sections) add(section, titleOf(part));
 }
 
-/// A page holds one run that it makes again.
+/// Throws UsageError unless there is exactly one run, and a page can repeat it.
 void demandOneRun(const std::vector<RunFacts>& runs) {
   if (runs.size() != 1)
     throw UsageError("report --rerun: a page makes one run again, and this one has " + std::to_string(runs.size()) +
@@ -207,7 +207,7 @@ void findExplorer(ReportQuestion& question) {
     question.whyNone = installation() ? "the installation does not have it"
                                       : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
   if (!question.rerun) return;
-  if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
+  if (!file) throw FileError("report --rerun: the explorer of pages that run again is missing; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
   if (!module)
     throw FileError(
@@ -247,7 +247,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().sections.push_back(programSection());
 
-  // The runs that stand for a study's conditions are told by the study.
+  // Runs with a label represent a study's conditions, and its part names them; count only the other runs.
   const auto own = static_cast<std::size_t>(
       std::count_if(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }));
   const bool one = sources.checks.size() + sources.studies.size() + sources.accuracies.size() + (own > 0) == 1;
@@ -267,7 +267,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     putTogether(parts, one, explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };
-  // What room the rest leaves goes to the frames; base64 takes 4 bytes for 3.
+  // Frames get the bytes that the rest of the page leaves; base64 takes 4 bytes for 3.
   if (question.rerun) page.bytes = rerunBytes(runs[0], question.module);
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;

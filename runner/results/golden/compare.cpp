@@ -1,4 +1,4 @@
-// Holds a run against its golden, check by check.
+// Compares a run with its golden, check by check.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,17 +12,17 @@
 namespace morula {
 namespace {
 
-/// One item as the golden and as the run have it; null where one of them has none.
+/// An item of the golden and the same item of the run; null if one of them does not have it.
 struct Pair {
   const GoldenItem* golden = nullptr;
   const GoldenItem* observed = nullptr;
 };
 
-/// The pairs of one check, in the golden's order, then what only the run has.
+/// The pairs of one check, in the golden's order, then the items that only the run has.
 using Pairs = std::vector<Pair>;
 
-/// Values of measures that joined their table after the golden was accepted: it names none of them anywhere,
-/// though it has other values of the same cell and time.
+/// Recognises values of measures that were added to their table after the golden was accepted: the golden has other
+/// values of the same cell and time, and no value of this measure anywhere.
 class JoinedLater {
  public:
   explicit JoinedLater(const Golden& golden) {
@@ -58,7 +58,7 @@ std::map<std::string, Pairs> pairUp(const Golden& golden, const GoldenData& obse
   return checks;
 }
 
-/// Makes the result of a check of which these differences were found among so many items.
+/// The result of a check with `items` items, among which these differences were found.
 CheckResult resultOf(const std::string& check, std::vector<Difference> differences, std::size_t items) {
   CheckResult r;
   r.check = check;
@@ -92,7 +92,7 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
   return r;
 }
 
-/// Pictures of another renderer may differ in rounding, so they say nothing.
+/// Pictures of another renderer may differ by rounding, so only those of the same renderer are compared.
 CheckResult compareImages(const std::string& file, Pairs pairs) {
   const std::size_t all = pairs.size();
   std::erase_if(pairs, [](const Pair& p) {
@@ -104,7 +104,8 @@ CheckResult compareImages(const std::string& file, Pairs pairs) {
   return r;
 }
 
-/// The chain of hashes, and which cells' hashes differ where it first does: behind that all of it must.
+/// Compares the chain of hashes. Reports only the first link that differs, with the cells whose hashes differ there,
+/// because all later links must differ, too.
 CheckResult compareChain(const Golden& golden, const Pairs& pairs) {
   CheckResult r = compareExactly(golden.file, "step_hashes", pairs);
   r.message = firstLine(r.message);
@@ -148,14 +149,14 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
   return r;
 }
 
-/// The values under one rule (null: under none, so exact).
+/// The values to which one rule applies (null: no rule, so they must be exact).
 struct RuleCheck {
   const ToleranceRule* rule = nullptr;
   std::vector<Difference> differences;
   std::size_t values = 0;
   double share = 0;                    // the largest
-  const GoldenValue* worst = nullptr;  // whose it is
-  bool chaos = true;                   // all that differs may have grown from a difference in the last place
+  const GoldenValue* worst = nullptr;  // the value with the largest share
+  bool chaos = true;                   // every difference may have grown from one unit in the last place
 
   void add(const Golden& golden, const Pair& pair) {
     const std::string& file = golden.file;
@@ -193,7 +194,8 @@ struct RuleCheck {
   }
 };
 
-/// A tolerance beyond the chaos horizon would be used up by a difference in the last place: it tests nothing.
+/// Notes a rule that applies beyond the chaos horizon, where a difference in the last place alone exceeds its
+/// tolerance, so that it tests nothing.
 void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t step,
                  std::map<int, Difference>& blind) {
   const auto horizon = horizonOf(golden, rule.tolerance.size());
@@ -214,11 +216,11 @@ void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t 
 
 void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckResult>& results) {
   const std::vector<ToleranceRule>& rules = golden.rules;
-  std::vector<RuleCheck> checks(rules.size() + 1);  // the last one: no rule
+  std::vector<RuleCheck> checks(rules.size() + 1);  // the last one is for values without a rule
   for (std::size_t i = 0; i < rules.size(); ++i) checks[i].rule = &rules[i];
   std::vector<bool> matched(rules.size(), false);
   std::vector<Difference> unpaired;
-  std::map<int, Difference> blind;  // by line: rules that allow something beyond the horizon
+  std::map<int, Difference> blind;  // by line: rules that apply beyond the horizon
 
   for (const Pair& pair : pairs) {
     const auto* value = pair.golden ? &std::get<GoldenValue>(*pair.golden) : nullptr;
@@ -243,7 +245,7 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
            "tolerance",
            rules[i].pattern,
            "",
-           place + ": the tolerance rule '" + rules[i].pattern + "' matches no value; remove it or mend its pattern"});
+           place + ": the tolerance rule '" + rules[i].pattern + "' matches no value; remove or correct it"});
   }
   for (auto& [line, difference] : blind) idle.push_back(std::move(difference));
   if (!rules.empty()) results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
@@ -258,8 +260,8 @@ const CheckResult* find(const std::vector<CheckResult>& results, const std::stri
   return nullptr;
 }
 
-/// Why a check failed. An earlier cause explains what follows from it: a changed scenario, then the state
-/// before the first step, then the lineage, and only what is left is a change of the computation.
+/// Sets the class of each failed check. An earlier cause explains later ones: a changed scenario, then the state before
+/// the first step, then the lineage; other failures are changes of the computation.
 void classify(std::vector<CheckResult>& results) {
   const bool costsAlone =
       std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed || r.check == "costs"; });

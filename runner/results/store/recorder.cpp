@@ -1,4 +1,4 @@
-// The only place where the store meets the simulation.
+// Reads the simulation's world into the records of the store; no other source of the store does.
 #include "store/recorder.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace morula {
 namespace {
 
-/// Copies the faces of that mesh, unless they are there.
+/// Copies the faces of the mesh with number `mesh` from `from`, unless `kept` has them.
 void keepFaces(std::vector<MeshFaces>& kept, const std::vector<MeshFaces>& from, int mesh) {
   const auto place = std::ranges::lower_bound(kept, mesh, {}, &MeshFaces::mesh);
   if (place != kept.end() && place->mesh == mesh) return;
@@ -89,7 +89,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
     const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time),
                surfaces = surfacesAreDue(s.world.time);
     if (!reached && !due && !surfaces && !options_.atDivisions) continue;
-    if (!surfaces && !(reached && options_.meshes)) s.surfaces.clear();  // kept because the run was stopped
+    if (!surfaces && !(reached && options_.meshes)) s.surfaces.clear();  // only kept because the run was stopped
     for (const CellSurface& surface : s.surfaces) keepFaces(results_.meshes, earlier.meshes, surface.mesh);
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
     keepTouching(s.contacts, s.world.time);
@@ -142,7 +142,8 @@ void Recorder::keepSurfaces(const World& world, Sample& sample) {
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
     const int slot = bodies.slots[i], level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
     Mesh surface = takeSurface(bodies, slot);
-    // On the ball, where the surface has its volume: else it would stand out of the shell that holds the ball.
+    // A sphere's surface is the egg's mesh with the sphere's volume, whose vertices lie outside the sphere and may
+    // stick out of the shell. Put them onto the sphere.
     const Point centre = bodies.vertex(slot, 0);
     const double radius = bodies.parameters.cell.radius * bodies.restScale[slot];
     if (bodies.areSpheres())

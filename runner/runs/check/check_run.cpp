@@ -16,7 +16,8 @@
 namespace morula {
 namespace {
 
-/// How far a vertex may stand out of the shell, in its radii: positions are projected onto it, up to rounding.
+/// [radii of the shell] How far a vertex may lie outside the shell. Positions are projected onto the shell, up to
+/// rounding.
 constexpr double shellSlack = 1e-6;
 
 CheckResult shellHolds(const World& world) {
@@ -40,7 +41,7 @@ Hash hashOf(const Image& image) {
   return hasher.add(bytes).digest();
 }
 
-/// Without words: glyphs are another library's.
+/// The picture without words, because another library draws the letters.
 GoldenImage imageOf(const Simulation& run, const Scenario& scenario) {
   OrganismPicture picture = pictureOf(run.world, scenario);
   picture.title = picture.caption = "";
@@ -79,7 +80,7 @@ CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOp
 
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture) {
   GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
-  // A golden holds the samples that the scenario asks for, not those that every run takes.
+  // A golden holds only samples that the scenario asks for, not the first and last ones of every run.
   for (const RunResults* part : {&run.passed, &run.results}) {
     if (scenario.record.every)
       for (const auto& sample : part->samples) context.samples.push_back(sample.world);
@@ -116,7 +117,7 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
   try {
     const auto before = readScenario(*committed, scenario.file, folderOf(scenario.file), {}, {}, scenario.allowOutside);
     if (before.meaning.text() == golden.data.scenarioHash) golden.data.parameters = decidingValues(before);
-  } catch (const InputError&) {  // of another version of the format: then it cannot tell
+  } catch (const InputError&) {  // of another version of the format: its parameters cannot be read
   }
   return golden;
 }

@@ -185,12 +185,12 @@ class Comparison {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;
 
-/// Between which steps the hashes of two runs begin to differ.
+/// The steps between which the hashes of two runs begin to differ.
 struct Window {
   bool same = false;
   std::optional<std::uint64_t> lastEqual;
-  std::uint64_t first = 0;                                   // the first step that is known to differ
-  const StateHashes *expected = nullptr, *actual = nullptr;  // there; null if a run has no state there
+  std::uint64_t first = 0;                                   // the first step at which they are known to differ
+  const StateHashes *expected = nullptr, *actual = nullptr;  // at step `first`; null if a run has no state there
 };
 
 Window partingOf(const HashTrace& e, const HashTrace& a) {
@@ -265,7 +265,7 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
     const auto stepByStep = [from](const HashTrace& t) { return t.links.size() > 1 && t.links[1].step == from + 1; };
     if (stepByStep(finerE) && stepByStep(finerA)) {
       const Window finer = partingOf(finerE, finerA);
-      if (finer.same) window = {false, window.first, window.first + 1};  // one ends there, the other goes on
+      if (finer.same) window = {false, window.first, window.first + 1};  // one run ends there, the other continues
       else e = std::move(finerE), a = std::move(finerA), window = partingOf(e, a);
     }
   }
@@ -286,7 +286,7 @@ Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t ever
   Explanation x = explain(first, second, every);
   if (x.failureClass.empty()) return x;
   x.failureClass = "NONDETERMINISM";
-  x.text = "NONDETERMINISM: two runs of this program differ, so nothing else can be told\n" + x.text;
+  x.text = "NONDETERMINISM: two runs of this program differ, so other differences cannot be classified\n" + x.text;
   return x;
 }
 

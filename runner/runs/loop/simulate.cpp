@@ -18,10 +18,10 @@
 namespace morula {
 namespace {
 
-// Between looks for signals and at progress.
+// At most so many steps between checks for signals and updates of the progress line.
 constexpr std::uint64_t mostStepsAtOnce = 64;
 
-/// After how many steps the recorder or a hook is to see the world.
+/// The number of steps until the recorder or a hook needs the world.
 std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunOptions& hooks) {
   if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
@@ -29,7 +29,7 @@ std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const
   return steps;
 }
 
-/// Of what stays in memory until the run ends.
+/// Ends the run if its records, which stay in memory until it ends, take more than half of the memory limit.
 void requireMemoryForRecords(const World& world, const Recorder& recorder) {
   const double most = world.execution.memoryLimit / 2;
   if (recorder.bytes() <= most) return;
@@ -76,7 +76,8 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     if (std::isinf(limited.memoryLimit)) limited.memoryLimit = usableMemory();
     return makeWorld(scenario.scene, limited);
   } catch (const InputError& error) {
-    // The simulator knows parameters, but not where they were written: "physics.time_step 0.02 is above …".
+    // The simulator names parameters, as in "physics.time_step 0.02 is above …", but not their file and line: add
+    // these.
     const std::string what = error.what();
     const auto path = what.substr(0, what.find(' '));
     const auto place = scenario.places.find(path);
@@ -167,9 +168,9 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
       observe();
       if (options.keepEvery > 0 && run.world.clock.step % options.keepEvery == 0) options.keep(run.world, recorder);
     }
-    run.end = endOf(run.world, status);  // hashes the state, which must be numbers
+    run.end = endOf(run.world, status);  // hashes the state; throws NumericalError if a number is not finite
   } catch (const BodyFailure& error) {
-    // What drove a cell through time steps is no question where there are none.
+    // `diagnose` asks which force drove a cell over the last time steps; settling has no time steps.
     fail(settles(run.world) ? error.what() : diagnose(run.world.model, run.world.execution, error), error.want);
   } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
     fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy), Want::memory);

@@ -92,7 +92,7 @@ std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Wo
   return world.clock.step;
 }
 
-/// Of what goes to the database meanwhile, what the run's golden has, too.
+/// Keeps, of the records that go to the database during the run, those that a golden also has.
 void keepForGolden(const RunResults& records, RunResults& kept) {
   for (const Sample& s : records.samples) kept.samples.push_back({s.world, {}, {}});
   kept.chain.insert(kept.chain.end(), records.chain.begin(), records.chain.end());
@@ -110,7 +110,7 @@ void checkOutcome(const Scenario& scenario, const RunSettings& settings, const C
   else outcome.checks = check(scenario, checked, false);
 }
 
-/// Once the run is stored: whatever becomes of Bullet, nothing is lost.
+/// Called after the run is stored, so that a failure of Bullet loses nothing.
 void besideBullet(const Scenario& scenario, const RunSettings& settings, const Simulation& run, Store& store,
                   RunOutcome& outcome) {
   if (!scenario.check.bullet || !settings.check || settings.changed) return;
@@ -126,7 +126,8 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
 
-/// golden.png: the accepted result, this one, and how far they are apart; only of a run that differs from its golden.
+/// Writes golden.png (the accepted result, this one, and their distance) if the run differs from its golden; otherwise
+/// removes the one of an earlier run.
 void besideGolden(const Scenario& scenario, const RunSettings& settings, const Simulation& run, RunOutcome& outcome) {
   const auto file = settings.folder / "golden.png";
   const bool differs =
@@ -139,7 +140,7 @@ void besideGolden(const Scenario& scenario, const RunSettings& settings, const S
     writePicture(beside->sheet(), file);
     outcome.pictures.push_back(file.string());
   } else if (fileExists(file) && isOwnPng(readHead(file, 64))) {
-    removeFile(file);  // of an earlier run, which differed
+    removeFile(file);
   }
   if (beside && beside->signal) outcome.signal = beside->signal;
 }
@@ -157,7 +158,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto world = makeScenarioWorld(scenario, settings.execution);
   const bool checked = settings.check && !settings.changed;
   RunChecks checks(scenario, world, checked);
-  // Whatever could go wrong with files goes wrong before the first step.
+  // Open all files before the first step, so that errors of files are found before time is spent.
   makeFolder(settings.database.parent_path());
   auto store = Store::openForWriting(settings.database);
   if (settings.draw) makeFolder(settings.folder);
@@ -188,7 +189,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
                                {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
                          },
                      .keepEvery = settings.checkpointEvery};
-  // Who watches sees every step; who does not lets cells that need no other take many at once.
+  // With `watch` every step is shown; without it isolated cells may make many steps at once.
   if (scenario.record.pictures)
     options.watch = [&frames, others = options.watch](const World& w) {
       frames.observe(w);
@@ -216,7 +217,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (!done) return outcome;
   try {
     if (settings.draw) {
-      // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
+      // Runs with the same folder draw one after the other, so that all pictures are of one run, the last.
       const FolderLock lock(settings.folder);
       outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
     }

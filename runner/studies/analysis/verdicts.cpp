@@ -1,4 +1,4 @@
-// What a comparison says, in sentences. Each is made of numbers that the tables below it show.
+// The sentences of a comparison. Their numbers are those of its tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace morula {
 namespace {
 
-/// Less than this between all values of a measure, over the largest of them, is nothing to go by.
+/// A measure whose values differ by less than this fraction of the largest one, without a difference that is shown, is
+/// reported as telling nothing.
 constexpr double littleRange = 0.01;
 
 struct Spread {
@@ -33,10 +34,10 @@ Spread spreadOf(const StudyComparison& c, std::size_t measure) {
   return s;
 }
 
-/// "p = 0.012", "p < 1e-15" where digits would be rounding; "" if there is none.
+/// "p = 0.012"; "p < 1e-15" for values whose digits are rounding errors; "" without a p-value.
 std::string pText(const std::optional<double>& p) {
   if (!p) return "";
-  const bool isClose = *p > 0.045 && *p < 0.055;  // to the level: two digits would not tell the side
+  const bool isClose = *p > 0.045 && *p < 0.055;  // to the level of 0.05: two digits might not show on which side of it
   return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, isClose ? 3 : 2);
 }
 
@@ -50,17 +51,18 @@ bool anyEffect(const StudyComparison& c, std::size_t measure) {
   });
 }
 
-/// All values lie close together, and nothing that is compared differs.
+/// Whether all values lie close together and no difference or effect is shown.
 bool tellsNothing(const StudyComparison& c, std::size_t measure) {
   return spreadOf(c, measure).share() <= littleRange && !anyShown(c, measure) && !anyEffect(c, measure);
 }
 
-/// In the order of measures and pairs each; what is known is read first.
+/// Sentences in the order of measures and pairs: `known`, with a shown difference or a test of equivalence, are printed
+/// first.
 struct Verdicts {
   std::vector<std::string> known, open;
 };
 
-/// " at none" for what is fixed.
+/// " with connections: none" for the axes whose level is fixed; "" if none is.
 std::string place(const StudyComparison& c, const PairComparison& pair) {
   std::vector<std::string> fixed;
   for (std::size_t a = 0; a < pair.at.size(); ++a)
@@ -111,7 +113,7 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
     case Known::exact:
       return pair.paired.difference == 0 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
                                          : differs(c, pair) + ", exactly: seeds change neither";
-    case Known::oneSeed: return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
+    case Known::oneSeed: return differs(c, pair) + ", in one pair of runs: its variation is not known";
     case Known::estimated: break;
   }
   if (pair.isShown()) return fmt::format("{}, {}: {}", differs(c, pair), inHowMany(pair), estimate(pair));
@@ -120,7 +122,7 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
                      numberText(pair.meanB, 3), place(c, pair), estimate(pair), pair.of.size());
 }
 
-/// Behind what is said of the difference: "; equivalent within ±0.1, 90 % interval 0.04 to 0.06, p = 0.01 after Holm".
+/// The end of a sentence on a difference: "; equivalent within ±0.1, 90 % interval 0.04 to 0.06, p = 0.01 after Holm".
 std::string equivalenceText(const PairComparison& pair) {
   if (!pair.equivalence) return "";
   const auto& same = *pair.equivalence;
@@ -146,7 +148,8 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
     const bool isFixed = std::ranges::any_of(pair.at, [](const auto& level) { return level.has_value(); });
-    // What holds in the mean over an axis that it depends on is said at each level of that one [axisVerdicts].
+    // If the effect depends on another axis, axisVerdicts states it at each level of that axis; its mean is left out
+    // here.
     if (!pair.equivalence && (isSilent || (!isFixed && interactionOf(c, measure, pair.axis)))) continue;
     auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
     part.push_back(pairVerdict(c, pair) + equivalenceText(pair));
@@ -166,8 +169,8 @@ std::string effectText(const MeasureEffects& effects, std::size_t effect) {
                      pText(effects.corrected[effect]));
 }
 
-/// Every two of some levels, as `pairs` compares them: "longest 0.742, random 0.794, x 0.922: every two differ". "" if no
-/// two are shown to.
+/// Every two of some levels, as `pairs` compares them: "longest 0.742, random 0.794, x 0.922: every two differ". "" if
+/// no two are shown to.
 std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const PairComparison*>& pairs) {
   std::map<std::size_t, double> means;
   std::vector<std::string> differ, words;
@@ -182,11 +185,11 @@ std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const P
                                                         : ": " + join(differ) + " differ");
 }
 
-/// "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no difference is shown
-/// (95 % intervals within ±0.2)".
+/// "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no difference is
+/// shown (95 % intervals within ±0.2)".
 std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const Interaction& interaction) {
   const ResultAxis& other = c.results.axes[interaction.other];
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // of which levels
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // text, and the levels that it is about
   std::vector<std::string> silent;
   double most = 0;
   for (std::size_t l = 0; l < other.labels.size(); ++l) {
@@ -233,7 +236,8 @@ std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effect
                      which);
 }
 
-/// A line for each axis and measure that it decides on, and one for all others; not where a pair of levels says it all.
+/// For each axis a line for each measure that it affects, and one line for all other measures. A single axis with two
+/// levels has none, because its pair of levels says the same.
 std::vector<std::string> axisVerdicts(const StudyComparison& c) {
   std::vector<std::string> lines;
   const auto axes = comparedAxes(c);
@@ -263,7 +267,8 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
   return lines;
 }
 
-/// Where conditions end with other numbers of cells: which measures follow that, whatever else differs.
+/// If conditions end with different numbers of cells: names the measures that follow this number, whatever else
+/// differs.
 void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdicts) {
   std::vector<std::string> following;
   for (const std::size_t m : c.measures)
@@ -286,7 +291,7 @@ void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdi
                   following.size() > 1 ? "change" : "changes"));
 }
 
-/// What pairs of one seed save.
+/// How much narrower intervals are because both runs of a pair have the same seed.
 void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& verdicts) {
   const PairComparison* best = nullptr;
   double least = INFINITY, most = 0;

@@ -73,15 +73,15 @@ std::string TaskProgress::text() const {
   return text;
 }
 
-/// Signals with which a process ends by its own fault. Others come from outside: from people, from the system that has no
-/// more memory, from a scheduler.
+/// Whether a process that ended by this signal crashed by its own fault. Other signals come from outside: from a user,
+/// a scheduler, or the system when memory runs out.
 bool isCrash(int signal) {
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP})
     if (signal == own) return true;
   return false;
 }
 
-/// Keeps the order, but begins with those that take longest, so that none runs alone at the end.
+/// Sorts by predicted time, longest first, so that no long task runs alone at the end; equal ones keep their order.
 void longestFirst(const Plan& plan, std::vector<std::size_t>& tasks) {
   if (plan.costs.empty()) return;
   std::stable_sort(tasks.begin(), tasks.end(), [&](std::size_t a, std::size_t b) {
@@ -156,7 +156,7 @@ class StudyRun {
     while (next < open.size() || !running_.empty()) {
       if (const int signal = SignalWatch::caught(); signal && !report_.signal) {
         report_.signal = signal;
-        for (Running& r : running_) r.process->stop(SIGTERM);  // which their runs notice
+        for (Running& r : running_) r.process->stop(SIGTERM);  // their runs check for it and stop
       }
       if (report_.signal && running_.empty()) break;
       while (!report_.signal && next < open.size() && running_.size() < static_cast<std::size_t>(options_.jobs))
@@ -222,7 +222,7 @@ class StudyRun {
   RunStudyReport report_;
   std::vector<Running> running_;
   std::unique_ptr<TaskProgress> progress_;
-  bool ownBuild_ = false;  // a result that was there has been looked at
+  bool ownBuild_ = false;  // an existing result was found to be of this build
 };
 
 Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan) {
