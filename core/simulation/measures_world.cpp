@@ -168,7 +168,7 @@ constexpr WorldMeasure ofWorld[] = {
        const double any = c.here + c.there - c.both;
        return any > 0 ? Value(c.both / any) : Value();
      }},
-    {.name = "contact_f1", .meaning = "The same contacts, 2·both / (here + there): the mean of precision and recall [Dice 1945]",
+    {.name = "contact_f1", .meaning = "The same contacts, 2·both / (here + there): the harmonic mean of precision and recall [Dice 1945]",
      .needs = Needs::referenceContacts, .taken = Taken::onDemand,
      .get = [](Now now) -> Value {
        const ContactsCompared c = compareContacts(now);
