@@ -7,9 +7,9 @@
 
 namespace morula {
 
-/// Cube root of a positive, normal number, to within 1 ulp and the same bits everywhere: a guess from the exponent,
-/// right to 4 %, and Newton's iteration for x³ = a, which doubles the correct digits in each iteration: four suffice,
-/// and one more is a margin. Written with a/x², not x³ − a, for the cube of a guess that is too large may overflow.
+/// Cube root of a positive, normal number, to within 1 ulp and the same bits everywhere. A first estimate from the exponent
+/// is right to 4 %; each of five Newton iterations for x³ = a then doubles the correct digits, where four are enough. They
+/// use a/x² and not x³ − a, because the cube of an estimate that is too large may overflow.
 inline double cubeRoot(double a) {
   const auto bits = std::bit_cast<std::uint64_t>(a);
   double x = std::bit_cast<double>(bits / 3 + 0x2A9F7893782DA1CEu);

@@ -81,8 +81,8 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   return squares;
 }
 
-/// How often the surface winds around a point: what of it a ray from there crosses, outwards less inwards. The ray goes
-/// along no plane in which meshes have edges.
+/// Winding number of the closed surface around a point, 0 outside: how often a ray from the point leaves the surface, less
+/// how often it enters. The ray lies in no plane of symmetry of our meshes, so it does not run along edges.
 int windingAround(const Point& p, const Mesh& mesh) {
   const Vector ray{0.8017837, 0.2672613, 0.5345225};
   int winding = 0;

@@ -110,7 +110,7 @@ void checkNumbers(const World& world) {
 
 void checkStart(const World& world) {
   const Bodies& b = *world.bodies;
-  if (!world.contacts || world.contacts->parameters.law != ContactLaw::pair || b.areSpheres()) return;
+  if (b.count < 2 || !world.contacts || world.contacts->parameters.law != ContactLaw::pair || b.areSpheres()) return;
   const Observation now(world);
   std::vector<Mesh> surfaces;
   std::vector<Box> boxes;

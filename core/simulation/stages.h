@@ -37,8 +37,8 @@ void setStages(World& world, Isa isa);
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);
 
-/// Cells that begin so deep in each other that vertices there see none of the other cell: contacts would leave them in each
-/// other. Throws BodyFailure. Cost: each pair of cells whose boxes overlap that deep, vertices of one × faces of the other.
+/// Throws BodyFailure if a cell begins deeper in another one than contacts reach: no force would part the two. Cost: for
+/// each pair of cells whose bounding boxes overlap that deep, the vertices of one times the faces of the other.
 void checkStart(const World& world);
 
 /// Throws NumericalError if one of these numbers of a cell's state is not finite. The step itself looks at volumes alone:

@@ -6,7 +6,7 @@
 PROGRAM: morula; LIBRARY: what tests/preload/failing.cpp makes. Each verb below runs in a copy of a folder that is always the
 same, and fails at the n-th operation: for every n that it comes to, in each of the ways below; for memory, of which there are
 many thousands, for the first 100 and then for some evenly to the end, or with --places for the first from each place in the
-program: those whose six innermost calls are the same fail in the same way. Then must hold:
+program: requests with the same six innermost calls are taken to fail in the same way. Then must hold:
 
   - the exit code is one that is documented; never 70, a signal or a hang; with 0 the result is that of a run without a fault
   - else there is a sentence on standard error
@@ -384,7 +384,7 @@ def main():
                     place.restore()
                     counts[kind] = place.run(verb.command, f"{kind}:0:EIO").count
                 count, tried = counts[kind], 0
-                if options.places and kind in ("new", "malloc"):
+                if options.places and not options.at and kind in ("new", "malloc"):
                     place.restore()
                     came_from = [(kind, where) for where in place.places(verb.command, kind)]
                     at = [n for n, where in enumerate(came_from, 1) if where not in known and not known.add(where)]

@@ -8,7 +8,7 @@
 //     HOW   a name of errno (ENOSPC, EIO); the same with a '+': it and all that follow; short: half is written, the rest
 //           is refused; kill: the process ends by SIGKILL; killall: and so does its whole group. Memory: anything.
 //   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were. Without FAULT's N (0) it only counts.
-//   FAULT_PLACES=FILE  while it counts requests for memory: eight bytes for each, a hash of the innermost calls that led to it
+//   FAULT_PLACES=FILE  while it only counts: eight bytes for each operation, a hash of the six innermost calls that led to it
 //
 // Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM,
 // cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program looks
@@ -88,7 +88,7 @@ void readFault() {
 
 thread_local bool isLooking = false;
 
-/// Where the n-th request for memory came from.
+/// Where the n-th operation came from.
 void notePlace(std::uint64_t n) {
   isLooking = true;  // what that asks for itself does not count
   void* calls[6];
@@ -102,6 +102,7 @@ void notePlace(std::uint64_t n) {
 /// Whether this operation, of this kind, is to fail.
 bool isHit() {
   const std::uint64_t n = ++*fault.count;
+  if (fault.places >= 0) notePlace(n);
   if (fault.number == 0 || !(n == fault.number || (fault.goesOn && n > fault.number))) return false;
   if (fault.killsAll) ::kill(0, SIGKILL);
   if (fault.kills) ::kill(::getpid(), SIGKILL);
@@ -153,7 +154,6 @@ bool noMemory(Kind kind, void* caller) {
   const auto place = reinterpret_cast<std::uintptr_t>(caller);
   for (int i = 0; i < driverCount; ++i)
     if (place >= drivers[i].from && place < drivers[i].to) return false;
-  if (fault.places >= 0) notePlace(fault.count->load() + 1);
   if (!isHit()) return false;
   errno = ENOMEM;
   return true;

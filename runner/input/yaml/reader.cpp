@@ -39,7 +39,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark& mark) override {
     open_.clear();
     if (++documents_ == 1) return;
-    // A ']' of its own ends a document for yaml-cpp, and stands there again at the beginning of the next, for ever.
+    // An unmatched ']' ends the document for yaml-cpp, which then starts another one at the same ']', without end.
     const auto text = rest(mark);
     if (!text.empty() && std::string_view("]},:?").find(text[0]) != text.npos)
       problems_.add(place(mark), "", "not YAML: '" + std::string(1, text[0]) + "' out of place",

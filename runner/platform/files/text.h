@@ -1,6 +1,6 @@
 #pragma once
-// Small things that are done to texts; and texts of any content as they may stand in files of others: each reads back
-// as the same text. HTML: reports/page/page.h.
+// Texts split and joined, and texts of any content written for CSV, SQL, shells and YAML, from which the same text is read
+// back. HTML: reports/page/page.h.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +10,9 @@ namespace morula {
 /// "a, b, c", or "a, b or c" with " or " before the last one.
 std::string join(const std::vector<std::string>& words, const std::string& last = ", ");
 
-/// Between separators; behind the last one only what is not empty.
+/// The texts between separators, empty ones too; but nothing for a separator at the end.
 std::vector<std::string> partsOf(std::string_view text, char separator);
-/// Without their ends.
+/// Without line feeds.
 std::vector<std::string> linesOf(std::string_view text);
 std::string firstLine(const std::string& text);
 /// What stands between blanks and tabs, up to a '#', which begins a comment.

@@ -63,7 +63,7 @@ class Metric {
                 .field = field,
                 .share = -1} {}
 
-  /// What is off by a NaN is off for ever.
+  /// Keeps the largest deviation. One that is NaN is kept, whatever follows.
   void see(double expected, double actual, double off, const std::string& where) {
     const double share = off / allowed_;
     if (!(*result_.share <= share) && !std::isnan(share)) return;
