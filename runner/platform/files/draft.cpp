@@ -27,12 +27,23 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
   throw FileError("'" + file.string() + "' cannot be written: " + std::strerror(errno));
 }
 
+/// The folders in which this process has made drafts.
+std::mutex knownMutex;
+std::set<fs::path> known;
+
 /// Whether this process is the first time in the folder: each is searched for drafts of processes that died once.
 bool isNewHere(const fs::path& folder) {
-  static std::mutex mutex;
-  static std::set<fs::path> known;
-  const std::lock_guard lock(mutex);
+  const std::lock_guard lock(knownMutex);
   return known.insert(folder).second;
+}
+
+/// Of all names of this process's drafts.
+std::string ownBeginning() {
+  char host[65] = {};
+  ::gethostname(host, sizeof host - 1);
+  for (char& c : host)
+    if (c == '/') c = '_';
+  return std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-";
 }
 
 /// Between its making and its locking a draft looks abandoned: it may be gone once it is locked.
@@ -71,12 +82,18 @@ void Draft::takePlace() {
 
 fs::path draftIn(const fs::path& folder) {
   static std::atomic<unsigned> number{0};
-  char host[65] = {};
-  ::gethostname(host, sizeof host - 1);
-  for (char& c : host)
-    if (c == '/') c = '_';
-  return folder / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" + std::to_string(++number) +
-                   std::string(ending));
+  return folder / (ownBeginning() + std::to_string(++number) + std::string(ending));
+}
+
+void removeOwnDrafts() {
+  const std::unique_lock lock(knownMutex, std::try_to_lock);
+  if (!lock) return;
+  const std::string own = ownBeginning();
+  for (const fs::path& folder : known)
+    for (const fs::path& name : namesIn(folder.empty() ? fs::path(".") : folder)) {
+      std::error_code ignored;
+      if (name.string().starts_with(own)) fs::remove_all(folder / name, ignored);
+    }
 }
 
 std::size_t removeAbandonedDrafts(const fs::path& folder) {

@@ -37,4 +37,7 @@ std::filesystem::path draftIn(const std::filesystem::path& folder);
 /// Does nothing where folders cannot be listed.
 std::size_t removeAbandonedDrafts(const std::filesystem::path& folder);
 
+/// Removes the drafts of this process, for who ends it without destructors.
+void removeOwnDrafts();
+
 }  // namespace morula

@@ -11,6 +11,7 @@
 #include <new>
 #include <string_view>
 
+#include "files/draft.h"
 #include "files/read_file.h"
 #include "files/text.h"
 
@@ -52,6 +53,10 @@ std::terminate_handler otherwise = nullptr;
   } catch (const std::bad_alloc&) {
     constexpr std::string_view text = "morula: there is no more memory, and no way on without\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+    std::set_terminate([] { ::_exit(endCode); });  // that may find no memory either
+    try {
+      removeOwnDrafts();
+    } catch (...) {}
     ::_exit(endCode);
   } catch (...) { otherwise(); }
   std::abort();
