@@ -160,9 +160,9 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
       tell(rows[row].scenario + ", " + title(options.engines[column]) + ": " + verdict.text, options.quiet);
     }
   };
-  std::vector<std::thread> workers(std::max(1u, std::thread::hardware_concurrency()));
-  for (std::thread& worker : workers) worker = std::thread(work);
-  for (std::thread& worker : workers) worker.join();
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) workers.emplace_back(work);
+  workers.clear();  // waits for them
   return rows;
 }
 
