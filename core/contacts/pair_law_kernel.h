@@ -70,7 +70,7 @@ struct PairLaw {
     const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D; negative: the distance
     const Lanes opening = 0.5 * dot(relative, apartNormals);
     if constexpr (!withAdhesion)  // neither overlap nor a push by damping: the pair adds exactly nothing
-      if (!any(max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0) & near)) return;
+      if (!any((max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0)) & near)) return;
     const Lanes v = 1.0 - nearness, u = v * (1.0 + nearness);
     const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
     const Lanes depth = max(overlap, Lanes(0.0));

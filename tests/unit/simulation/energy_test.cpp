@@ -44,7 +44,7 @@ Course courseOf(const Scene& scene, int count, double speed) {
 
 using Map = Vector (*)(const Vector&);
 
-Vector turned(const Vector& x) {  // by a half about (1, 2, 2) and then a third about (1, 1, 1): exact but for rounding
+Vector rotated(const Vector& x) {  // by a half about (1, 2, 2) and then a third about (1, 1, 1): exact but for rounding
   const Vector axis = Vector{1, 2, 2} / 3.0, half = 2 * dot(axis, x) * axis - x;
   return {half.y, half.z, half.x};
 }
@@ -131,13 +131,13 @@ TEST_CASE("What drag, damping and friction take is what is missing") {
   CHECK(error < 2e-3);
 }
 
-TEST_CASE("A turned and a mirrored copy end turned and mirrored") {
+TEST_CASE("A rotated and a mirrored copy end rotated and mirrored") {
   ContactParameters plain = scenes::pairContact, all = scenes::pairContactWithFriction;
   all.adhesion = AdhesionParameters{1, {}};
   plain.law = all.law = ContactLaw::pair;
   for (const ContactParameters& contact : {plain, all}) {
     // Rounding, which collisions let grow: to 1.0e-9.
-    CHECK(differenceUnder(turned, false, contact) < 1e-8);
+    CHECK(differenceUnder(rotated, false, contact) < 1e-8);
     CHECK(differenceUnder(mirrored, true, contact) < 1e-8);
   }
 }
