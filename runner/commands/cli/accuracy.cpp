@@ -234,6 +234,10 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb.excludes("--into-golden", {"--output", "--set", "--seed", "--target"},
                 "it is the error of the scenario as it is, and nothing is drawn");
   verb.excludes("--quick", {"--into-golden", "--target"}, "--quick is a first look");
+  verb.excludes("--stated",
+                {"--until", "--target", "--integrator", "--level", "--bullet", "--into-golden", "--budget", "--only",
+                 "--quick", "--halvings", "--rounds", "--output", "--set", "--seed", "--json"},
+                "--stated prints what golden files say, as Markdown, and computes nothing");
 }
 
 }  // namespace morula::cli
