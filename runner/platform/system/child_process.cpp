@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <thread>
 
 #include "base/error.h"
@@ -114,9 +115,14 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
     question.closeWrite();
   });
   ChildEnd end;
-  end.said = readToEnd(answer.read);
+  std::exception_ptr noMemory;  // for what it says
+  try {
+    end.said = readToEnd(answer.read);
+  } catch (...) { noMemory = std::current_exception(); }
+  answer.closeRead();  // a child that says more ends by that, and does not keep the sender waiting
   sender.join();
   waitFor(process, end);
+  if (noMemory) std::rethrow_exception(noMemory);
   return end;
 }
 

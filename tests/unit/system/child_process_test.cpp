@@ -2,11 +2,14 @@
 #include "system/child_process.h"
 
 #include <sys/time.h>
+#include <sys/wait.h>
 
 #include <csignal>
+#include <new>
 
 #include "base/error.h"
 #include "catch.h"
+#include "system/forked.h"
 
 using namespace morula;
 
@@ -68,3 +71,15 @@ TEST_CASE("Signals that interrupt us cut no answer, and the child is waited for"
     CHECK(end.code() == 5);
   }
 }
+
+#if !defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
+TEST_CASE("Where there is no memory for what a child says, it is ended and waited for, and we go on") {
+  const auto work = []() -> ForkedAnswer {
+    try {
+      runChild({"cat", "/dev/zero"}, {.input = std::string(300'000, 'x')});  // which reads none of it
+    } catch (const std::bad_alloc&) { return {::waitpid(-1, nullptr, WNOHANG) < 0 ? 71 : 1, ""}; }
+    return {0, ""};
+  };
+  CHECK(Forked({.memory = 400'000'000}, work).wait().answer.code == 71);
+}
+#endif
