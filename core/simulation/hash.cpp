@@ -35,11 +35,15 @@ void add(Hasher& h, StateTexts&, const T& value) {
   h.add(value);
 }
 
-/// A new part of the state does not compile before it is decided here what becomes of it.
-struct PartHasher {
+/// A new part of the state does not compile before it is decided here, or in SavedParts, what becomes of it.
+struct PartHasher : SavedParts {
   const World& world;
   StateHashes parts{};
   StateTexts texts{*world.biology};
+
+  explicit PartHasher(const World& of) : world(of) {}
+
+  using SavedParts::operator();
 
   auto fieldsInto(Hasher& h) {
     return [this, &h](const Field& field, const auto& value) {
@@ -75,13 +79,6 @@ struct PartHasher {
     parts.connections = hashRows(name, connections);
   }
   void operator()(const char*, const Bodies&) {}  // with their cells
-  // These tell of the way, or follow from positions.
-  void operator()(const char*, const std::vector<TimeStepChange>&) {}
-  void operator()(const char*, const std::vector<DivisionRecord>&) {}
-  void operator()(const char*, const std::vector<PolarityRecord>&) {}
-  void operator()(const char*, const std::vector<BirthSize>&) {}
-  void operator()(const char*, const std::vector<SettlingRecord>&) {}
-  void operator()(const char*, const Contacts&) {}
 
   template <class Record>
   Hash hashRows(const char* name, const std::vector<Record>& rows) {
@@ -102,7 +99,7 @@ Hash hashWhole(const StateHashes& parts) {
 }
 
 StateHashes hashState(const World& world) {
-  PartHasher hasher{world};
+  PartHasher hasher(world);
   visitState(world, hasher);
   hasher.parts.whole = hashWhole(hasher.parts);
   return std::move(hasher.parts);

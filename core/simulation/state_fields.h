@@ -187,4 +187,15 @@ void visitState(W& world, auto&& visit) {
   if (settlings) visit("settlings", *settlings);
 }
 
+/// Parts that checkpoints alone keep: they tell how the state came about, or follow from positions. Visitors derive from it
+/// whose question is what the state is.
+struct SavedParts {
+  void operator()(const char*, const std::vector<TimeStepChange>&) const {}
+  void operator()(const char*, const std::vector<DivisionRecord>&) const {}
+  void operator()(const char*, const std::vector<PolarityRecord>&) const {}
+  void operator()(const char*, const std::vector<BirthSize>&) const {}
+  void operator()(const char*, const std::vector<SettlingRecord>&) const {}
+  void operator()(const char*, const Contacts&) const {}
+};
+
 }  // namespace morula

@@ -73,8 +73,9 @@ class Finder {
 };
 
 /// Compares each part of the expected state [visitState] with the actual one's.
-class Comparison {
+class Comparison : public SavedParts {
  public:
+  using SavedParts::operator();
   Comparison(const World& expected, const World& actual) : expected_(expected), actual_(actual) {}
 
   void operator()(const char*, const Clock& clock) { compareRecords(clock_, clock, actual_.clock); }
@@ -106,14 +107,6 @@ class Comparison {
       compareRows(bodies_, valuesOfBody(expected_, i), valuesOfBody(actual_, i));
     }
   }
-
-  // They tell of the way, or follow from positions.
-  void operator()(const char*, const std::vector<TimeStepChange>&) {}
-  void operator()(const char*, const std::vector<DivisionRecord>&) {}
-  void operator()(const char*, const std::vector<PolarityRecord>&) {}
-  void operator()(const char*, const std::vector<BirthSize>&) {}
-  void operator()(const char*, const std::vector<SettlingRecord>&) {}
-  void operator()(const char*, const Contacts&) {}
 
   std::optional<StateDifference> first() const {
     for (const Finder* part : {&cells_, &lineage_, &connections_, &clock_, &bodies_})
