@@ -4,8 +4,9 @@
 #   sanitizers.sh address|thread [CTEST OPTIONS…]    address: and undefined behaviour; -R NAME, -j N, --rerun-failed
 #
 # Left out is what a sanitizer says nothing new of, or cannot stand: other builds (determinism, install, lint, cost and
-# mutation), pages and other programs (browser, scipy, studies), and libraries that replace malloc (faults, regressions/*
-# with a preloaded one). With thread, what runs in one thread only is tried all the same.
+# mutation), pages and other programs (browser, scipy, studies), libraries that replace malloc (faults, regressions/*
+# with a preloaded one), and what golden/* runs once, over many seeds (organism). With thread, what runs in one thread only
+# is tried all the same.
 # Exit 1: a report, or another test that fails; the reports are in build/address or build/thread, Testing/Temporary/LastTest.log.
 set -euo pipefail
 case "${1:-}" in
@@ -21,4 +22,4 @@ export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=1:allocator_may_re
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=exitcode=99:halt_on_error=1
 ctest --test-dir "build/$preset" --output-on-failure --timeout 7200 -j 2 \
-  -E '^(cost|determinism|install|lint|mutation|browser|scipy|studies|faults|bench)' "$@"
+  -E '^(cost|determinism|install|lint|mutation|browser|scipy|studies|faults|bench|organism)' "$@"
