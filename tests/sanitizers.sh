@@ -11,7 +11,7 @@
 set -euo pipefail
 case "${1:-}" in
   address | thread) preset=$1 ;;
-  *) sed -n '2,9p' "$0"; exit 2 ;;
+  *) sed -n '2,10p' "$0"; exit 2 ;;
 esac
 shift
 cd "$(dirname "$(readlink -f "$0")")/.."
