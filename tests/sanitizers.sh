@@ -18,7 +18,8 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 cmake --preset "$preset" >/dev/null
 cmake --build "build/$preset"
 # A report ends the process with a code that none of the program's is.
-export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=1:allocator_may_return_null=1
+# The stack as it is: the one that finds uses after return aligns registers of 64 bytes to less, and ends the program.
+export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=exitcode=99:halt_on_error=1
 ctest --test-dir "build/$preset" --output-on-failure --timeout 7200 -j 2 \
