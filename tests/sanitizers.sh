@@ -21,6 +21,6 @@ cmake --build "build/$preset"
 # The stack as it is: the one that finds uses after return aligns registers of 64 bytes to less, and ends the program.
 export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=print_stacktrace=1
-export TSAN_OPTIONS=exitcode=99:halt_on_error=1
+export TSAN_OPTIONS=exitcode=99:halt_on_error=1:suppressions=$PWD/tests/thread_suppressions.txt
 ctest --test-dir "build/$preset" --output-on-failure --timeout 7200 -j 2 \
   -E '^(cost|determinism|install|lint|mutation|browser|scipy|studies|faults|bench|organism)' "$@"
