@@ -5,7 +5,6 @@
 option(MORULA_PORTABLE "Leave the AVX kernels out: only what every machine of the architecture has" OFF)
 set(MORULA_ISAS scalar narrow)
 set(MORULA_WIDTH_scalar 1)
-set(MORULA_OPTIONS_scalar $<$<CONFIG:Release>:-O1>)  # what others are compared with; nobody chooses it for its speed
 set(MORULA_WIDTH_narrow 2)  # SSE2 on x86-64, NEON on aarch64: what every machine has
 if(EMSCRIPTEN)
   set(MORULA_OPTIONS_narrow -msimd128)
