@@ -75,8 +75,9 @@ case $1 in
     sleep "${MORULA_TEST_BUILD_TIME:-0}"
     rmdir "$MORULA_TEST_SCRATCH/busy"
     [ -e "$MORULA_TEST_SCRATCH/broken" ] && printf 'quiet part\nFAILED: a.o\nno semicolon\n' && exit 1
-    printf '#!/bin/sh\necho "program $*"\nexit 3\n' >"$2/morula"
-    chmod +x "$2/morula"
+    name=${4#all} name=${name:-morula}
+    printf '#!/bin/sh\necho "%s $*"\nexit 3\n' "$name" | sed 's/morula /program /' >"$2/$name"
+    chmod +x "$2/$name"
     ;;
 esac
 END
@@ -86,9 +87,17 @@ exit 8
 END
 
 start run "a b"
-check "the first call configures and builds" "configure release;build morula;" "$called"
-check "stdout belongs to the program, which gets the arguments" "program run a b" "$out"
+check "the first call of run configures, and builds the program of this verb alone" "configure release;build morula-run;" "$called"
+check "it says so" 1 "$(grep -c 'building the verb run, which takes some minutes' "$scratch/err")"
+check "this program runs" "morula-run run a b" "$out"
+start run && check "the second call of run does nothing but start it" "" "$called"
+later touch "$tree/core/base/a.h" && start run && check "after an edit it is built" "build morula-run;" "$called"
+
+start check "a b"
+check "the first call of another verb builds the whole program" "build morula;" "$called"
+check "stdout belongs to the program, which gets the arguments" "program check a b" "$out"
 check "the program's exit code passes through" 3 "$code"
+start run && check "from then on it runs, too" "program run" "$out"
 
 start run
 check "the second call does nothing but start the program" "" "$called"

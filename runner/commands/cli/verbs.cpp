@@ -1,5 +1,6 @@
 #include "cli/verbs.h"
 
+#include "run_verb/run_verb.h"
 #include "study_verbs/study_verbs.h"
 
 namespace morula::cli {

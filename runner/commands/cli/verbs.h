@@ -1,12 +1,12 @@
 #pragma once
-// The verbs of the program, each in the file of its name; those of studies: study_verbs/study_verbs.h.
+// The verbs of the program, each in the file of its name; `run`: run_verb/run_verb.h; those of studies:
+// study_verbs/study_verbs.h.
 #include "options/verb.h"
 
 namespace morula::cli {
 
-AddVerb addRun, addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart,
-    addLineage, addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addEngineWorker,
-    addDescribe;
+AddVerb addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart, addLineage,
+    addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addDescribe;
 
 /// All of them.
 AddVerb addVerbs;

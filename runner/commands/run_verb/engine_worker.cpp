@@ -1,9 +1,9 @@
 // morula engine-worker: a scene computed by another engine, for the program itself. Not for people.
 #include "engines/engine_worker.h"
 
-#include "cli/verbs.h"
 #include "options/exit_codes.h"
 #include "options/verb.h"
+#include "run_verb/run_verb.h"
 #include "system/console.h"
 
 namespace morula::cli {

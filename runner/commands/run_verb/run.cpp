@@ -4,13 +4,13 @@
 
 #include "base/error.h"
 #include "check/check_run.h"
-#include "cli/verbs.h"
 #include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/program.h"
 #include "options/verb.h"
 #include "run/run_scenario.h"
+#include "run_verb/run_verb.h"
 #include "system/console.h"
 
 namespace morula::cli {
