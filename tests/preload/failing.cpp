@@ -4,11 +4,14 @@
 //   FAULT=KIND:N:HOW   the N-th of KIND, counted from 1 and in all processes together
 //     KIND  write, sync, rename, make (to open for writing, mkdir, truncate), remove, read (also to open),
 //           files (all but read);
-//           new (operator new), malloc (malloc, calloc and realloc, but not for operator new)
+//           new (operator new), malloc (malloc, calloc and realloc, but not for operator new);
+//           all: none fails, and each kind but `files` is counted for itself
 //     HOW   a name of errno (ENOSPC, EIO); the same with a '+': it and all that follow; short: half is written, the rest
 //           is refused; kill: the process ends by SIGKILL; killall: and so does its whole group. Memory: anything.
-//   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were. Without FAULT's N (0) it only counts.
+//   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were; of `all` eight for each kind, in the order above, after
+//                      these. Without FAULT's N (0) it only counts.
 //   FAULT_PLACES=FILE  while it only counts: eight bytes for each operation, a hash of the six innermost calls that led to it
+//   FAULT_CLOCK=N      the clock is so many seconds fast; also without FAULT
 //
 // Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM,
 // cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program looks
@@ -32,6 +35,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <new>
 
 extern "C" {
@@ -45,8 +49,8 @@ namespace {
 
 using Counter = std::atomic<std::uint64_t>;
 
-enum Kind { none, writes, syncs, renames, makes, removes, reads, files, news, mallocs };
-constexpr const char* kindNames[] = {"", "write", "sync", "rename", "make", "remove", "read", "files", "new", "malloc"};
+enum Kind { none, writes, syncs, renames, makes, removes, reads, files, news, mallocs, all };
+constexpr const char* kindNames[] = {"", "write", "sync", "rename", "make", "remove", "read", "files", "new", "malloc", "all"};
 
 struct Fault {
   Kind kind = none;
@@ -54,7 +58,7 @@ struct Fault {
   int error = EIO;
   bool goesOn = false, isShort = false, kills = false, killsAll = false;
   char folder[PATH_MAX] = {};
-  Counter* count = nullptr;
+  Counter* counts = nullptr;  // of `all` at the kind's number, else the first
   int places = -1;  // a file
 } fault;
 bool inMain = false;
@@ -65,13 +69,13 @@ void readFault() {
   const char* const number = std::strchr(what, ':');
   const char* const how = number ? std::strchr(number + 1, ':') : nullptr;
   const int file = ::open(count, O_RDWR | O_CLOEXEC);
-  void* const shared = ::mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  void* const shared = ::mmap(nullptr, (all + 1) * sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   if (!how || shared == MAP_FAILED || !::realpath(folder, fault.folder)) {
     std::fprintf(stderr, "failing: FAULT, FAULT_FOLDER and FAULT_COUNT do not go together\n");
     ::_exit(99);
   }
   ::close(file);
-  for (int k = writes; k <= mallocs; ++k)
+  for (int k = writes; k <= all; ++k)
     if (std::strncmp(what, kindNames[k], static_cast<std::size_t>(number - what)) == 0 &&
         kindNames[k][number - what] == 0)
       fault.kind = static_cast<Kind>(k);
@@ -81,7 +85,7 @@ void readFault() {
   fault.isShort = std::strcmp(how, ":short") == 0;
   fault.killsAll = std::strcmp(how, ":killall") == 0;
   fault.kills = fault.killsAll || std::strcmp(how, ":kill") == 0;
-  fault.count = static_cast<Counter*>(shared);
+  fault.counts = static_cast<Counter*>(shared);
   if (const char* const places = std::getenv("FAULT_PLACES"); places && fault.number == 0)
     fault.places = ::open(places, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
 }
@@ -100,8 +104,8 @@ void notePlace(std::uint64_t n) {
 }
 
 /// Whether this operation, of this kind, is to fail.
-bool isHit() {
-  const std::uint64_t n = ++*fault.count;
+bool isHit(Kind kind) {
+  const std::uint64_t n = ++fault.counts[fault.kind == all ? kind : none];
   if (fault.places >= 0) notePlace(n);
   if (fault.number == 0 || !(n == fault.number || (fault.goesOn && n > fault.number))) return false;
   if (fault.killsAll) ::kill(0, SIGKILL);
@@ -110,7 +114,9 @@ bool isHit() {
   return true;
 }
 
-bool isCounted(Kind kind) { return fault.count && (fault.kind == kind || (fault.kind == files && kind < reads)); }
+bool isCounted(Kind kind) {
+  return fault.counts && (fault.kind == kind || (fault.kind == files && kind < reads) || fault.kind == all);
+}
 
 bool isOurs(const char* absolute) {
   const std::size_t length = std::strlen(fault.folder);
@@ -124,15 +130,15 @@ bool fails(Kind kind, int descriptor) {
   const int reason = errno;
   const bool ours = ::readlink(link, path, sizeof path - 1) > 0 && isOurs(path);
   errno = reason;
-  return ours && isHit();
+  return ours && isHit(kind);
 }
 
 bool fails(Kind kind, int folder, const char* path) {
   if (!isCounted(kind)) return false;
-  if (path[0] == '/') return isOurs(path) && isHit();
+  if (path[0] == '/') return isOurs(path) && isHit(kind);
   if (folder != AT_FDCWD) return fails(kind, folder);
   char here[PATH_MAX];
-  return ::getcwd(here, sizeof here) && isOurs(here) && isHit();
+  return ::getcwd(here, sizeof here) && isOurs(here) && isHit(kind);
 }
 
 struct Range {
@@ -154,7 +160,7 @@ bool noMemory(Kind kind, void* caller) {
   const auto place = reinterpret_cast<std::uintptr_t>(caller);
   for (int i = 0; i < driverCount; ++i)
     if (place >= drivers[i].from && place < drivers[i].to) return false;
-  if (!isHit()) return false;
+  if (!isHit(kind)) return false;
   errno = ENOMEM;
   return true;
 }
@@ -223,6 +229,13 @@ MORULA_OPENING(open, MORULA_NOTHING, MORULA_NOTHING, AT_FDCWD)
 MORULA_OPENING(open64, MORULA_NOTHING, MORULA_NOTHING, AT_FDCWD)
 MORULA_OPENING(openat, MORULA_COMMA(int folder), MORULA_COMMA(folder), folder)
 MORULA_OPENING(openat64, MORULA_COMMA(int folder), MORULA_COMMA(folder), folder)
+
+time_t time(time_t* at) {
+  static auto* const real = next<time_t(time_t*)>("time");
+  const char* const fast = std::getenv("FAULT_CLOCK");
+  const time_t now = real(nullptr) + (fast ? std::atoi(fast) : 0);
+  return at ? *at = now : now;
+}
 
 #define MORULA_CALLER __builtin_return_address(0)
 void* malloc(size_t size) { return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_malloc(size); }
