@@ -15,7 +15,7 @@ struct Film {
   TemporaryFolder folder;
   Film() {
     fs::create_directory(folder / "bin");
-    writeWhole(folder / "bin/ffmpeg", "#!/bin/sh\ncase \"$*\" in *-version) exit 0;; esac\n: >\"$STARTED\"\nsleep 5\n");
+    writeWhole(folder / "bin/ffmpeg", "#!/bin/sh\ncase \"$*\" in *-version) exit 0;; esac\n: >\"$STARTED\"\nexec sleep 5 >/dev/null 2>&1\n");
     fs::permissions(folder / "bin/ffmpeg", fs::perms::owner_all);
     fs::create_directory(folder / "films");
   }
