@@ -6,8 +6,10 @@
 
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <latch>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -52,6 +54,17 @@ bool threadsAreToBeHad() {
   return enough;
 }
 
+/// What the environment asks of Mesa for other programs: another driver, an older OpenGL, other pixels.
+void forgetWishes() {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string name(*entry, std::strcspn(*entry, "="));
+    for (const char* family : {"GALLIUM_", "GALLIVM_", "LP_", "MESA_"})
+      if (name.starts_with(family) && !name.starts_with("MESA_SHADER_CACHE_")) names.push_back(name);
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
+}
+
 /// llvmpipe compiles shaders for the CPU it finds. At a width of 128 bits it still fuses multiplications with additions
 /// where the CPU can, which moves a pixel in ten thousand by one level; told that there is nothing beyond SSE 4.1 it
 /// does not, and gives the same pixels on every x86-64. The disk cache would write into the user's home directory, so it is
@@ -59,6 +72,7 @@ bool threadsAreToBeHad() {
 void settleDriver() {
   static std::once_flag once;
   std::call_once(once, [] {
+    forgetWishes();
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);

@@ -28,6 +28,23 @@ void refused(std::vector<std::string> arguments, const std::string& words) {
 
 }  // namespace
 
+TEST_CASE("whatever the environment asks of Mesa, a picture is the same") {
+  const TemporaryFolder folder;
+  const auto picture = [&](const Environment& environment) {
+    const auto end = launch({"render", four, "--time", "1.2", "--size", "64", "-o", folder / "a.png"}, environment);
+    INFO(end.err);
+    CHECK(end.code == 0);
+    return readWhole(folder / "a.png");
+  };
+  const std::string plain = picture({});
+  for (const Environment& asked :
+       {Environment{{"GALLIUM_DRIVER", "softpipe"}}, Environment{{"LP_NATIVE_VECTOR_WIDTH", "512"}},
+        Environment{{"MESA_GL_VERSION_OVERRIDE", "3.0"}}, Environment{{"GALLIVM_PERF", "brilinear"}}}) {
+    CAPTURE(asked.begin()->first);
+    CHECK((picture(asked) == plain));
+  }
+}
+
 TEST_CASE("render draws what it is asked for, in the size that it is asked for") {
   const TemporaryFolder folder;
   const auto picture = [&](std::vector<std::string> more) {
