@@ -12,10 +12,10 @@
 #include "options/options.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
-#include "pictures/run_charts.h"
 #include "store/store.h"
 #include "system/console.h"
 #include "system/usage_error.h"
+#include "views/run_charts.h"
 
 namespace morula::cli {
 namespace {

@@ -13,7 +13,6 @@
 #include "options/options.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
-#include "pictures/run_charts.h"
 #include "store/records.h"
 #include "store/store.h"
 #include "system/console.h"
@@ -21,6 +20,7 @@
 #include "system/usage_error.h"
 #include "values/cell_names.h"
 #include "values/units.h"
+#include "views/run_charts.h"
 
 namespace morula::cli {
 namespace {

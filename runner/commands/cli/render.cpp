@@ -14,9 +14,9 @@
 #include "options/exit_codes.h"
 #include "options/verb.h"
 #include "organism/camera.h"
-#include "pictures/film.h"
 #include "pictures/pictures.h"
 #include "system/console.h"
+#include "views/film.h"
 
 namespace morula::cli {
 namespace {

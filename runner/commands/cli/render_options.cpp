@@ -11,7 +11,7 @@
 #include "options/options.h"
 #include "options/verb.h"
 #include "organism/camera.h"
-#include "pictures/film.h"
+#include "views/film.h"
 
 namespace morula::cli {
 namespace {

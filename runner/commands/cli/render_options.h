@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "options/options.h"
-#include "pictures/picture_maker.h"
+#include "views/picture_maker.h"
 
 namespace morula::cli {
 

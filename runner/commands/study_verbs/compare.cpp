@@ -14,11 +14,11 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
-#include "pictures/compare_pictures.h"
 #include "pictures/pictures.h"
 #include "study/plan.h"
 #include "study_verbs/study_verbs.h"
 #include "system/console.h"
+#include "views/compare_pictures.h"
 
 namespace morula::cli {
 namespace {

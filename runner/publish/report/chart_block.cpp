@@ -6,8 +6,8 @@
 #include "analysis/measure_words.h"
 #include "base/error.h"
 #include "drawing/palette.h"
-#include "pictures/run_charts.h"
 #include "report/run_blocks.h"
+#include "views/run_charts.h"
 
 namespace morula {
 namespace {

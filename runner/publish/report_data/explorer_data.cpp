@@ -4,10 +4,10 @@
 
 #include "drawing/palette.h"
 #include "files/printable.h"
-#include "pictures/picture_maker.h"
 #include "pictures/pictures.h"
 #include "report_data/words.h"
 #include "values/measure_list.h"
+#include "views/picture_maker.h"
 
 namespace morula {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "analysis/study_results.h"
 #include "drawing/drawing.h"
-#include "pictures/cell_colours.h"
+#include "views/cell_colours.h"
 
 namespace morula {
 

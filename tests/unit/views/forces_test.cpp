@@ -5,12 +5,12 @@
 #include "catch.h"
 #include "diagnose/vertex_forces.h"
 #include "drawing/palette.h"
-#include "pictures/picture_maker.h"
 #include "pictures/pictures.h"
 #include "scenario/scenario.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
+#include "views/picture_maker.h"
 
 namespace morula {
 

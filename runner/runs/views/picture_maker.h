@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnose/vertex_forces.h"
-#include "pictures/cell_colours.h"
+#include "views/cell_colours.h"
 
 namespace morula {
 

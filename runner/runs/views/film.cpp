@@ -1,4 +1,4 @@
-#include "pictures/film.h"
+#include "views/film.h"
 
 #include <fmt/format.h>
 

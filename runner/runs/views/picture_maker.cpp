@@ -1,4 +1,4 @@
-#include "pictures/picture_maker.h"
+#include "views/picture_maker.h"
 
 #include <algorithm>
 #include <cmath>

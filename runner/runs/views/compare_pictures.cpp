@@ -1,4 +1,4 @@
-#include "pictures/compare_pictures.h"
+#include "views/compare_pictures.h"
 
 #include <fmt/format.h>
 

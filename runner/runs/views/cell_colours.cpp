@@ -1,4 +1,4 @@
-#include "pictures/cell_colours.h"
+#include "views/cell_colours.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Charts in the units that people see.
 #include "catch.h"
-#include "pictures/run_charts.h"
+#include "views/run_charts.h"
 
 using namespace morula;
 

@@ -6,11 +6,11 @@
 
 #include "charts/chart.h"
 #include "charts/charts_of_pairs.h"
-#include "pictures/cell_colours.h"
 #include "scenario/scenario.h"
 #include "simulation/asked_measure.h"
 #include "store/records.h"
 #include "trees/lineage_tree.h"
+#include "views/cell_colours.h"
 
 namespace morula {
 

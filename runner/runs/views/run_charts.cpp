@@ -1,4 +1,4 @@
-#include "pictures/run_charts.h"
+#include "views/run_charts.h"
 
 #include <fmt/format.h>
 
