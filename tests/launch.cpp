@@ -104,7 +104,7 @@ void waitUntilComputing(int process) {
     return at != status.npos && (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
   });
   const long begun = cpuTime();
-#if defined(__SANITIZE_THREAD__)  // under which it takes that long to begin
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)  // under which it takes that long to begin
   const double seconds = 3;
 #else
   const double seconds = .1;

@@ -54,8 +54,9 @@ bool threadsAreToBeHad() {
   return enough;
 }
 
-/// What the environment asks of Mesa for other programs: another driver, an older OpenGL, other pixels.
-void forgetWishes() {
+/// Removes from the environment what users set for other programs, and what would give another driver, an older OpenGL or
+/// other pixels.
+void unsetMesaVariables() {
   std::vector<std::string> names;
   for (char** entry = environ; *entry; ++entry) {
     const std::string name(*entry, std::strcspn(*entry, "="));
@@ -72,7 +73,7 @@ void forgetWishes() {
 void settleDriver() {
   static std::once_flag once;
   std::call_once(once, [] {
-    forgetWishes();
+    unsetMesaVariables();
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);

@@ -75,9 +75,10 @@ case $1 in
     sleep "${MORULA_TEST_BUILD_TIME:-0}"
     rmdir "$MORULA_TEST_SCRATCH/busy"
     [ -e "$MORULA_TEST_SCRATCH/broken" ] && printf 'quiet part\nFAILED: a.o\nno semicolon\n' && exit 1
-    name=${4#all} name=${name:-morula}
-    printf '#!/bin/sh\necho "%s $*"\nexit 3\n' "$name" | sed 's/morula /program /' >"$2/$name"
-    chmod +x "$2/$name"
+    made=$2/morula word=program
+    if [ "$4" = morula-run ]; then made=$2/morula-run word=alone; fi
+    printf '#!/bin/sh\necho "%s $*"\nexit 3\n' $word >"$made"
+    chmod +x "$made"
     ;;
 esac
 END
@@ -89,7 +90,7 @@ END
 start run "a b"
 check "the first call of run configures, and builds the program of this verb alone" "configure release;build morula-run;" "$called"
 check "it says so" 1 "$(grep -c 'building the verb run, which takes some minutes' "$scratch/err")"
-check "this program runs" "morula-run run a b" "$out"
+check "this program runs" "alone run a b" "$out"
 start run && check "the second call of run does nothing but start it" "" "$called"
 later touch "$tree/core/base/a.h" && start run && check "after an edit it is built" "build morula-run;" "$called"
 
