@@ -21,7 +21,6 @@ cmake --build "build/$preset"
 # No search for uses of a stack frame after its return: it puts variables of 64 bytes where they are not aligned, and the
 # AVX-512 kernels crash.
 export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=0:allocator_may_return_null=1
-export LSAN_OPTIONS=print_suppressions=0 # tests look at standard error
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=exitcode=99:halt_on_error=1:suppressions="'$PWD/tests/thread_suppressions.txt'"
 ctest --test-dir "build/$preset" --output-on-failure --timeout 7200 -j 2 \
