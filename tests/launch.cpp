@@ -59,6 +59,12 @@ int waitFor(int process) {
 
 }  // namespace
 
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
 std::string programFile() { return MORULA_PROGRAM; }
 
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment,

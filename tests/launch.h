@@ -16,6 +16,12 @@ struct Launched {
 
 using Environment = std::map<std::string, std::string>;
 
+/// A shipped scenario that is quick to run: four cells with bodies that divide, a check and a golden file.
+inline const std::string uniqueFour = "scenarios/thesis/unique-four.yaml";
+
+/// How often a part is in a text.
+std::size_t occurrences(const std::string& text, const std::string& part);
+
 /// The built program, for tests that start it through a shell.
 std::string programFile();
 

@@ -26,7 +26,7 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 const std::string inside = "check: {fails: [step, inside out, physics.pressure.constant]}\n";
 
 const std::string collapses = replaced(two, "contact: {}", "pressure: {constant: 0, outside: 50}");
-const std::string refused = replaced(two, "contact: {}", "time_step: 1");
+const std::string refusedScene = replaced(two, "contact: {}", "time_step: 1");
 
 Launched with(const char* verb, const TemporaryFolder& folder, const std::string& text) {
   writeWhole(folder / "two.yaml", text);
@@ -54,7 +54,7 @@ TEST_CASE("run holds a scenario's invariants also where there is no golden file"
 TEST_CASE("check: a run that must stop passes if it stops, and says why, during the run or before it") {
   const TemporaryFolder folder;
   for (const auto& text :
-       {collapses + inside, refused + "check: {fails: [physics.time_step, longer than the whole run]}\n"}) {
+       {collapses + inside, refusedScene + "check: {fails: [physics.time_step, longer than the whole run]}\n"}) {
     const auto run = with("check", folder, text);
     INFO(run.err);
     CHECK(run.code == 0);
@@ -74,8 +74,8 @@ TEST_CASE("check: a run that must stop and does not, or for another reason, diff
   const auto other = with("check", folder, collapses + "check: {fails: [friction]}\n");
   CHECK(other.code == 1);
   CHECK(other.err.find("missing: friction") != std::string::npos);
-  CHECK(with("check", folder, refused + "check: {fails: [friction]}\n").code == 1);
-  CHECK(with("check", folder, refused).code == 3);
+  CHECK(with("check", folder, refusedScene + "check: {fails: [friction]}\n").code == 1);
+  CHECK(with("check", folder, refusedScene).code == 3);
 }
 
 TEST_CASE("run: what must stop still ends with the code of its failure, and its check is stored") {
@@ -83,7 +83,7 @@ TEST_CASE("run: what must stop still ends with the code of its failure, and its 
   const auto run = with("run", folder, collapses + inside);
   CHECK(run.code == 4);
   CHECK(Json::parse(run.out)["checked"] == true);
-  CHECK(with("run", folder, refused + inside).code == 3);
+  CHECK(with("run", folder, refusedScene + inside).code == 3);
 }
 
 TEST_CASE("review accepts nothing that breaks what the scenario demands") {

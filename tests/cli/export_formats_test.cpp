@@ -26,10 +26,10 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 const std::string genes =
     "morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 3}\n";
 
-struct Stored {
+struct StoredRun {
   TemporaryFolder folder;
   std::string database = folder / "run.db", id;
-  explicit Stored(const std::string& scene, int code = 0) { run(scene, {}, code); }
+  explicit StoredRun(const std::string& scene, int code = 0) { run(scene, {}, code); }
   void run(const std::string& scene, const std::vector<std::string>& more = {}, int code = 0) {
     writeWhole(folder / "scene.yaml", scene);
     std::vector<std::string> arguments{"run",   folder / "scene.yaml", "--db", database, "--no-pictures", "--quiet",
@@ -55,7 +55,7 @@ struct Stored {
 }  // namespace
 
 TEST_CASE("of one run a file or a folder is written, and stdout names the files") {
-  const Stored stored(bodies + "record: {meshes: 1}\n");
+  const StoredRun stored(bodies + "record: {meshes: 1}\n");
   for (const auto& [format, path] :
        {std::pair("newick", "tree.nwk"), {"npz", "run.npz"}, {"ply", "end.ply"}, {"gltf", "end.glb"}}) {
     const auto launched = stored.exported(format, path);
@@ -84,7 +84,7 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
 }
 
 TEST_CASE("the same run gives the same bytes, kept or made again, whatever computes it") {
-  Stored stored(bodies);
+  StoredRun stored(bodies);
   CHECK(stored.exported("npz", "a.npz").code == 0);
   CHECK(stored.exported("npz", "b.npz", {"--threads", "2"}).code == 0);
   CHECK(readWhole(stored.folder / "a.npz") == readWhole(stored.folder / "b.npz"));
@@ -100,7 +100,7 @@ TEST_CASE("the same run gives the same bytes, kept or made again, whatever compu
 }
 
 TEST_CASE("a time that was not kept is made again; a kept one is the first step at or after it") {
-  const Stored stored(bodies + "record: {meshes: 1}\n");
+  const StoredRun stored(bodies + "record: {meshes: 1}\n");
   CHECK(stored.exported("ply", "kept.ply", {"--time", "1"}).err.empty());
   const auto launched = stored.exported("ply", "made.ply", {"--time", "1.3"});
   CHECK(launched.code == 0);
@@ -109,7 +109,7 @@ TEST_CASE("a time that was not kept is made again; a kept one is the first step 
 }
 
 TEST_CASE("a run that ends otherwise now is not exported") {
-  Stored stored(bodies);
+  StoredRun stored(bodies);
   morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
       .execute("UPDATE run SET state_hash = '000102030405060708090a0b0c0d0e0f'");
   refuses(stored.exported("ply", "end.ply"), 1, "ends otherwise when it is simulated again: stored 0001020304");
@@ -117,7 +117,7 @@ TEST_CASE("a run that ends otherwise now is not exported") {
 }
 
 TEST_CASE("of several runs each has its own files, and tables hold all") {
-  Stored stored(bodies + "variation: {cycle: 0.05}\n");
+  StoredRun stored(bodies + "variation: {cycle: 0.05}\n");
   const std::string first = stored.id;
   stored.run(bodies + "variation: {cycle: 0.05}\n", {"--seed", "7"});
   std::vector<std::string> ids{first, stored.id};
@@ -139,7 +139,7 @@ TEST_CASE("of several runs each has its own files, and tables hold all") {
 }
 
 TEST_CASE("a run that failed is left out among others, which is said, and keeps its tree") {
-  Stored stored(bodies);
+  StoredRun stored(bodies);
   const std::string good = stored.id;
   stored.run(bodies, {"--set", "physics.membrane.production=40"}, 4);
   const auto launched = stored.exported("vtk", "all");
@@ -154,7 +154,7 @@ TEST_CASE("a run that failed is left out among others, which is said, and keeps 
 }
 
 TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces") {
-  const Stored stored(genes);
+  const StoredRun stored(genes);
   CHECK(stored.exported("npz", "run.npz").err.empty());
   CHECK(stored.exported("csv", "tables").code == 0);
   CHECK(stored.exported("newick", "tree.nwk").code == 0);
@@ -166,7 +166,7 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
 }
 
 TEST_CASE("what is asked for in a wrong way") {
-  const Stored stored(bodies + "record: {meshes: 1}\n");
+  const StoredRun stored(bodies + "record: {meshes: 1}\n");
   refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
   refuses(stored.exported("excel", "x"), 2, "needs one of csv, newick, vtk, ply, gltf, npz");
   refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + ", 2.25");
@@ -193,7 +193,7 @@ TEST_CASE("what is asked for in a wrong way") {
 }
 
 TEST_CASE("replay holds kept surfaces against the run made again") {
-  Stored stored(bodies + "record: {meshes: 1}\n");
+  StoredRun stored(bodies + "record: {meshes: 1}\n");
   CHECK(launch({"replay", stored.database}).code == 0);
   morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
       .execute(

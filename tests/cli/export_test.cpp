@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string scene = R"(morula: 1
+const std::string sceneOfTwoFiles = R"(morula: 1
 name: small
 dna: {file: two words.dna}
 stop: {time: 1.5}
@@ -25,11 +25,11 @@ record: {pictures: 1}
 )";
 
 /// A database with one run of the scene, and its pictures beside it.
-struct Stored {
+struct RunWithPictures {
   TemporaryFolder folder;
   std::string database = folder / "run.db", crate = folder / "crate", id;
-  explicit Stored(const std::vector<std::string>& more = {}, int code = 0) {
-    writeWhole(folder / "small.yaml", scene);
+  explicit RunWithPictures(const std::vector<std::string>& more = {}, int code = 0) {
+    writeWhole(folder / "small.yaml", sceneOfTwoFiles);
     writeWhole(folder / "two words.dna", "START: a0\ng1(divide|a0)\n");
     run(more, code);
     for (const char* picture : {"organism.png", "lineage.png"})
@@ -187,7 +187,7 @@ bool hasPart(const Json& document, const std::string& id) {
 }  // namespace
 
 TEST_CASE("a crate is what RO-Crate 1.1 and the profile require") {
-  Stored stored;
+  RunWithPictures stored;
   const Json crate = stored.exported({"--agent", "A. Nother", "--license", "https://spdx.org/licenses/CC0-1.0"});
   CHECK(mistakes(crate, stored.crate) == "");
   for (const char* part : {"run.db", "scenario/small.yaml", "scenario/resolved.json", "dna/two%20words.dna",
@@ -195,7 +195,7 @@ TEST_CASE("a crate is what RO-Crate 1.1 and the profile require") {
     CAPTURE(part);
     CHECK(hasPart(crate, part));
   }
-  CHECK(readWhole(stored.crate + "/scenario/small.yaml") == scene);
+  CHECK(readWhole(stored.crate + "/scenario/small.yaml") == sceneOfTwoFiles);
   CHECK(readWhole(stored.crate + "/pictures/organism.png") == readWhole(stored.folder / "organism.png"));
   const Json& run = *find(crate, "#run");
   CHECK(run["identifier"] == stored.id);
@@ -205,7 +205,7 @@ TEST_CASE("a crate is what RO-Crate 1.1 and the profile require") {
 }
 
 TEST_CASE("the validator of these tests sees what is wrong") {
-  Stored stored({"--no-pictures"});
+  RunWithPictures stored({"--no-pictures"});
   const Json good = stored.exported();
   REQUIRE(mistakes(good, stored.crate) == "");
   const auto without = [&](const std::string& id, const std::string& property) {
@@ -229,7 +229,7 @@ TEST_CASE("the validator of these tests sees what is wrong") {
 }
 
 TEST_CASE("the crate's database holds the exported run alone, and can be replayed") {
-  Stored stored;
+  RunWithPictures stored;
   const std::string first = stored.id;
   stored.run({"--seed", "7", "--no-pictures"});
   const Json crate = stored.exported({"--run", first});
@@ -243,7 +243,7 @@ TEST_CASE("the crate's database holds the exported run alone, and can be replaye
 }
 
 TEST_CASE("a failed run's crate says so, and why") {
-  Stored stored({"--set", "physics.membrane.production=40"}, 4);
+  RunWithPictures stored({"--set", "physics.membrane.production=40"}, 4);
   const Json crate = stored.exported();
   CHECK(mistakes(crate, stored.crate) == "");
   CHECK((*find(crate, "#run"))["actionStatus"] == "http://schema.org/FailedActionStatus");
@@ -251,7 +251,7 @@ TEST_CASE("a failed run's crate says so, and why") {
 }
 
 TEST_CASE("without a folder the runs are listed") {
-  Stored stored({"--no-pictures"});
+  RunWithPictures stored({"--no-pictures"});
   const auto list = launch({"export", stored.database});
   CHECK(list.code == 0);
   CHECK_THAT(list.out, ContainsSubstring(stored.id));
@@ -269,7 +269,7 @@ TEST_CASE("without a folder the runs are listed") {
 }
 
 TEST_CASE("what cannot be exported") {
-  Stored stored({"--no-pictures"});
+  RunWithPictures stored({"--no-pictures"});
   CHECK(launch({"export"}).code == 2);
   CHECK(launch({"export", stored.folder / "none.db"}).code == 6);
   CHECK(launch({"export", stored.database, "--run", "ffff", "--ro-crate", stored.crate}).code == 6);

@@ -11,25 +11,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
-const std::string small = "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n";
+const std::string withoutBodies = "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n";
 
 }  // namespace
 
 TEST_CASE("validate tells all files' mistakes, and passes good ones") {
-  const auto good = jsonOf({"validate", four, "scenarios/thesis/elegans-1024.yaml"});
+  const auto good = jsonOf({"validate", uniqueFour, "scenarios/thesis/elegans-1024.yaml"});
   CHECK(good["scenarios"][0]["valid"] == true);
   CHECK(good["scenarios"][0]["scenario"] == "unique-four");
   CHECK(good["scenarios"][1]["valid"] == true);
-  const auto bad = jsonOf({"validate", "tests/bad_scenarios/octal.yaml", four}, 3);
+  const auto bad = jsonOf({"validate", "tests/bad_scenarios/octal.yaml", uniqueFour}, 3);
   CHECK(bad["scenarios"][0]["valid"] == false);
   CHECK(bad["scenarios"][0]["errors"].size() == 1);
   CHECK(bad["scenarios"][1]["valid"] == true);
 }
 
 TEST_CASE("validate --resolved leaves nothing to defaults") {
-  const auto run = launch({"validate", four, "--resolved", "--set", "physics.drag=0.25"});
+  const auto run = launch({"validate", uniqueFour, "--resolved", "--set", "physics.drag=0.25"});
   REQUIRE(run.code == 0);
   const auto resolved = Json::parse(run.out);
   CHECK(resolved["physics"]["drag"] == 0.25);
@@ -65,12 +63,12 @@ TEST_CASE("the worm-sized DNA is what the documented command writes") {
 
 TEST_CASE("lineage: the same tree from the scenario and from the database") {
   const TemporaryFolder folder;
-  const auto run = launch({"run", four, "--db", folder / "four.db", "--no-pictures"});
+  const auto run = launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"});
   REQUIRE(run.code == 0);
-  const auto prescribed = launch({"lineage", four});
+  const auto prescribed = launch({"lineage", uniqueFour});
   CHECK(prescribed.code == 0);
   CHECK(prescribed.out == launch({"lineage", folder / "four.db"}).out);
-  const auto json = jsonOf({"lineage", four});
+  const auto json = jsonOf({"lineage", uniqueFour});
   REQUIRE(json["cells"].size() == 7);
   CHECK(json["cells"][0]["path"] == "");
   CHECK(json["cells"][0]["parent"].is_null());
@@ -83,26 +81,26 @@ TEST_CASE("lineage: the same tree from the scenario and from the database") {
 
 TEST_CASE("lineage draws the tree as its file's ending says, from the scenario and from the database") {
   const TemporaryFolder folder;
-  REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
+  REQUIRE(launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"}).code == 0);
   const std::pair<std::string, std::string> endings[] = {{".png", "\x89PNG"}, {".SVG", "<?xml"}, {".pdf", "%PDF-"}};
   for (const auto& [ending, beginning] : endings) {
     const auto file = folder / "a" + ending, other = folder / "b" + ending;
-    const auto json = jsonOf({"lineage", four, "-o", file});
+    const auto json = jsonOf({"lineage", uniqueFour, "-o", file});
     CHECK(json["cells"].size() == 7);
     CHECK(json["pictures"][0] == file);
     CHECK(readWhole(file).starts_with(beginning));
     REQUIRE(launch({"lineage", folder / "four.db", "-o", other}).code == 0);
     CHECK(readWhole(other) == readWhole(file));
     // What stands there is its own picture, and may be replaced.
-    CHECK(launch({"render", four, "--style", "lineage", "-o", other}).code == 0);
+    CHECK(launch({"render", uniqueFour, "--style", "lineage", "-o", other}).code == 0);
     CHECK(readWhole(other) == readWhole(file));
   }
 }
 
 TEST_CASE("render draws a scenario and a stored run alike") {
   const TemporaryFolder folder;
-  REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
-  const auto a = jsonOf({"render", four, "--time", "1.5", "--size", "200", "-o", folder / "a.png"});
+  REQUIRE(launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"}).code == 0);
+  const auto a = jsonOf({"render", uniqueFour, "--time", "1.5", "--size", "200", "-o", folder / "a.png"});
   CHECK(a["pictures"][0] == folder / "a.png");
   CHECK(a["time"] == 1.5);
   const auto b = launch({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
@@ -118,7 +116,7 @@ TEST_CASE("render draws a scenario and a stored run alike") {
 TEST_CASE("review accepts with a reason, and check then passes until something changes") {
   const TemporaryFolder folder;
   const auto scenario = folder / "small.yaml";
-  writeWhole(scenario, small);
+  writeWhole(scenario, withoutBodies);
   const auto missing = jsonOf({"check", scenario}, 1);
   CHECK(missing["results"][0]["passed"] == false);
   CHECK(launch({"review", scenario, "--accept", "--by", "tests"}).code == 2);
@@ -138,7 +136,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   }
   CHECK(launch({"run", scenario, "--out", folder.path()}).code == 0);
 
-  writeWhole(scenario, small + "seed: 7\n");
+  writeWhole(scenario, withoutBodies + "seed: 7\n");
   CHECK(launch({"check", scenario}).code == 1);
   const auto run = launch({"run", scenario, "--out", folder.path()});
   CHECK(run.code == 1);
@@ -172,7 +170,7 @@ TEST_CASE("a golden with physics holds for any instruction set and number of thr
 
 TEST_CASE("with CI set nobody accepts") {
   const TemporaryFolder folder;
-  writeWhole(folder / "small.yaml", small);
+  writeWhole(folder / "small.yaml", withoutBodies);
   const auto run =
       launch({"review", folder / "small.yaml", "--accept", "--by", "tests", "--why", "no"}, {{"CI", "true"}});
   CHECK(run.code == 3);

@@ -9,8 +9,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
 Json part(const Json& json, const std::string& name) {
   for (const auto& p : json["parts"])
     if (p["part"] == name) return p;
@@ -20,7 +18,7 @@ Json part(const Json& json, const std::string& name) {
 }  // namespace
 
 TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
-  const auto json = jsonOf({"parts", four});
+  const auto json = jsonOf({"parts", uniqueFour});
   CHECK(json["morula"] == 1);
   CHECK(json["scenario"] == "unique-four");
   CHECK(json["cells"] == 4);
@@ -42,7 +40,7 @@ TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
   }
   CHECK(shares == Approx(1));
   CHECK(bytes == Approx(json["bytes"].get<double>()));
-  CHECK(part(json, "drag")["why"] == four + ":33:9: physics.drag");
+  CHECK(part(json, "drag")["why"] == uniqueFour + ":33:9: physics.drag");
   CHECK(part(json, "hashes")["why"] == "golden file golden/thesis/unique-four.golden");
   CHECK(part(json, "growth")["engaged"] == false);
   CHECK(part(json, "pictures")["seconds"] > 0);
@@ -51,18 +49,19 @@ TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
 
 TEST_CASE("parts foresees the steps that the run then takes") {
   const TemporaryFolder folder;
-  const auto run = launch({"run", four, "--json", "--no-pictures", "--no-check", "--out", folder.path()});
+  const auto run = launch({"run", uniqueFour, "--json", "--no-pictures", "--no-check", "--out", folder.path()});
   REQUIRE(run.code == 0);
-  CHECK(jsonOf({"parts", four})["steps"] == Json::parse(run.out)["steps"]);
+  CHECK(jsonOf({"parts", uniqueFour})["steps"] == Json::parse(run.out)["steps"]);
 }
 
 TEST_CASE("parts follows changes of the scene and of the search") {
-  const auto changed = jsonOf({"parts", four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
+  const auto changed =
+      jsonOf({"parts", uniqueFour, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
   CHECK(part(changed, "drag")["engaged"] == false);
   CHECK(part(changed, "search")["how"] == "aabb-tree");
   CHECK(part(changed, "search")["why"] == "--search");
   CHECK(part(changed, "golden")["engaged"] == false);  // a changed scene is not held against it
-  CHECK(part(changed, "hashes")["why"] == four + ":41:8: check");
+  CHECK(part(changed, "hashes")["why"] == uniqueFour + ":41:8: check");
   CHECK(changed["isa"] == "scalar");
 }
 
@@ -84,10 +83,10 @@ TEST_CASE("parts: mistakes are told as everywhere") {
   CHECK(bad.out.empty());
   CHECK_THAT(bad.err, ContainsSubstring("tests/bad_scenarios/octal.yaml:"));
   CHECK(launch({"parts"}).code == 2);
-  CHECK(launch({"parts", four, "--serach", "grid"}).code == 2);
-  CHECK(launch({"parts", four, "--threads", "0"}).code == 2);
+  CHECK(launch({"parts", uniqueFour, "--serach", "grid"}).code == 2);
+  CHECK(launch({"parts", uniqueFour, "--threads", "0"}).code == 2);
   CHECK(launch({"parts", "no-such.yaml"}).code == 6);
-  const auto step = launch({"parts", four, "--set", "physics.time_step=1"});
+  const auto step = launch({"parts", uniqueFour, "--set", "physics.time_step=1"});
   CHECK(step.code == 3);
   CHECK_THAT(step.err, ContainsSubstring("--set physics.time_step") && ContainsSubstring("stability limit"));
 }

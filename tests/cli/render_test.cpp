@@ -9,8 +9,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
 /// Width and height that a PNG says it has.
 std::pair<int, int> sidesOf(const std::string& png) {
   const auto number = [&](std::size_t at) {
@@ -21,7 +19,7 @@ std::pair<int, int> sidesOf(const std::string& png) {
   return {number(16), number(20)};
 }
 
-void refused(std::vector<std::string> arguments, const std::string& words) {
+void refusesToDraw(std::vector<std::string> arguments, const std::string& words) {
   arguments.insert(arguments.begin(), "render");
   refuses(arguments, 2, words);
 }
@@ -31,7 +29,8 @@ void refused(std::vector<std::string> arguments, const std::string& words) {
 TEST_CASE("whatever the environment asks of Mesa, a picture is the same") {
   const TemporaryFolder folder;
   const auto picture = [&](const Environment& environment) {
-    const auto end = launch({"render", four, "--time", "1.2", "--size", "64", "-o", folder / "a.png"}, environment);
+    const auto end =
+        launch({"render", uniqueFour, "--time", "1.2", "--size", "64", "-o", folder / "a.png"}, environment);
     INFO(end.err);
     CHECK(end.code == 0);
     return readWhole(folder / "a.png");
@@ -48,7 +47,7 @@ TEST_CASE("whatever the environment asks of Mesa, a picture is the same") {
 TEST_CASE("render draws what it is asked for, in the size that it is asked for") {
   const TemporaryFolder folder;
   const auto picture = [&](std::vector<std::string> more) {
-    std::vector<std::string> all{"render", four, "--time", "1.2", "--size", "200x150", "-o", folder / "a.png"};
+    std::vector<std::string> all{"render", uniqueFour, "--time", "1.2", "--size", "200x150", "-o", folder / "a.png"};
     all.insert(all.end(), more.begin(), more.end());
     const auto end = launch(all);
     INFO(end.err);
@@ -83,17 +82,17 @@ TEST_CASE("render draws what it is asked for, in the size that it is asked for")
 TEST_CASE("render goes around and through time, as numbered pictures") {
   const TemporaryFolder folder;
   REQUIRE(
-      launch({"render", four, "--time", "1.2", "--size", "100", "--turntable", "3", "-o", folder / "turn.png"}).code ==
-      0);
+      launch({"render", uniqueFour, "--time", "1.2", "--size", "100", "--turntable", "3", "-o", folder / "turn.png"})
+          .code == 0);
   for (const char* name : {"turn-0000.png", "turn-0001.png", "turn-0002.png"}) CHECK(fs::exists(folder / name));
   CHECK(readWhole(folder / "turn-0000.png") != readWhole(folder / "turn-0001.png"));
   const auto end =
-      launch({"render", four, "--time", "1.2", "--size", "100", "--frames", "3", "-o", folder / "time.png"});
+      launch({"render", uniqueFour, "--time", "1.2", "--size", "100", "--frames", "3", "-o", folder / "time.png"});
   REQUIRE(end.code == 0);
   CHECK(end.out.find("time-0002.png") != std::string::npos);
   CHECK(readWhole(folder / "time-0000.png") != readWhole(folder / "time-0002.png"));
   CHECK(!fs::exists(folder / "time-0003.png"));
-  REQUIRE(launch({"render", four, "--time", "1.2", "--size", "300", "--frames", "3", "--forces", "all", "-o",
+  REQUIRE(launch({"render", uniqueFour, "--time", "1.2", "--size", "300", "--frames", "3", "--forces", "all", "-o",
                   folder / "force.png"})
               .code == 0);
   for (const char* number : {"1", "2"})
@@ -103,7 +102,7 @@ TEST_CASE("render goes around and through time, as numbered pictures") {
 
 TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
   const TemporaryFolder folder;
-  const std::vector<std::string> film{"render", four,          "--time", "0.5", "--size",
+  const std::vector<std::string> film{"render", uniqueFour,    "--time", "0.5", "--size",
                                       "101",    "--turntable", "3",      "-o",  folder / "turn.mp4"};
   const auto without = launch(film, {{"PATH", folder / "nothing"}});
   CHECK(without.code == 2);
@@ -126,47 +125,49 @@ TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
 }
 
 TEST_CASE("render refuses what it cannot draw, by the option's name") {
-  refused({four, "-o", "x.gif"}, "needs --turntable N or --frames N");
-  refused({four, "-o", "x.svg"}, "needs a name that ends in .png");
-  refused({four, "--view", "upside"}, "--view: 'upside' is no view; needs front, back");
-  refused({four, "--view", "10,100"}, "-90 to 90");
-  refused({four, "--size", "100x"}, "--size");
-  refused({four, "--size", "100x100x100"}, "WIDTHxHEIGHT");
-  refused({four, "--supersample", "5"}, "--supersample: 5 is out of range");
-  refused({four, "--clip", "1,2,3"}, "--clip: '1,2,3' is no plane");
-  refused({four, "--clip", "0,0,0,1"}, "is no plane");
-  refused({four, "--clip", "a,0,0,1"}, "is no plane");
-  refused({four, "--opacity", "1.5"}, "--opacity");
-  refused({four, "--opacity", "=0.5"}, "--opacity");
-  refused({four, "--forces", "sprin"}, "did you mean spring?");
-  refused({four, "--colour", "volum"}, "did you mean volume?");
-  refused({four, "--labels", "both"}, "--labels: 'both' is not known; needs none, name or path");
-  refused({four, "--turntable", "1"}, "--turntable");
-  refused({four, "--turntable", "3", "--frames", "3"}, "--turntable and --frames: give one of them");
+  refusesToDraw({uniqueFour, "-o", "x.gif"}, "needs --turntable N or --frames N");
+  refusesToDraw({uniqueFour, "-o", "x.svg"}, "needs a name that ends in .png");
+  refusesToDraw({uniqueFour, "--view", "upside"}, "--view: 'upside' is no view; needs front, back");
+  refusesToDraw({uniqueFour, "--view", "10,100"}, "-90 to 90");
+  refusesToDraw({uniqueFour, "--size", "100x"}, "--size");
+  refusesToDraw({uniqueFour, "--size", "100x100x100"}, "WIDTHxHEIGHT");
+  refusesToDraw({uniqueFour, "--supersample", "5"}, "--supersample: 5 is out of range");
+  refusesToDraw({uniqueFour, "--clip", "1,2,3"}, "--clip: '1,2,3' is no plane");
+  refusesToDraw({uniqueFour, "--clip", "0,0,0,1"}, "is no plane");
+  refusesToDraw({uniqueFour, "--clip", "a,0,0,1"}, "is no plane");
+  refusesToDraw({uniqueFour, "--opacity", "1.5"}, "--opacity");
+  refusesToDraw({uniqueFour, "--opacity", "=0.5"}, "--opacity");
+  refusesToDraw({uniqueFour, "--forces", "sprin"}, "did you mean spring?");
+  refusesToDraw({uniqueFour, "--colour", "volum"}, "did you mean volume?");
+  refusesToDraw({uniqueFour, "--labels", "both"}, "--labels: 'both' is not known; needs none, name or path");
+  refusesToDraw({uniqueFour, "--turntable", "1"}, "--turntable");
+  refusesToDraw({uniqueFour, "--turntable", "3", "--frames", "3"}, "--turntable and --frames: give one of them");
   for (const char* option : {"--clip", "--labels", "--turntable", "--beside"})
-    refused({four, "--style", "lineage", option, "3"},
-            std::string("--style lineage and ") + option + ": give one of them");
-  refused({four, "--style", "lineage", "--axes"}, "--style lineage and --axes: give one of them");
-  refused({four, "--fps", "10"}, "--fps is of a film");
-  refused({four, "--fps", "0.001", "--frames", "3", "-o", "x.gif"}, "--fps: 0.001 is out of range");
-  refused({four, "--size", "8192x8192"}, "--size: 8192x8192 pixels with --supersample 2 take too much memory");
-  refused({four, "--time", "0.1", "--opacity", "a*=0.5,zz=0.3"}, "--opacity: no cell in the picture");
-  refused({four, "--connections"}, "--connections: no cells of unique-four connect");
-  refused({four, "--beside", four, "--style", "both"}, "--beside");
+    refusesToDraw({uniqueFour, "--style", "lineage", option, "3"},
+                  std::string("--style lineage and ") + option + ": give one of them");
+  refusesToDraw({uniqueFour, "--style", "lineage", "--axes"}, "--style lineage and --axes: give one of them");
+  refusesToDraw({uniqueFour, "--fps", "10"}, "--fps is of a film");
+  refusesToDraw({uniqueFour, "--fps", "0.001", "--frames", "3", "-o", "x.gif"}, "--fps: 0.001 is out of range");
+  refusesToDraw({uniqueFour, "--size", "8192x8192"},
+                "--size: 8192x8192 pixels with --supersample 2 take too much memory");
+  refusesToDraw({uniqueFour, "--time", "0.1", "--opacity", "a*=0.5,zz=0.3"}, "--opacity: no cell in the picture");
+  refusesToDraw({uniqueFour, "--connections"}, "--connections: no cells of unique-four connect");
+  refusesToDraw({uniqueFour, "--beside", uniqueFour, "--style", "both"}, "--beside");
 }
 
 TEST_CASE("two runs stand side by side with the distance of their surfaces") {
   const TemporaryFolder folder;
-  const auto end = launch({"render", four, "--time", "1.2", "--size", "150", "--beside", four, "-o", folder / "a.png"});
+  const auto end =
+      launch({"render", uniqueFour, "--time", "1.2", "--size", "150", "--beside", uniqueFour, "-o", folder / "a.png"});
   INFO(end.err);
   REQUIRE(end.code == 0);
   CHECK(sidesOf(readWhole(folder / "a.png")).first == 3 * (150 + 8) + 8);
-  CHECK(launch({"render", four, "--beside", "scenarios/worm/four-cell.yaml", "--time", "2.3"}).code == 3);
+  CHECK(launch({"render", uniqueFour, "--beside", "scenarios/worm/four-cell.yaml", "--time", "2.3"}).code == 3);
 }
 
 TEST_CASE("chart draws measures over time, contacts and divisions of a stored run") {
   const TemporaryFolder folder;
-  REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
+  REQUIRE(launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"}).code == 0);
   for (const char* what : {"cells", "cell.volume", "pair.area", "contacts", "divisions"}) {
     const auto end = launch({"chart", folder / "four.db", what, "-o", folder / "a.svg"});
     CAPTURE(what, end.err);

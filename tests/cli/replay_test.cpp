@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string scene = R"(morula: 1
+const std::string checkedScene = R"(morula: 1
 name: small
 dna: |
   START: a0
@@ -24,10 +24,11 @@ check: {}
 )";
 
 /// A database with one run of the scene.
-struct Stored {
+struct RunToReplay {
   TemporaryFolder folder;
   std::string database = folder / "run.db", id;
-  explicit Stored(const std::vector<std::string>& more = {}, const std::string& text = scene, int code = 0) {
+  explicit RunToReplay(const std::vector<std::string>& more = {}, const std::string& text = checkedScene,
+                       int code = 0) {
     writeWhole(folder / "small.yaml", text);
     std::vector<std::string> arguments{"run",   folder / "small.yaml", "--db",          database,
                                        "--out", folder.path(),         "--no-pictures", "--json"};
@@ -60,7 +61,7 @@ Json condition(const Json& json, const std::string& item) {
 }  // namespace
 
 TEST_CASE("a run replayed by the same program gives the same bits under the same conditions") {
-  const Stored stored;
+  const RunToReplay stored;
   const std::string before = readWhole(stored.database);
   const std::vector<std::vector<std::string>> ways{{stored.database},
                                                    {stored.database, "--run", stored.id},
@@ -79,7 +80,7 @@ TEST_CASE("a run replayed by the same program gives the same bits under the same
 }
 
 TEST_CASE("on another instruction set and number of threads the bits are the same, and it is said") {
-  const Stored stored;
+  const RunToReplay stored;
   const auto run = launch({"replay", stored.database, "--isa", "scalar", "--threads", "2", "--json"});
   INFO(run.err);
   CHECK(run.code == 0);
@@ -96,7 +97,7 @@ TEST_CASE("on another instruction set and number of threads the bits are the sam
 }
 
 TEST_CASE("by itself a replay computes as the run did") {
-  const Stored stored({"--isa", "scalar", "--threads", "3"});
+  const RunToReplay stored({"--isa", "scalar", "--threads", "3"});
   const auto run = launch({"replay", stored.database, "--json"});
   const Json json = Json::parse(run.out);
   CHECK(condition(json, "isa")["now"] == "scalar");
@@ -104,7 +105,7 @@ TEST_CASE("by itself a replay computes as the run did") {
 }
 
 TEST_CASE("each condition that is not as it was is named") {
-  Stored stored;
+  RunToReplay stored;
   stored.execute(
       "UPDATE run SET sources = 's', git_commit = 'c', compiler = 'GNU 1', flags = '-O9', target = 'Moon', "
       "libraries = 'SQLite 1.0', cpu = 'abacus', kernel = 'k', binary_hash = 'b', fp_environment = 'upward', "
@@ -121,7 +122,7 @@ TEST_CASE("each condition that is not as it was is named") {
 }
 
 TEST_CASE("other bits give exit 1, and the first step is named") {
-  Stored stored;
+  RunToReplay stored;
   SECTION("at the end") {
     stored.execute("UPDATE run SET state_hash = '00000000000000000000000000000000'");
     const auto run = launch({"replay", stored.database});
@@ -142,7 +143,7 @@ TEST_CASE("other bits give exit 1, and the first step is named") {
 }
 
 TEST_CASE("a run that failed fails again in the same way") {
-  const Stored stored({"--set", "physics.membrane.production=40"}, scene, 4);
+  const RunToReplay stored({"--set", "physics.membrane.production=40"}, checkedScene, 4);
   const auto run = launch({"replay", stored.database, "--json"});
   INFO(run.err);
   CHECK(run.code == 0);
@@ -150,7 +151,7 @@ TEST_CASE("a run that failed fails again in the same way") {
 }
 
 TEST_CASE("a replayed run is stored where it is asked for") {
-  const Stored stored;
+  const RunToReplay stored;
   const std::string out = stored.folder / "again.db";
   CHECK(launch({"replay", stored.database, "--db-out", out}).code == 0);
   const auto run = launch({"replay", stored.id, "--db", out, "--json"});
@@ -159,7 +160,7 @@ TEST_CASE("a replayed run is stored where it is asked for") {
 }
 
 TEST_CASE("the record that is verified is not written over") {
-  const Stored stored;
+  const RunToReplay stored;
   const std::string before = readWhole(stored.database);
   for (const std::string& out : {stored.database, stored.folder.path() + "/./run.db"}) {
     const auto run = launch({"replay", stored.database, "--db-out", out});
@@ -170,7 +171,7 @@ TEST_CASE("the record that is verified is not written over") {
 }
 
 TEST_CASE("checks that were taken out of a record are missed") {
-  Stored stored;
+  RunToReplay stored;
   stored.execute("DELETE FROM check_result");
   const auto run = launch({"replay", stored.database});
   CAPTURE(run.out, run.err);
@@ -179,7 +180,7 @@ TEST_CASE("checks that were taken out of a record are missed") {
 }
 
 TEST_CASE("what cannot be replayed") {
-  Stored stored;
+  RunToReplay stored;
   CHECK(launch({"replay"}).code == 2);
   CHECK(launch({"replay", "0123456789abcdef"}).code == 2);
   CHECK(launch({"replay", stored.id, "--db", stored.database, "--run", stored.id}).code == 2);
@@ -197,7 +198,7 @@ TEST_CASE("a shell's mesh is stored with the run: replay needs no file") {
   const TemporaryFolder folder;
   const std::string mesh = folder / "egg.obj", scenario = folder / "small.yaml", database = folder / "run.db";
   writeWhole(mesh, "v 2 2 2\nv -2 -2 2\nv -2 2 -2\nv 2 -2 -2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  std::string text = scene;
+  std::string text = checkedScene;
   writeWhole(scenario, text.insert(text.find("contact"), "shell: {mesh: egg.obj}, "));
   REQUIRE(launch({"run", scenario, "--db", database, "--quiet", "--no-pictures"}).code == 0);
   fs::remove(mesh);

@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string one = R"(morula: 1
+const std::string oneCell = R"(morula: 1
 name: one
 dna: |
   START: a0
@@ -66,7 +66,7 @@ struct Made {
   std::string database = folder / "one-0/run.db", page = folder / "page.html";
   bool hasBullet = false;
   Made() {
-    writeWhole(folder / "one.yaml", one);
+    writeWhole(folder / "one.yaml", oneCell);
     const auto run = launch({"run", folder / "one.yaml", "--out", folder.path(), "--no-pictures"});
     INFO(run.err);
     REQUIRE(run.code == 0);
@@ -119,8 +119,8 @@ TEST_CASE("A page shows ours, Bullet's and their distance, held to what is store
 
 TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from it first") {
   const TemporaryFolder folder;
-  writeWhole(folder / "one.yaml", one);
-  std::string far = one;
+  writeWhole(folder / "one.yaml", oneCell);
+  std::string far = oneCell;
   writeWhole(folder / "far.yaml", far.replace(far.find("bullet: {}"), 10, "bullet: {positions: 1e-30}")
                                       .replace(far.find("name: one"), 9, "name: far"));
   const auto check =
@@ -137,7 +137,7 @@ TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from 
 
 TEST_CASE("accuracy --json makes a page: its verdict, the cheapest settings, where it comes from, the same bytes") {
   const TemporaryFolder folder;
-  writeWhole(folder / "one.yaml", one);
+  writeWhole(folder / "one.yaml", oneCell);
   const auto run = launch({"accuracy", folder / "one.yaml", "--quick", "--json", "--quiet", "--out", folder.path()});
   INFO(run.err);
   REQUIRE(run.code == 0);

@@ -10,7 +10,7 @@ using namespace morula::test;
 
 namespace {
 
-const std::string scene = R"(morula: 1
+const std::string summarisedScene = R"(morula: 1
 name: small
 summary: two <b>cells</b>
 dna: |
@@ -20,10 +20,10 @@ stop: {time: 1.5}
 physics: {mesh: {icosphere: 1}, contact: {}}
 )";
 
-struct Stored {
+struct RunToReport {
   TemporaryFolder folder;
   std::string database = folder / "run.db", page = folder / "page.html";
-  Stored() { writeWhole(folder / "small.yaml", scene); }
+  RunToReport() { writeWhole(folder / "small.yaml", summarisedScene); }
   void run(std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"run", folder / "small.yaml", "--db", database, "--out", folder.path(), "--quiet"});
     const auto launched = launch(more);
@@ -43,7 +43,7 @@ struct Stored {
 }  // namespace
 
 TEST_CASE("A page of a run: verdict first, where it comes from, and the same bytes again") {
-  Stored stored;
+  RunToReport stored;
   stored.run();
   const std::string page = stored.report();
   CHECK(page == stored.report());
@@ -57,14 +57,14 @@ TEST_CASE("A page of a run: verdict first, where it comes from, and the same byt
 }
 
 TEST_CASE("Nothing is run again when no shapes are asked for, and little room is kept to") {
-  Stored stored;
+  RunToReport stored;
   stored.run();
   CHECK_THAT(stored.report({"--frames", "0"}), !ContainsSubstring("the organism at the end"));
   CHECK_THAT(stored.report({"--frames", "3"}), ContainsSubstring("the organism at the end"));
 }
 
 TEST_CASE("Seeds that change nothing are no replicates, and the page says so") {
-  Stored stored;
+  RunToReport stored;
   stored.run({"--seeds", "1..3"});
   const std::string page = stored.report({"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("3 seeds of small gave one and the same result, bit for bit"));
@@ -72,7 +72,7 @@ TEST_CASE("Seeds that change nothing are no replicates, and the page says so") {
 }
 
 TEST_CASE("Two runs of one scenario are called by what they differ in, and the page says what became of it") {
-  Stored stored;
+  RunToReport stored;
   stored.run();
   stored.run({"--set", "physics.drag=2"});
   const std::string page = stored.report({"--frames", "2"});
@@ -85,7 +85,7 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
 }
 
 TEST_CASE("A run that failed says why, first of all") {
-  Stored stored;
+  RunToReport stored;
   // Without pressure enough the shell turns the egg inside out in some twenty steps.
   REQUIRE(launch({"run", "scenarios/thesis/unique-four.yaml", "--db", stored.database, "--out", stored.folder.path(),
                   "--quiet", "--set", "physics.pressure.constant=3"})
@@ -98,11 +98,11 @@ TEST_CASE("A run that failed says why, first of all") {
 TEST_CASE("A check leaves a page of what differs") {
   const TemporaryFolder folder;
   const std::string scenario = folder / "small.yaml";
-  writeWhole(scenario, scene);
+  writeWhole(scenario, summarisedScene);
   REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}}).code == 0);
   REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 0);
   CHECK_THAT(readWhole(folder / "out/report.html"), ContainsSubstring("1 of 1 scenario passes"));
-  std::string other = scene;
+  std::string other = summarisedScene;
   writeWhole(scenario, other.replace(other.find("stop: {time: 1.5}"), 17, "stop: {time: 1.6}"));
   REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 1);
   const std::string page = readWhole(folder / "out/report.html");
@@ -116,7 +116,7 @@ TEST_CASE("A check leaves a page of what differs") {
 }
 
 TEST_CASE("A page of a study: its verdicts first, then every value and its runs") {
-  Stored stored;
+  RunToReport stored;
   writeWhole(stored.folder / "two.study.yaml",
              "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
              "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
@@ -148,7 +148,7 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
 }
 
 TEST_CASE("Any condition and seed of a study can be explored, as many as asked for and as fit") {
-  Stored stored;
+  RunToReport stored;
   writeWhole(stored.folder / "two.study.yaml",
              "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    little: {physics.drag: 1}\n"
              "    some: {physics.drag: 1.1}\n    much: {physics.drag: 9}\nseeds: 1..3\nmeasures: [sphericity]\n");
@@ -182,7 +182,7 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
 }
 
 TEST_CASE("What report refuses, and why") {
-  Stored stored;
+  RunToReport stored;
   stored.run();
   refuses({"report"}, 2, "what");
   refuses({"report", stored.folder / "none.db"}, 6, "no such file or folder");

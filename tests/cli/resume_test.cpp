@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Contacts, connections, samples, hashes, pictures: something in every table. Takes some seconds.
-const std::string scene = R"(morula: 1
+const std::string sceneWithAll = R"(morula: 1
 name: stopped
 dna: |
   START: a0
@@ -88,7 +88,7 @@ std::map<std::string, std::string> filesIn(const std::string& folder) {
 
 TEST_CASE("killed three times and resumed, a run leaves the same database and the same pictures") {
   const TemporaryFolder folder;
-  writeWhole(folder / "stopped.yaml", scene);
+  writeWhole(folder / "stopped.yaml", sceneWithAll);
   const auto arguments = [&](const std::string& out, std::vector<std::string> more) {
     more.insert(more.begin(), {"run", folder / "stopped.yaml", "--out", folder / out});
     return more;
@@ -122,7 +122,7 @@ TEST_CASE("killed three times and resumed, a run leaves the same database and th
 
 TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is told") {
   const TemporaryFolder folder;
-  writeWhole(folder / "stopped.yaml", scene);
+  writeWhole(folder / "stopped.yaml", sceneWithAll);
   const std::vector<std::string> how{
       "run", folder / "stopped.yaml", "--db", folder / "run.db", "--no-pictures", "--out", folder.path()};
   const auto database = folder / "run.db";

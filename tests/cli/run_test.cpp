@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
 /// A short scene: two cells, coarse meshes.
 const std::string small = R"(morula: 1
 name: small
@@ -31,7 +29,7 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 
 TEST_CASE("the README's first command: simulates, stores, checks, draws, and says where") {
   const TemporaryFolder folder;
-  const auto run = launch({"run", four, "--out", folder.path()});
+  const auto run = launch({"run", uniqueFour, "--out", folder.path()});
   INFO(run.err);
   CHECK(run.code == 0);
   const auto results = folder / "unique-four-20080617/";
@@ -97,11 +95,11 @@ TEST_CASE("seeds: one run each, in folders of their own or in one database") {
 
 TEST_CASE("a dry run writes nothing") {
   const TemporaryFolder folder;
-  const auto json = jsonOf({"run", four, "--dry-run", "--out", folder / "results", "--seeds", "1..2"});
+  const auto json = jsonOf({"run", uniqueFour, "--dry-run", "--out", folder / "results", "--seeds", "1..2"});
   CHECK(json["runs"][1]["status"] == "planned");
   CHECK(json["runs"][1]["until"] == 6);
   CHECK(!fs::exists(folder / "results"));
-  const auto run = launch({"run", four, "--dry-run", "--out", folder / "results"});
+  const auto run = launch({"run", uniqueFour, "--dry-run", "--out", folder / "results"});
   CHECK(run.code == 0);
   CHECK(run.out.find("would run until time 6") != std::string::npos);
   CHECK(!fs::exists(folder / "results"));
@@ -110,7 +108,8 @@ TEST_CASE("a dry run writes nothing") {
 TEST_CASE("a numerical failure is stored and gives exit 4") {
   const TemporaryFolder folder;
   // Daughters with forty times their mother's membrane crumple at once.
-  const auto run = launch({"run", four, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
+  const auto run =
+      launch({"run", uniqueFour, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
   INFO(run.err);
   CHECK(run.code == 4);
   const auto json = Json::parse(run.out);
@@ -126,8 +125,8 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
     const TemporaryFolder folder;
     const auto database = folder / "long.db";
     const auto run =
-        launch({"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
-               [&, signal = signal](int process) {
+        launch({"run", uniqueFour, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"},
+               {}, [&, signal = signal](int process) {
                  waitUntilComputing(process);
                  kill(process, signal);
                });
@@ -162,8 +161,8 @@ TEST_CASE("on a terminal errors are red, unless NO_COLOR says otherwise") {
 
 TEST_CASE("on a terminal a bar shows cells, time, speed and what is left, and goes away") {
   const TemporaryFolder folder;
-  const auto run = launchOnTerminal({"run", four, "--out", folder.path(), "--no-pictures", "--set", "stop.cycles=60"},
-                                    {{"TERM", "xterm"}});
+  const auto run = launchOnTerminal(
+      {"run", uniqueFour, "--out", folder.path(), "--no-pictures", "--set", "stop.cycles=60"}, {{"TERM", "xterm"}});
   if (!run) {
     WARN(skippedWithoutTerminal);
     return;

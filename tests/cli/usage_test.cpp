@@ -4,12 +4,6 @@
 
 using namespace morula::test;
 
-namespace {
-
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
-}  // namespace
-
 TEST_CASE("help and version are data") {
   for (const auto* argument : {"--help", "--version", "-h"}) {
     const auto run = launch({argument});
@@ -25,16 +19,16 @@ TEST_CASE("help and version are data") {
 TEST_CASE("a chart or tree is refused under a name that it cannot have, before anything is measured") {
   for (const std::string ending : {".mp4", ".jpg", ".svgz", "."})
     for (const auto& arguments : std::vector<std::vector<std::string>>{{"bench"},
-                                                                       {"accuracy", four},
-                                                                       {"lineage", four},
-                                                                       {"render", four, "--style", "lineage"},
-                                                                       {"chart", four, "divisions"}}) {
+                                                                       {"accuracy", uniqueFour},
+                                                                       {"lineage", uniqueFour},
+                                                                       {"render", uniqueFour, "--style", "lineage"},
+                                                                       {"chart", uniqueFour, "divisions"}}) {
       auto all = arguments;
       all.insert(all.end(), {"-o", "/nowhere/x" + ending});
       INFO(arguments[0]);
       refuses(all, 2, "needs a name that ends in .png, .svg or .pdf");
     }
-  refuses({"accuracy", four, "--into-golden", "-o", "x.png"}, 2, "--into-golden and --output: give one of them");
+  refuses({"accuracy", uniqueFour, "--into-golden", "-o", "x.png"}, 2, "--into-golden and --output: give one of them");
 }
 
 TEST_CASE("every verb that help lists is there") {
@@ -48,47 +42,48 @@ TEST_CASE("every verb that help lists is there") {
 
 TEST_CASE("misspelt verbs and options are guessed") {
   refuses(std::vector<std::string>{}, 2, "no verb; one of run, parts, check");
-  refuses({"rnu", four}, 2, "unknown verb 'rnu'; did you mean run?");
-  refuses({"valdate", four}, 2, "did you mean validate?");
+  refuses({"rnu", uniqueFour}, 2, "unknown verb 'rnu'; did you mean run?");
+  refuses({"valdate", uniqueFour}, 2, "did you mean validate?");
   refuses({"frobnicate"}, 2, "unknown verb 'frobnicate'; one of run, ");
-  refuses({four}, 2, "did you mean morula run " + four + "?");
-  refuses({"run", four, "--jsno"}, 2, "run: '--jsno' is not expected; did you mean --json?");
-  refuses({"run", four, "--thread=2"}, 2, "did you mean --threads?");
-  refuses({"run", "--frobnicate", four}, 2, "run --help lists the options");
+  refuses({uniqueFour}, 2, "did you mean morula run " + uniqueFour + "?");
+  refuses({"run", uniqueFour, "--jsno"}, 2, "run: '--jsno' is not expected; did you mean --json?");
+  refuses({"run", uniqueFour, "--thread=2"}, 2, "did you mean --threads?");
+  refuses({"run", "--frobnicate", uniqueFour}, 2, "run --help lists the options");
   refuses({"run"}, 2, "run: scenario is required");
   refuses({"accuracy", "--level", "1", "3", "nowhere.yaml"}, 6, "'nowhere.yaml' cannot be read");
   refuses({"schema", "surplus"}, 2, "'surplus' is not expected");
 }
 
 TEST_CASE("numbers on the command line are read strictly") {
-  refuses({"run", four, "--threads", "two"}, 2, "--threads: 'two' is not a number");
-  refuses({"run", four, "--threads", "0"}, 2, "--threads: 0 is out of range; needs a whole number from 1 to 1024");
-  refuses({"run", four, "--threads", "010"}, 2, "leading zero");
-  refuses({"run", four, "--seed", "-1"}, 2, "--seed: '-1' is negative");
-  refuses({"run", four, "--seed", "1e3"}, 2, "--seed: '1e3' is not a whole number");
-  refuses({"run", four, "--isa", "sse9"}, 2, "--isa: ");
-  refuses({"run", four, "--search", "octree"}, 2, "--search: 'octree'");
-  refuses({"run", four, "--seeds", "1-5"}, 2, "--seeds: '1-5' is not a range; needs FIRST..LAST");
-  refuses({"run", four, "--seeds", "5..1"}, 2, "runs backward");
-  refuses({"run", four, "--seeds", "1..x"}, 2, "--seeds: 'x' is not a number");
-  refuses({"run", four, "--seed", "1", "--seeds", "1..2"}, 2, "give one of them");
-  refuses({"render", four, "--time", "-1"}, 2, "--time: -1 is out of range");
-  refuses({"render", four, "--style", "sold"}, 2, "--style: 'sold' is not known");
+  refuses({"run", uniqueFour, "--threads", "two"}, 2, "--threads: 'two' is not a number");
+  refuses({"run", uniqueFour, "--threads", "0"}, 2,
+          "--threads: 0 is out of range; needs a whole number from 1 to 1024");
+  refuses({"run", uniqueFour, "--threads", "010"}, 2, "leading zero");
+  refuses({"run", uniqueFour, "--seed", "-1"}, 2, "--seed: '-1' is negative");
+  refuses({"run", uniqueFour, "--seed", "1e3"}, 2, "--seed: '1e3' is not a whole number");
+  refuses({"run", uniqueFour, "--isa", "sse9"}, 2, "--isa: ");
+  refuses({"run", uniqueFour, "--search", "octree"}, 2, "--search: 'octree'");
+  refuses({"run", uniqueFour, "--seeds", "1-5"}, 2, "--seeds: '1-5' is not a range; needs FIRST..LAST");
+  refuses({"run", uniqueFour, "--seeds", "5..1"}, 2, "runs backward");
+  refuses({"run", uniqueFour, "--seeds", "1..x"}, 2, "--seeds: 'x' is not a number");
+  refuses({"run", uniqueFour, "--seed", "1", "--seeds", "1..2"}, 2, "give one of them");
+  refuses({"render", uniqueFour, "--time", "-1"}, 2, "--time: -1 is out of range");
+  refuses({"render", uniqueFour, "--style", "sold"}, 2, "--style: 'sold' is not known");
   refuses({"init", "--dna", "full-tree", "--levels", "17"}, 2, "--levels: 17 is out of range");
 }
 
 TEST_CASE("wrong values of the scene are input errors and name the option") {
-  refuses({"run", four, "--set", "physics.tme_step=0.1"}, 3,
+  refuses({"run", uniqueFour, "--set", "physics.tme_step=0.1"}, 3,
           "--set physics.tme_step: unknown key; did you mean time_step?");
-  refuses({"run", four, "--set", "physics.time_step"}, 3, "needs path=value");
-  refuses({"run", four, "--set", "physics.time_step=0.5"}, 3, "--set physics.time_step: 0.5");
+  refuses({"run", uniqueFour, "--set", "physics.time_step"}, 3, "needs path=value");
+  refuses({"run", uniqueFour, "--set", "physics.time_step=0.5"}, 3, "--set physics.time_step: 0.5");
 }
 
 TEST_CASE("files that cannot be used") {
   refuses({"run", "no-such.yaml"}, 6, "'no-such.yaml' cannot be read: No such file or directory");
   refuses({"validate", "scenarios"}, 6, "'scenarios' is a folder");
   refuses({"lineage", "no-such.db"}, 6, "'no-such.db' cannot be read");
-  refuses({"run", four, "--out", "/dev/null/results"}, 6, "cannot be made");
+  refuses({"run", uniqueFour, "--out", "/dev/null/results"}, 6, "cannot be made");
   const TemporaryFolder folder;
   // With the zero byte that ends the mark of a database.
   writeWhole(folder / "no.db", std::string("SQLite format 3") + '\0' + "but a database has pages, and this has none");

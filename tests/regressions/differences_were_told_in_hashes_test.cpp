@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string scene =
+const std::string comparedScene =
     "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\ncycle: {length: 0.125}\nstop: {time: 0.25}\n"
     "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  pressure: {constant: 155, outside: 43}\n  "
     "contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
@@ -31,12 +31,12 @@ bool inOrder(const std::string& text, const std::vector<std::string>& words) {
 TEST_CASE("what differs is told by key, lineage, movement, and only then by hash") {
   const TemporaryFolder folder;
   const std::string file = folder / "pair.yaml", db = folder / "run.db";
-  writeWhole(file, scene);
+  writeWhole(file, comparedScene);
   REQUIRE(launch({"review", file, "--accept", "--by", "tests", "--why", "the first"}, {{"CI", ""}}).code == 0);
   REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
   CHECK_THAT(readWhole(folder / "pair.golden"), ContainsSubstring("\nparameter physics.pressure.constant 155\n"));
 
-  writeWhole(file, replaced(scene, "constant: 155", "constant: 155.5"));
+  writeWhole(file, replaced(comparedScene, "constant: 155", "constant: 155.5"));
   const std::vector<std::string> words{"changed   physics.pressure.constant: 155 → 155.5\n",
                                        "lineage   the same\n",
                                        "moved     cell ",
@@ -67,7 +67,7 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
   const Json checked = Json::parse(launch({"check", file, "--json"}).out);
   CHECK(checked["results"][0]["field"] == "physics.pressure.constant");
 
-  writeWhole(file, replaced(scene, "length: 0.125", "length: 0.0625"));
+  writeWhole(file, replaced(comparedScene, "length: 0.125", "length: 0.0625"));
   const auto other = launch({"check", file});
   CHECK(inOrder(other.out, {"changed   cycle.length: 0.125 → 0.0625\n",
                             "lineage   the egg: divided at time 0.125 → divided at time 0.0625\n"}));

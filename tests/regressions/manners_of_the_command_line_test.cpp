@@ -8,14 +8,8 @@
 
 using namespace morula::test;
 
-namespace {
-
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
-}  // namespace
-
 TEST_CASE("a chart of a time after the end is refused, as a picture is") {
-  refuses({"chart", four, "contacts", "--time", "1e9"}, 2, "--time: 1e+09 is after the end of the run");
+  refuses({"chart", uniqueFour, "contacts", "--time", "1e9"}, 2, "--time: 1e+09 is after the end of the run");
 }
 
 TEST_CASE("what comes after the end of a scene that stops at a number of cells is not compared") {
@@ -35,8 +29,8 @@ TEST_CASE("what cannot be rejected is not said to be") {
 }
 
 TEST_CASE("a wrong seed is a wrong command line, as a wrong range of seeds is") {
-  refuses({"run", four, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
-  refuses({"run", four, "--seeds", "a..b"}, 2, "--seeds: 'a' is not a number; needs a whole number from 0 to");
+  refuses({"run", uniqueFour, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
+  refuses({"run", uniqueFour, "--seeds", "a..b"}, 2, "--seeds: 'a' is not a number; needs a whole number from 0 to");
 }
 
 TEST_CASE("a report of what is no file says so, as other verbs do") {
@@ -48,10 +42,10 @@ TEST_CASE("a report of what is no file says so, as other verbs do") {
 
 TEST_CASE("a message does not repeat a word of a hundred kilobytes") {
   const std::string word(100'000, 'x');
-  for (const auto& arguments : std::vector<std::vector<std::string>>{{"validate", four, "--set", word + "=1"},
-                                                                     {"validate", four, "--set", word},
-                                                                     {"run", four, "--isa", word},
-                                                                     {"run", four, "--" + word},
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{"validate", uniqueFour, "--set", word + "=1"},
+                                                                     {"validate", uniqueFour, "--set", word},
+                                                                     {"run", uniqueFour, "--isa", word},
+                                                                     {"run", uniqueFour, "--" + word},
                                                                      {word}}) {
     const auto run = launch(arguments);
     CHECK((run.code == 2 || run.code == 3));

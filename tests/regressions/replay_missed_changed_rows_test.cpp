@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string scene = R"(morula: 1
+const std::string recordedScene = R"(morula: 1
 name: small
 dna: |
   START: a0
@@ -34,7 +34,7 @@ struct Change {
 
 TEST_CASE("replay: a changed, lost or added row of any table is found and named") {
   const TemporaryFolder folder;
-  writeWhole(folder / "small.yaml", scene);
+  writeWhole(folder / "small.yaml", recordedScene);
   const std::string whole = folder / "run.db", changed = folder / "changed.db";
   REQUIRE(launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"}).code == 0);
   const auto same = launch({"replay", whole});

@@ -14,14 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string scene(const std::string& time) {
+std::string sceneUntil(const std::string& time) {
   return "morula: 1\nname: twin\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: " + time + "}\ncheck: {}\n";
-}
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++n;
-  return n;
 }
 
 }  // namespace
@@ -33,19 +27,19 @@ TEST_CASE("scenarios of one file name keep their waiting results and their JUnit
   for (const char* inside : {"a", "b"}) {
     fs::create_directory(folder / inside);
     files.push_back(folder / inside + "/" + stem + ".yaml");
-    writeWhole(files.back(), scene("2"));
+    writeWhole(files.back(), sceneUntil("2"));
     REQUIRE(launch({"review", files.back(), "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code == 0);
-    writeWhole(files.back(), scene(std::string("2.5")));
+    writeWhole(files.back(), sceneUntil(std::string("2.5")));
   }
   CHECK(launch({"check", files[0], files[1], "--reports", folder / "reports"}).code == 1);
   const auto waits = [&](std::size_t i) {
     const auto pending = fs::path(files[i]).parent_path() / ".pending";
-    return fs::exists(pending) && count(launch({"review", files[i]}).out, "waits    " + pending.string()) == 1;
+    return fs::exists(pending) && occurrences(launch({"review", files[i]}).out, "waits    " + pending.string()) == 1;
   };
   CHECK((waits(0) && waits(1)));
   const std::string junit = readWhole(folder / "reports/junit.xml");
   for (const char* inside : {"/a/", "/b/"})
-    CHECK(count(junit, std::string("<testsuite name=\"") + folder.path() + inside + stem + "\"") == 1);
+    CHECK(occurrences(junit, std::string("<testsuite name=\"") + folder.path() + inside + stem + "\"") == 1);
   CHECK(launch({"review", files[0], "--reject", "--why", "a test"}).code == 0);
   CHECK(waits(1));  // the other one still waits
   CHECK(launch({"review", files[1], "--reject", "--why", "a test"}).code == 0);
@@ -54,7 +48,7 @@ TEST_CASE("scenarios of one file name keep their waiting results and their JUnit
 TEST_CASE("each variant of a scenario has a folder of its own, the plain one that of name and seed") {
   const TemporaryFolder folder;
   const std::string a = folder / "a.yaml", b = folder / "b.yaml";
-  writeWhole(a, scene("2")), writeWhole(b, scene("3"));
+  writeWhole(a, sceneUntil("2")), writeWhole(b, sceneUntil("3"));
   const auto dbOf = [&](std::vector<std::string> more) {
     std::vector<std::string> all{"run", "--json", "--no-pictures", "--out", folder / "out"};
     all.insert(all.end(), more.begin(), more.end());
@@ -79,7 +73,7 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
     const auto run = launch({"run", file, "--out", folder / "pictures", "--db", folder / db});
     INFO(run.err);
     CHECK(run.code == 0);
-    return count(run.out, folder / "pictures/twin-0/");
+    return occurrences(run.out, folder / "pictures/twin-0/");
   };
   CHECK(dbElsewhere(a, "a.db") > 0);
   CHECK(dbElsewhere(b, "b.db") == 0);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string scene = R"(morula: 1
+const std::string sceneInShell = R"(morula: 1
 name: small
 dna: |
   START: a0
@@ -23,9 +23,9 @@ physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {spher
 record: {every: 0.015625, measures: [sister_contact, energy]}
 )";
 
-struct Stored {
-  Stored() {
-    writeWhole(folder / "small.yaml", scene);
+struct DamagedRun {
+  DamagedRun() {
+    writeWhole(folder / "small.yaml", sceneInShell);
     const auto run =
         launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--quiet", "--out", folder / "out"});
     INFO(run.out << run.err);
@@ -54,7 +54,7 @@ struct Stored {
 }  // namespace
 
 TEST_CASE("a file with a page of another table is not exported") {
-  Stored stored;
+  DamagedRun stored;
   stored.copy();
   std::uintmax_t from = 0, to = 0, size = 0;
   {
@@ -70,7 +70,7 @@ TEST_CASE("a file with a page of another table is not exported") {
 }
 
 TEST_CASE("a lineage from which a cell is gone is neither exported nor shown") {
-  Stored stored;
+  DamagedRun stored;
   for (const char* sql :
        {"DELETE FROM cell WHERE path = 'A'", "DELETE FROM cell WHERE path = ''", "DELETE FROM cell"}) {
     CAPTURE(sql);
@@ -81,7 +81,7 @@ TEST_CASE("a lineage from which a cell is gone is neither exported nor shown") {
 }
 
 TEST_CASE("replay misses check results that are gone") {
-  Stored stored;
+  DamagedRun stored;
   CHECK(launch({"replay", stored.whole}).code == 0);
   stored.copy();
   Database(stored.damaged, Database::Mode::existing, std::chrono::seconds(1)).execute("DELETE FROM check_result");
@@ -91,7 +91,7 @@ TEST_CASE("replay misses check results that are gone") {
 }
 
 TEST_CASE("replay does not write over the run that it verifies") {
-  Stored stored;
+  DamagedRun stored;
   const std::string before = readWhole(stored.whole);
   fs::create_symlink(stored.whole, stored.folder / "link.db");
   for (const std::string& to : {stored.whole, stored.folder / "link.db"}) {

@@ -17,10 +17,10 @@ const char* const dies =
 /// A scenario without record.
 const char* const lives = "morula: 1\nname: lives\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 2}\n";
 
-struct Stored {
+struct RunWithoutRecord {
   TemporaryFolder folder;
   Database db;
-  explicit Stored(const std::string& scenario) : db(runAndOpen(folder, scenario)) {}
+  explicit RunWithoutRecord(const std::string& scenario) : db(runAndOpen(folder, scenario)) {}
   static Database runAndOpen(const TemporaryFolder& folder, const std::string& scenario) {
     writeWhole(folder / "scene.yaml", scenario);
     const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db", folder / "runs.db",
@@ -35,7 +35,7 @@ struct Stored {
 
 TEST_CASE("a run without record has a sample of its start and of its end") {
   for (const std::string physics : {"", "physics: {mesh: {icosphere: 1}}\n"}) {
-    Stored stored(lives + physics);
+    RunWithoutRecord stored(lives + physics);
     Statement samples(stored.db, "SELECT time, volume IS NULL FROM sample ORDER BY time");
     REQUIRE(samples.next());
     CHECK(samples.real(0) == 0);
@@ -47,7 +47,7 @@ TEST_CASE("a run without record has a sample of its start and of its end") {
 }
 
 TEST_CASE("where all cells have died there are bodies, but none alive") {
-  Stored stored(dies);
+  RunWithoutRecord stored(dies);
   Statement last(stored.db,
                  "SELECT cells, volume, kinetic_energy, shell_fill, mean_pressure IS NULL, outermost IS NULL FROM "
                  "sample ORDER BY time DESC LIMIT 1");

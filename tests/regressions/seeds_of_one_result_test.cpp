@@ -10,20 +10,12 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string four = "scenarios/thesis/unique-four.yaml";
-
 /// Two seeds of it, cheaply.
 Launched runSeeds(const TemporaryFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> all{"run",         four,    "--seeds",       "1..2",  "--no-pictures",           "--out",
-                               folder.path(), "--set", "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
+  std::vector<std::string> all{"run",         uniqueFour, "--seeds",       "1..2",  "--no-pictures",           "--out",
+                               folder.path(), "--set",    "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
   all.insert(all.end(), more.begin(), more.end());
   return launch(all);
-}
-
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 }  // namespace
@@ -33,8 +25,8 @@ TEST_CASE("run says once that seeds change nothing, and what would make them mat
   const auto same = runSeeds(folder, {"--json"});
   CAPTURE(same.err);
   REQUIRE(same.code == 0);
-  CHECK(count(same.err, "every seed gives the same result") == 1);
-  CHECK(count(same.err, "division.plane: random") == 1);
+  CHECK(occurrences(same.err, "every seed gives the same result") == 1);
+  CHECK(occurrences(same.err, "division.plane: random") == 1);
   const auto runs = Json::parse(same.out)["runs"];
   REQUIRE(runs.size() == 2);
   CHECK(runs[0]["seed_matters"] == false);
@@ -52,6 +44,6 @@ TEST_CASE("run says once that seeds change nothing, and what would make them mat
 TEST_CASE("a run that was not asked for a seed, or asked to be quiet, says nothing of seeds") {
   const TemporaryFolder folder;
   CHECK(runSeeds(folder, {"--quiet"}).err.empty());
-  CHECK(launch({"run", four, "--dry-run"}).err.empty());
-  CHECK(count(launch({"run", four, "--dry-run", "--seed", "7"}).err, "every seed") == 1);
+  CHECK(launch({"run", uniqueFour, "--dry-run"}).err.empty());
+  CHECK(occurrences(launch({"run", uniqueFour, "--dry-run", "--seed", "7"}).err, "every seed") == 1);
 }
