@@ -9,3 +9,10 @@ using Catch::Matchers::ContainsSubstring;
 #include <catch2/catch.hpp>
 inline auto ContainsSubstring(const std::string& part) { return Catch::Contains(part); }
 #endif
+
+// Sanitizers take all of the address space, and end a program that finds no memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool memoryCanBeLimited = false;
+#else
+inline constexpr bool memoryCanBeLimited = true;
+#endif

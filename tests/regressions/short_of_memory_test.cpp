@@ -11,12 +11,6 @@ using namespace morula::test;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
-constexpr bool canBeLimited = false;
-#else
-constexpr bool canBeLimited = true;
-#endif
-
 /// Programs started meanwhile have so much address space [byte].
 class AddressLimit {
  public:
@@ -72,7 +66,7 @@ TEST_CASE("a run that memory ends keeps its checkpoint, and goes on from there w
 }
 
 TEST_CASE("a picture for which there is no memory is refused, and the run is kept") {
-  if (!canBeLimited) return;
+  if (!memoryCanBeLimited) return;
   const TemporaryFolder folder;
   writeWhole(folder / "body.yaml", smallBody);
   const auto code = [&](rlim_t limit, const std::string& database) {

@@ -8,8 +8,8 @@
 
 using namespace morula::test;
 
-#if !defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
 TEST_CASE("a task that finds no memory for its picture keeps its run") {
+  if (!memoryCanBeLimited) return;
   const TemporaryFolder folder;
   writeWhole(folder / "body.yaml", smallBody);
   writeWhole(folder / "few.study.yaml",
@@ -29,4 +29,3 @@ TEST_CASE("a task that finds no memory for its picture keeps its run") {
     CHECK(std::filesystem::is_empty(folder / "out/pictures"));
   }
 }
-#endif

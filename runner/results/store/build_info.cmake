@@ -10,9 +10,13 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   string(JOIN " " flags ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${rules})
   pkg_check_modules(XXHASH QUIET libxxhash)
   set(libraries "")
+  set(tbb "oneTBB=${TBB_VERSION}")
+  if(NOT MORULA_THREADS STREQUAL ON)
+    unset(tbb)
+  endif()
   foreach(library IN ITEMS "Bullet=${BULLET_VERSION}" "CLI11=${CLI11_VERSION}" "Eigen=${Eigen3_VERSION}"
           "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "cairo=${CAIRO_cairo-pdf_VERSION}" "fmt=${fmt_VERSION}"
-          "nlohmann_json=${nlohmann_json_VERSION}" "oneTBB=${TBB_VERSION}" "xxHash=${XXHASH_VERSION}"
+          "nlohmann_json=${nlohmann_json_VERSION}" ${tbb} "xxHash=${XXHASH_VERSION}"
           "yaml-cpp=${yaml-cpp_VERSION}")
     string(REPLACE "=" "\", \"" pair "${library}")
     string(REGEX REPLACE "\"$" "\"unknown" pair "${pair}")
