@@ -54,7 +54,8 @@ uniform int firstRow;
 #else
 layout(location = 0) out vec4 light;
 layout(location = 1) out uint owner;
-layout(location = 2) out vec4 shape;  // normal, depth
+layout(location = 2) out vec4 normal;
+layout(location = 3) out float height;  // z in eye space
 #endif
 uniform int wireframe;
 uniform float wireWidth;  // [sample]
@@ -135,7 +136,8 @@ void main() {
                            packUnorm2x16(vec2(0.5 * seen.b, seen.a)));
 #else
   light = seen;
-  shape = vec4(n, eyePosition.z);
+  normal = vec4(n, 0.0);
+  height = eyePosition.z;
   owner = cellOwner;
 #endif
 #endif
@@ -146,7 +148,8 @@ void main() {
   float z = (clip.w - slope * eyeDistance) / (clip.z - slope);
   vec3 place = vec3(ray * (eyeDistance - z), z);
   light = vec4(lit(pigment, clip.xyz, v), 1.0);
-  shape = vec4(clip.xyz, place.z);
+  normal = vec4(clip.xyz, 0.0);
+  height = place.z;
   vec4 shown = projection * vec4(place, 1.0);
   gl_FragDepth = 0.5 + 0.5 * shown.z / shown.w;
 #endif
@@ -183,11 +186,13 @@ in vec3 eyeAt;
 uniform vec4 clip;  // as in the cells' shader; 0: nothing is cut away
 layout(location = 0) out vec4 light;
 layout(location = 1) out uint owner;
-layout(location = 2) out vec4 shape;
+layout(location = 2) out vec4 normal;
+layout(location = 3) out float height;
 void main() {
   if (dot(clip.xyz, eyeAt) > clip.w) discard;
   light = vec4(linePigment, 1.0);
-  shape = vec4(0.0, 0.0, 1.0, eyeAt.z);
+  normal = vec4(0.0, 0.0, 1.0, 0.0);
+  height = eyeAt.z;
   owner = lineOwner;
 }
 )";

@@ -47,14 +47,14 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   if (frame.picture.transparent) program.set("paperLight", 0, 0, 0);
   program.set("groundless", frame.picture.transparent ? 1 : 0);
   program.set("lights", 0);
-  program.set("shapes", 1);
+  program.set("heights", 1);
   program.set("owners", 2);
   program.set("visibles", 3);
   program.set("veils", 4);
   program.set("veiled", veiled ? 1 : 0);
   program.set("shelled", frame.picture.shell ? 1 : 0);
   targets_->solid.lights.bind(0);
-  targets_->solid.shapes.bind(1);
+  targets_->solid.heights.bind(1);
   targets_->solid.owners.bind(2);
   targets_->firstVisible.bind(3);
   if (veiled) targets_->veils->bind(4);

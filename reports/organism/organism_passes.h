@@ -26,14 +26,15 @@ struct OrganismRenderer::Programs {
 /// Everything that is as large as the picture or its sample grid.
 struct OrganismRenderer::Targets {
   struct Layer {  // what the cells' shader writes
-    Texture lights, owners, depth, shapes;
+    Texture lights, owners, depth, normals, heights;
     Framebuffer framebuffer;
     Layer(int w, int h, bool counted)
         : lights(w, h, GL_RGBA32F),
           owners(w, h, GL_R32UI),
           depth(w, h, counted ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F),
-          shapes(w, h, GL_RGBA32F),
-          framebuffer({&lights, &owners, &shapes}, &depth, counted) {}
+          normals(w, h, GL_RGBA32F),
+          heights(w, h, GL_R32F),
+          framebuffer({&lights, &owners, &normals, &heights}, &depth, counted) {}
   };
 
   int width, height, samples;

@@ -40,7 +40,7 @@ void main() {  // one triangle that covers the picture
 // take light away, more the nearer they are; beyond `radius` none.
 std::string occlusionShader() {
   return std::string(version) + common + R"(
-uniform sampler2D shapes;
+uniform sampler2D normals, heights;
 uniform usampler2D owners;
 uniform int samples;
 uniform float radius;
@@ -54,9 +54,9 @@ void main() {
   ivec2 at = pixel * samples + samples / 2;
   uint own = texelFetch(owners, at, 0).r;
   int wanted = own == 0u || own == lineOwner ? 0 : taps;  // as in outlineShade
-  vec4 surface = texelFetch(shapes, at, 0);
-  vec3 p = eyePoint(vec2(at), surface.w);
-  float reach = 0.5 * float(size.y) * radius / ((eyeDistance - surface.w) * aperture.y);  // [sample]
+  vec3 normal = texelFetch(normals, at, 0).xyz;
+  vec3 p = eyePoint(vec2(at), texelFetch(heights, at, 0).r);
+  float reach = 0.5 * float(size.y) * radius / ((eyeDistance - p.z) * aperture.y);  // [sample]
   // Each pixel of a 4 x 4 block looks in other directions and at other distances; the blur takes the pattern out again.
   int place = spread[(pixel.y & 3) * 4 + (pixel.x & 3)];
   vec2 turn = turns[place];
@@ -66,9 +66,9 @@ void main() {
     vec2 way = vec2(spiral[i].x * turn.x - spiral[i].y * turn.y, spiral[i].x * turn.y + spiral[i].y * turn.x);
     ivec2 there = at + ivec2(round(reach * share * way));
     there = clamp(there, ivec2(0), size - 1);
-    vec3 to = eyePoint(vec2(there), texelFetch(shapes, there, 0).w) - p;
+    vec3 to = eyePoint(vec2(there), texelFetch(heights, there, 0).r) - p;
     float gap = max(0.0, 1.0 - dot(to, to) / (radius * radius));
-    sum += gap * gap * gap * max(0.0, dot(to, surface.xyz) - 0.02 * radius) / (dot(to, to) + 0.0004 * radius * radius);
+    sum += gap * gap * gap * max(0.0, dot(to, normal) - 0.02 * radius) / (dot(to, to) + 0.0004 * radius * radius);
   }
   visible = vec4(max(0.0, 1.0 - 2.2 * radius * sum / float(taps)));
 }
@@ -99,7 +99,7 @@ void main() {
 
 std::string resolveShader() {
   return std::string(version) + common + outlines + R"(
-uniform sampler2D lights, shapes, visibles, veils;
+uniform sampler2D lights, heights, visibles, veils;
 uniform int samples, veiled, shelled;
 uniform int groundless;  // what nothing is drawn on is transparent; light is then that of what is drawn alone
 uniform vec3 paperLight;
@@ -141,9 +141,9 @@ vec4 withShell(vec4 before, vec2 at) {
   float d = b * b - a * c;
   float edge = clamp(0.5 + d / max(1e-12, length(vec2(dFdx(d), dFdy(d)))), 0.0, 1.0);
   float t = (-b - sqrt(max(d, 0.0))) / a;
-  vec4 cell = texelFetch(shapes, ivec2(at), 0);
-  vec3 seen = (toShell * vec4(eyePoint(at, cell.w), 1.0)).xyz;
-  bool outside = dot(seen, seen) > 1.02 && cell.w > eyeDistance * (1.0 - t);  // a cell that has broken out
+  float cell = texelFetch(heights, ivec2(at), 0).r;
+  vec3 seen = (toShell * vec4(eyePoint(at, cell), 1.0)).xyz;
+  bool outside = dot(seen, seen) > 1.02 && cell > eyeDistance * (1.0 - t);  // a cell that has broken out
   if (edge == 0.0 || t <= 0.0 || outside) return before;
   vec3 n = normalize((fromNormal * vec4(eye + t * ray, 0.0)).xyz);
   vec3 v = -normalize(toPoint);
