@@ -44,6 +44,7 @@ Program::Program(const std::string& vertexSource, const std::string& fragmentSou
 Program::~Program() { glDeleteProgram(program_); }
 void Program::use() const { glUseProgram(program_); }
 void Program::set(const char* name, int value) const { glUniform1i(glGetUniformLocation(program_, name), value); }
+void Program::set(const char* name, const Texture& texture, int unit) const { texture.bind(unit), set(name, unit); }
 void Program::set(const char* name, float value) const { glUniform1f(glGetUniformLocation(program_, name), value); }
 void Program::set(const char* name, float x, float y) const { glUniform2f(glGetUniformLocation(program_, name), x, y); }
 

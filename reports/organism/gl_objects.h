@@ -21,6 +21,7 @@ class Program {
   void use() const;
   /// Uniforms of the program in use. A name the shader does not use is passed over, as OpenGL does.
   void set(const char* name, int value) const;
+  void set(const char* name, const class Texture& texture, int unit) const;
   void set(const char* name, float value) const;
   void set(const char* name, float x, float y) const;
   void set(const char* name, float x, float y, float z) const;

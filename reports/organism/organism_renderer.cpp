@@ -80,27 +80,6 @@ std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAx
   return {std::max(nearest, 0.02 * framing.distance), farthest};
 }
 
-/// The pixels outside of which no solid cell is seen.
-PixelArea areaOfSolid(const Surface& surface, double eyeDistance, const Aperture& aperture, int width, int height) {
-  double low[2] = {1, 1}, high[2] = {0, 0};  // shares of the picture
-  for (std::size_t i = 0; i < surface.solid; ++i) {
-    const float* p = surface.vertices[surface.corners[i]].position;
-    const double depth = eyeDistance - p[2];
-    if (!(depth > 0)) return {0, 0, width, height};
-    const double at[2] = {0.5 + 0.5 * p[0] / (aperture.x * depth), 0.5 + 0.5 * p[1] / (aperture.y * depth)};
-    for (int axis = 0; axis < 2; ++axis) {
-      low[axis] = std::min(low[axis], at[axis]);
-      high[axis] = std::max(high[axis], at[axis]);
-    }
-  }
-  constexpr int rounding = 2;  // [pixel]
-  const auto first = [](double share, int size) { return int(std::clamp(share, 0.0, 1.0) * size) - rounding; };
-  const auto count = [&](double from, double to, int size) {
-    return std::max(0, first(to, size) - first(from, size)) + 2 * rounding;
-  };
-  return {first(low[0], width), first(low[1], height), count(low[0], high[0], width), count(low[1], high[1], height)};
-}
-
 /// "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".
 std::string mesaVersion() {
   const OffscreenContext context;
@@ -178,18 +157,12 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   return resolve(frame, veiled);
 }
 
-void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height,
-                                  const std::optional<PixelArea>& area) {
+void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height) {
   target.bind();
   glViewport(0, 0, width, height);
-  if (area) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(area->x, area->y, area->width, area->height);
-  }
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   programs_->screen.drawTriangles(0, 3);
-  glDisable(GL_SCISSOR_TEST);
 }
 
 const Program& OrganismRenderer::cellProgram(const Frame& frame, CellPass pass) {
@@ -211,8 +184,7 @@ const Program& OrganismRenderer::cellProgram(const Frame& frame, CellPass pass) 
     programs_->scale = std::make_unique<Texture>(scaleSteps, 1, GL_RGBA32F);
     programs_->scale->setRows(0, 1, colours.data());
   }
-  programs_->scale->bind(0);
-  program->set("scale", 0);
+  program->set("scale", *programs_->scale, 0);
   return *program;
 }
 
@@ -327,26 +299,21 @@ std::vector<std::uint32_t> OrganismRenderer::owners() const {
 
 void OrganismRenderer::findOcclusion(const Frame& frame) {
   frame.describe(programs_->occlusion);
-  const PixelArea area = areaOfSolid(frame.surface, frame.framing.distance, frame.aperture, frame.width, frame.height);
   // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
   const double radius = std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
   programs_->occlusion.set("radius", float(radius));
   setSpiral(programs_->occlusion);
-  programs_->occlusion.set("normals", 0);
-  programs_->occlusion.set("owners", 1);
-  programs_->occlusion.set("heights", 2);
-  targets_->solid.normals.bind(0);
-  targets_->solid.owners.bind(1);
-  targets_->solid.heights.bind(2);
-  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height, area);
+  programs_->occlusion.set("normals", targets_->solid.normals, 0);
+  programs_->occlusion.set("owners", targets_->solid.owners, 1);
+  programs_->occlusion.set("heights", targets_->solid.heights, 2);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
   // Twice: along an edge the first pass lacks half of the pattern that it should even out.
   frame.describe(programs_->blur);
-  programs_->blur.set("raw", 0);
-  programs_->blur.set("owners", 1);
-  targets_->firstVisible.bind(0);
-  fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height, area);
-  targets_->secondVisible.bind(0);
-  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height, area);
+  programs_->blur.set("raw", targets_->firstVisible, 0);
+  programs_->blur.set("owners", targets_->solid.owners, 1);
+  fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
+  programs_->blur.set("raw", targets_->secondVisible, 0);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
 }
 
 std::string rendererName() {

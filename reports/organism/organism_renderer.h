@@ -3,7 +3,6 @@
 // picture to the next. One per thread.
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +13,6 @@ namespace morula {
 
 /// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay whole.
 inline constexpr double shellThickness = 1.02;
-
-struct PixelArea {
-  int x, y, width, height;  // from below
-};
 
 class OrganismRenderer {
  public:
@@ -39,8 +34,7 @@ class OrganismRenderer {
   struct Frame;
   /// For this pass over the cells, in use and told what the frame is.
   const class Program& cellProgram(const Frame& frame, CellPass pass);
-  /// The program in use for every pixel, or for those of an area.
-  void fillScreen(const class Framebuffer& target, int width, int height, const std::optional<PixelArea>& area = {});
+  void fillScreen(const class Framebuffer& target, int width, int height);
   void drawSolid(const Frame& frame);
   void drawCuts(const Frame& frame);
   void drawLines(const Frame& frame);
