@@ -38,7 +38,7 @@ page() { # page NAME FRAMES WHAT...: the page NAME.html
 run() { # run NAME SCENARIO OPTION...: the database NAME.db
   name=$1
   shift
-  "$program" run "$@" --quiet --db "$scratch/$name.db" --out "$scratch/$name" >/dev/null
+  "$program" run "$@" --quiet --no-pictures --db "$scratch/$name.db" --out "$scratch/$name" >/dev/null
 }
 run one scenarios/thesis/unique-four.yaml --no-check
 run two scenarios/thesis/unique-four.yaml --set physics.pressure.constant=180

@@ -25,7 +25,7 @@ struct RunToReport {
   std::string database = folder / "run.db", page = folder / "page.html";
   RunToReport() { writeWhole(folder / "small.yaml", summarisedScene); }
   void run(std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"run", folder / "small.yaml", "--db", database, "--out", folder.path(), "--quiet"});
+    more.insert(more.begin(), {"run", folder / "small.yaml", "--db", database, "--no-pictures", "--quiet"});
     const auto launched = launch(more);
     INFO(launched.err);
     REQUIRE(launched.code == 0);
