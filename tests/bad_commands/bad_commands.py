@@ -5,12 +5,12 @@
 
 A table (*.txt beside this script) is a list of commands as a shell takes them. Beneath each, or beneath the last of several
 that are answered alike, stand its exit code and what it says on standard error, and after > what it says on standard
-output; what differs from run to run is left out (ID, HASH, PENDING, SIZE, CPU), and so is what goes beyond twelve lines. Lines that begin
-with ! make files that the commands after them are given; `(a|b)` means a command each, \\1 beneath it which of them.
-What is refused leaves every file as it was and makes none, unless standard output says what was done all the same, and
-sends a terminal nothing that it would obey. --accept writes what is said now into the tables, to be read before it is
-kept, and leaves out what is not refused; without it, either is a fault. A mistake is a command here, or a line of a
-message in bad_scenarios, bad_dna and bad_studies: the last line counts both.
+output; what differs from run to run is left out (ID, HASH, PENDING, SETS, SIZE, CPU), and so is what goes beyond twelve
+lines. Lines that begin with ! make files that the commands after them are given; `(a|b)` means a command each, \\1 beneath
+it which of them. What is refused leaves every file as it was and makes none, unless standard output says what was done all
+the same, and sends a terminal nothing that it would obey. --accept writes what is said now into the tables, to be read
+before it is kept, and leaves out what is not refused; without it, either is a fault. A mistake is a command here, or a line
+of a message in bad_scenarios, bad_dna and bad_studies: the last line counts both.
 
 Exit codes: 0 so it is, 1 not so.
 """
@@ -64,6 +64,7 @@ def shell(command, folder):
 # What differs from one build, machine or day to another.
 VARIES = ((r"\b[0-9a-f]{16}\b", "ID"), (r"\S*\.pending/\S+", "PENDING"), (r"\d+\.\d+ MB", "SIZE MB"),
           (r"\d+:\d\d of CPU time", "CPU of CPU time"),
+          (r"available: scalar(, \w+)+", "available: SETS"),
           (r"hash is \w+, and \w+ was", "hash is HASH, and HASH was"))
 MOST = 12  # lines
 
