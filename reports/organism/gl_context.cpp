@@ -93,11 +93,15 @@ void find(void* library, const char* name, Function& function) {
 }
 
 /// Once; it stays to the end.
-void loadDriver() {
+void loadDriver(const std::string& remedy) {
   static std::once_flag once;
-  std::call_once(once, [] {
+  std::call_once(once, [&] {
     void* const library = ::dlopen(MORULA_OSMESA, RTLD_LAZY | RTLD_LOCAL);
-    if (!library) throw FileError(std::string("nothing can be drawn: ") + ::dlerror());
+    const std::string why = library ? "" : ::dlerror();
+    for (const char* words : {"failed to map segment from shared object", "zero-fill pages", "llocate memory"})
+      if (why.ends_with(words))  // not where errno adds a reason of another kind
+        throw NumericalError("there is not enough memory to draw: " + why + remedy, Want::memory);
+    if (!library) throw FileError("nothing can be drawn: " + why);
     find(library, "OSMesaCreateContextAttribs", createContext);
     find(library, "OSMesaDestroyContext", destroyContext);
     find(library, "OSMesaMakeCurrent", makeContextCurrent);
@@ -127,7 +131,7 @@ OffscreenContext::OffscreenContext() {
   const std::string remedy = ", however small the picture; draw where there is more, or run with --no-pictures";
   requireMemoryToDraw(ofContext, remedy);
   settleDriver();
-  loadDriver();
+  loadDriver(remedy);
   requireMemoryToDraw(ofContext, remedy);  // what the library itself took is no longer there
   handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,

@@ -90,3 +90,11 @@ TEST_CASE("a picture for which there is no memory is refused, and the run is kep
   CHECK(refused > 2);
   CHECK(code(8'000'000'000, "plenty.db") == 0);
 }
+
+TEST_CASE("an OSMesa that does not fit into memory is told as that") {
+  const TemporaryFolder folder;
+  const auto run = launch({"render", uniqueFour, "-o", folder / "four.png"}, {{"LD_LIBRARY_PATH", MORULA_LARGE}});
+  refuses(run, 4, "there is not enough memory to draw: ");
+  CHECK_THAT(run.err,
+             ContainsSubstring("failed to map segment from shared object, however small the picture; draw where"));
+}
