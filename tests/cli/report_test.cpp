@@ -78,7 +78,7 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
   const std::string page = stored.report({"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("<h1>small, 2 runs</h1>"));
   // The one that began first is told of first; two that began in one second are told by their ids.
-  CHECK_THAT(page, ContainsSubstring("<h3>physics.drag 1</h3>") || ContainsSubstring("<h3>physics.drag 2</h3>"));
+  CHECK_THAT(page, ContainsSubstring("<h3>physics.drag 0</h3>") || ContainsSubstring("<h3>physics.drag 2</h3>"));
   CHECK_THAT(page, ContainsSubstring("Beside physics.drag "));
   CHECK_THAT(page, ContainsSubstring("radii of the egg"));
   CHECK_THAT(page, ContainsSubstring("The lineage is the same in all runs."));

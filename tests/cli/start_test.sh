@@ -146,7 +146,7 @@ MORULA_TEST_ID=1000 start test -R unit
 check "test: everything is built; sudo if not root; the test packages too" \
   "sudo;apt-get install --no-install-recommends $for_tests;build all;" "$called"
 check "test: ctest gets the arguments" \
-  "ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 2 -R unit" "$out"
+  "ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 3 -R unit" "$out"
 check "test: ctest's exit code passes through" 8 "$code"
 start && check "test: the program is built with everything" "" "$called"
 
