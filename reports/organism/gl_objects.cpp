@@ -70,6 +70,7 @@ Texture::Texture(int width, int height, GLenum internalFormat) : width_(width) {
   glGenTextures(1, &texture_);
   glBindTexture(GL_TEXTURE_2D, texture_);
   GLenum format = GL_RGBA, type = GL_FLOAT;
+  if (internalFormat == GL_RG32UI) format = GL_RG_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_R32UI) format = GL_RED_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_DEPTH_COMPONENT32F) format = GL_DEPTH_COMPONENT;
   if (internalFormat == GL_DEPTH32F_STENCIL8) format = GL_DEPTH_STENCIL, type = GL_FLOAT_32_UNSIGNED_INT_24_8_REV;

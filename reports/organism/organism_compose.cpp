@@ -41,7 +41,9 @@ Image readBack(int width, int height, bool transparent) {
 }  // namespace
 
 Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
-  const Program& program = programs_->resolve;
+  const int samples = frame.samples;
+  const Program& program =
+      programs_->resolve.try_emplace(samples, screenVertexShader(), resolveShader(samples)).first->second;
   frame.describe(program);
   setPaper(program);
   if (frame.picture.transparent) program.set("paperLight", 0, 0, 0);

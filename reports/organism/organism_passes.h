@@ -18,7 +18,7 @@ struct OrganismRenderer::Programs {
   Program line{lineVertexShader(), lineFragmentShader()};
   Program occlusion{screenVertexShader(), occlusionShader()};
   Program blur{screenVertexShader(), occlusionBlurShader()};
-  Program resolve{screenVertexShader(), resolveShader()};
+  std::map<int, Program> resolve;          // by samples; those that were needed so far
   std::unique_ptr<Texture> scale;          // of maps
   VertexBuffer screen{nullptr, 0, 0, {}};  // the shader knows its three corners by number
 };
@@ -50,8 +50,8 @@ struct OrganismRenderer::Targets {
         samples(s),
         counted(clip),
         solid(w * s, h * s, clip),
-        firstVisible(w, h, GL_R32F),
-        secondVisible(w, h, GL_R32F),
+        firstVisible(w, h, GL_RG32UI),
+        secondVisible(w, h, GL_RG32UI),
         result(w, h, GL_RGBA8),
         firstVisibleBuffer({&firstVisible}, nullptr),
         secondVisibleBuffer({&secondVisible}, nullptr),
@@ -83,13 +83,14 @@ struct OrganismRenderer::Frame {
     program.set("aperture", float(aperture.x), float(aperture.y));
     program.set("eyeDistance", float(framing.distance));
     program.set("samples", samples);
+    program.setSize("last", width - 1, height - 1);
     program.set("outlineReach", outlineReach());
     program.setMatrix("projection", matrix.data());
     program.set("clip", clip[0], clip[1], clip[2], clip[3]);
   }
 };
 
-/// Nothing anywhere: no light, no owner, depths beyond everything.
+/// Nothing anywhere: no owner, depths beyond everything. Lights and normals are read only where there is an owner.
 void clearLayer(float eyeDistance);
 
 void setPaper(const Program& program);

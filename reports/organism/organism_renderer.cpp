@@ -91,11 +91,9 @@ std::string mesaVersion() {
 }  // namespace
 
 void clearLayer(float eyeDistance) {
-  const float none[4] = {0, 0, 0, 0}, faraway[4] = {-20 * eyeDistance, 0, 0, 0}, one = 1;
+  const float faraway[4] = {-20 * eyeDistance, 0, 0, 0}, one = 1;
   const GLuint noCell[4] = {0, 0, 0, 0};
-  glClearBufferfv(GL_COLOR, 0, none);
   glClearBufferuiv(GL_COLOR, 1, noCell);
-  glClearBufferfv(GL_COLOR, 2, none);
   glClearBufferfv(GL_COLOR, 3, faraway);
   glClearBufferfv(GL_DEPTH, 0, &one);
 }
@@ -310,7 +308,6 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   // Twice: along an edge the first pass lacks half of the pattern that it should even out.
   frame.describe(programs_->blur);
   programs_->blur.set("raw", targets_->firstVisible, 0);
-  programs_->blur.set("owners", targets_->solid.owners, 1);
   fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
   programs_->blur.set("raw", targets_->secondVisible, 0);
   fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);

@@ -46,7 +46,7 @@ uniform int samples;
 uniform float radius;
 uniform vec2 spiral[18];  // directions of the taps
 uniform vec2 turns[16];   // cosine and sine of each pixel's turn
-layout(location = 0) out vec4 visible;
+layout(location = 0) out uvec4 visible;  // bits of a float; the owner of the pixel's middle
 const int taps = 18;
 const int spread[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);  // [Bayer 1973]
 void main() {
@@ -70,37 +70,37 @@ void main() {
     float gap = max(0.0, 1.0 - dot(to, to) / (radius * radius));
     sum += gap * gap * gap * max(0.0, dot(to, normal) - 0.02 * radius) / (dot(to, to) + 0.0004 * radius * radius);
   }
-  visible = vec4(max(0.0, 1.0 - 2.2 * radius * sum / float(taps)));
+  visible = uvec4(floatBitsToUint(max(0.0, 1.0 - 2.2 * radius * sum / float(taps))), own, 0u, 0u);
 }
 )";
 }
 
 std::string occlusionBlurShader() {
   return std::string(version) + common + R"(
-uniform sampler2D raw;
-uniform usampler2D owners;
-uniform int samples;
-layout(location = 0) out vec4 visible;
+uniform usampler2D raw;
+uniform ivec2 last;  // pixel
+layout(location = 0) out uvec4 visible;
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy), last = size / samples - 1;
-  uint own = texelFetch(owners, pixel * samples + samples / 2, 0).r;
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint own = texelFetch(raw, pixel, 0).g;
   float sum = 0.0, weight = 0.0;
   for (int dy = -2; dy < 2; ++dy)
     for (int dx = -2; dx < 2; ++dx) {
-      ivec2 there = clamp(pixel + ivec2(dx, dy), ivec2(0), last);
-      if (texelFetch(owners, there * samples + samples / 2, 0).r != own) continue;
-      sum += texelFetch(raw, there, 0).r;
-      weight += 1.0;
+      uvec2 there = texelFetch(raw, clamp(pixel + ivec2(dx, dy), ivec2(0), last), 0).rg;
+      sum += there.g == own ? uintBitsToFloat(there.r) : 0.0;
+      weight += there.g == own ? 1.0 : 0.0;
     }
-  visible = vec4(sum / weight);
+  visible = uvec4(floatBitsToUint(sum / weight), own, 0u, 0u);
 }
 )";
 }
 
-std::string resolveShader() {
-  return std::string(version) + common + outlines + R"(
-uniform sampler2D lights, heights, visibles, veils;
-uniform int samples, veiled, shelled;
+std::string resolveShader(int samples) {
+  return std::string(version) + "const int samples = " + std::to_string(samples) + ";\n" + common + outlines + R"(
+uniform sampler2D lights, heights, veils;
+uniform usampler2D visibles;  // [occlusionShader]
+uniform ivec2 last;           // pixel
+uniform int veiled, shelled;
 uniform int groundless;  // what nothing is drawn on is transparent; light is then that of what is drawn alone
 uniform vec3 paperLight;
 uniform mat4 toShell;     // eye space to the space in which the shell is the unit sphere
@@ -110,14 +110,12 @@ layout(location = 0) out vec4 pixel;
 // The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this side
 // of the edge.
 float occlusion(ivec2 home, uint own, uint homeOwner, float homeVisible) {
-  ivec2 last = size / samples - 1;
   float sum = 0.0, weight = 0.0;
   int turns = own == homeOwner || own == 0u ? 0 : 9;
   for (int i = 0; i < turns; ++i) {
-    ivec2 there = clamp(home + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
-    bool same = texelFetch(owners, there * samples + samples / 2, 0).r == own;
-    sum += same ? texelFetch(visibles, there, 0).r : 0.0;
-    weight += same ? 1.0 : 0.0;
+    uvec2 there = texelFetch(visibles, clamp(home + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last), 0).rg;
+    sum += there.g == own ? uintBitsToFloat(there.r) : 0.0;
+    weight += there.g == own ? 1.0 : 0.0;
   }
   return own == homeOwner ? homeVisible : weight > 0.0 ? sum / weight : 0.7;
 }
@@ -159,28 +157,37 @@ vec4 withShell(vec4 before, vec2 at) {
 
 void main() {
   ivec2 home = ivec2(gl_FragCoord.xy), corner = home * samples;
-  uint homeOwner = texelFetch(owners, corner + samples / 2, 0).r;
-  float homeVisible = texelFetch(visibles, home, 0).r;
-  bool amidst = plain(corner, homeOwner);
+  uvec2 middle = texelFetch(visibles, home, 0).rg;
+  uint homeOwner = middle.g;
+  float homeVisible = uintBitsToFloat(middle.r);
+  bool amidst = plain(corner, homeOwner), alike = amidst && veiled == 0;
+  // Nearly all pixels belong to one cell, or to none, and are done after this.
+  float homeShade = homeOwner != 0u && homeOwner != lineOwner ? homeVisible : 1.0;
   vec3 sum = vec3(0.0);
-  float covered = 0.0;
-  for (int y = 0; y < samples; ++y)
-    for (int x = 0; x < samples; ++x) {
-      ivec2 at = corner + ivec2(x, y);
-      uint own = texelFetch(owners, at, 0).r;
-      vec3 light = paperLight;
-      if (own != 0u) light = texelFetch(lights, at, 0).rgb;
-      bool cell = own != 0u && own != lineOwner;
-      float shade = occlusion(home, own, homeOwner, homeVisible) * outlineShade(at, own, !amidst || own != homeOwner);
-      light *= cell ? shade : 1.0;
-      if (veiled != 0) {
-        vec4 veil = texelFetch(veils, at, 0);
-        light = veil.rgb + (1.0 - veil.a) * light;
-        covered += own == 0u ? veil.a : 0.0;
-      }
-      covered += own != 0u ? 1.0 : 0.0;
-      sum += min(light, vec3(1.0));
+  for (int i = 0; i < samples * samples; ++i) {
+    ivec2 at = corner + ivec2(i % samples, i / samples);
+    alike = alike && texelFetch(owners, at, 0).r == homeOwner;
+    vec3 light = homeOwner != 0u ? texelFetch(lights, at, 0).rgb : paperLight;
+    sum += min(light * homeShade, vec3(1.0));
+  }
+  sum = alike ? sum : vec3(0.0);
+  float covered = alike && homeOwner != 0u ? float(samples * samples) : 0.0;
+  int turns = alike ? 0 : samples * samples;
+  for (int i = 0; i < turns; ++i) {
+    ivec2 at = corner + ivec2(i % samples, i / samples);
+    uint own = texelFetch(owners, at, 0).r;
+    vec3 light = own != 0u ? texelFetch(lights, at, 0).rgb : paperLight;
+    bool cell = own != 0u && own != lineOwner;
+    float shade = occlusion(home, own, homeOwner, homeVisible) * outlineShade(at, own, !amidst || own != homeOwner);
+    light *= cell ? shade : 1.0;
+    if (veiled != 0) {
+      vec4 veil = texelFetch(veils, at, 0);
+      light = veil.rgb + (1.0 - veil.a) * light;
+      covered += own == 0u ? veil.a : 0.0;
     }
+    covered += own != 0u ? 1.0 : 0.0;
+    sum += min(light, vec3(1.0));
+  }
   vec3 mean = sum / float(samples * samples);
   float opacity = covered / float(samples * samples);
   if (shelled != 0) {

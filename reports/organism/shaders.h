@@ -26,8 +26,8 @@ std::string lineFragmentShader();
 
 /// Passes over the whole picture.
 std::string screenVertexShader();
-std::string occlusionShader();      // how much of the sky a pixel's surface sees, from depths around it
-std::string occlusionBlurShader();  // evens out that pattern inside each cell
-std::string resolveShader();        // outlines, shading, shell, mean of the samples, sRGB
+std::string occlusionShader();           // how much of the sky a pixel's surface sees, from depths around it
+std::string occlusionBlurShader();       // evens out that pattern inside each cell
+std::string resolveShader(int samples);  // outlines, shading, shell, mean of so many samples along each side, sRGB
 
 }  // namespace morula
