@@ -12,9 +12,9 @@ namespace {
 
 constexpr double roundingRoom = 1e-5;
 // Of the smallest influence radius R. A choice costs about as much as half an evaluation of all pairs and lasts M/ċ of
-// them if each changes gaps by ċ; a margin M keeps so many more pairs. Both together cost least at M² = R ċ/4; where M is
-// beyond the largest one, as among newborn cells that fly apart, more than is gained.
-constexpr double cheapestMargin = 0.25, leastMargin = 0.01, mostMargin = 0.1;
+// them if each changes gaps by ċ; a margin M keeps so many more pairs. Both together cost least at M² = 0.4 R ċ, measured;
+// where M is beyond the largest one, as among newborn cells that fly apart, more than is gained.
+constexpr double cheapestMargin = 0.4, leastMargin = 0.01, mostMargin = 0.2;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 

@@ -35,12 +35,6 @@ void leaveOutMotion(MechanicsScene& m) {
   if (m.contact) m.contact->damping = m.contact->friction = 0;
 }
 
-/// Wider neighbour lists for integrators that settle, because an evaluation moves cells farther than a time step does.
-SearchSettings searchOf(const MechanicsScene& m, SearchSettings search) {
-  if (kindOf(m.physics.integrator).settles) search.skinShare *= 2;
-  return search;
-}
-
 }  // namespace
 
 int cellNumber(const Cells& cells, const CellPath& path) {
@@ -66,8 +60,8 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search), m.physics.precision,
-                                  m.physics.cell.model);
+    world.contacts =
+        makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();
   if (m.physics.motility) world.motility.emplace();

@@ -88,20 +88,26 @@ double fisherAbove(double f, double df1, double df2) {
   return incompleteBeta(0.5 * df2, 0.5 * df1, df2 / whole, df1 * f / whole);
 }
 
-double noncentralFisherAbove(double f, double df1, double df2, double lambda) {
-  if (!(f > 0)) return 1;
+NoncentralFisher::NoncentralFisher(double f, double df1, double df2) : f_(f), df1_(df1), df2_(df2) {
+  if (!(f > 0)) return;
+  const double a = 0.5 * df2, b = 0.5 * df1, whole = df2 + df1 * f, x = df2 / whole;
+  y_ = df1 * f / whole;
+  central_ = incompleteBeta(a, b, x, y_);
+  more_ = exponential(a * naturalLog(x) + b * naturalLog(y_) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
+}
+
+double NoncentralFisher::above(double lambda) const {
+  if (!(f_ > 0)) return 1;
   if (lambda > 1000) {
-    const double mean = df1 + lambda;
-    return fisherAbove(f * df1 / mean, mean * mean / (df1 + 2 * lambda), df2);
+    const double mean = df1_ + lambda;
+    return fisherAbove(f_ * df1_ / mean, mean * mean / (df1_ + 2 * lambda), df2_);
   }
-  const double a = 0.5 * df2, b = 0.5 * df1, whole = df2 + df1 * f, x = df2 / whole, y = df1 * f / whole;
-  double above = incompleteBeta(a, b, x, y);
-  double more = exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
-  double weight = exponential(-0.5 * lambda), left = 1, sum = 0;
+  const double a = 0.5 * df2_, b = 0.5 * df1_;
+  double above = central_, more = more_, weight = exponential(-0.5 * lambda), left = 1, sum = 0;
   for (int j = 0; left > 1e-12 && j < 2000; ++j) {
     sum += weight * above, left -= weight;
     above += more;  // I_x(a, b + 1) = I_x(a, b) + x^a y^b / (b B(a, b)) [DLMF 8.17.21]
-    more *= y * (a + b + j) / (b + j + 1);
+    more *= y_ * (a + b + j) / (b + j + 1);
     weight *= 0.5 * lambda / (j + 1);
   }
   return sum + left * above;

@@ -25,10 +25,17 @@ double studentQuantile(double share, double df);
 /// P(F > f) of Fisher's F with these degrees of freedom; 1 for f ≤ 0.
 double fisherAbove(double f, double df1, double df2);
 
-/// P(F > f) of the noncentral distribution with parameter `lambda` ≥ 0: the mean of central ones with d₁ + 2j, j of Poisson's
+/// P(F > f) of noncentral distributions with parameters `lambda` ≥ 0: the mean of central ones with d₁ + 2j, j of Poisson's
 /// distribution with mean λ/2, to within 1e-10. Above λ = 1000 that of ((d₁ + λ)/d₁) F with (d₁ + λ)²/(d₁ + 2λ) and d₂ degrees of
 /// freedom, whose numerator has the same mean and variance [Patnaik 1949], to within 0.005.
-double noncentralFisherAbove(double f, double df1, double df2, double lambda);
+class NoncentralFisher {
+ public:
+  NoncentralFisher(double f, double df1, double df2);
+  double above(double lambda) const;
+
+ private:
+  double f_, df1_, df2_, y_ = 0, central_ = 0, more_ = 0;  // I_x(d₂/2, d₁/2), and what j = 1 adds
+};
 
 /// P(Z ≤ z) of the normal distribution with mean 0 and standard deviation 1, to within 1e-15.
 double normalBelow(double z);

@@ -91,12 +91,13 @@ double epsilonOf(std::span<const double> deviations, std::size_t groups, double 
 
 /// The noncentrality with which F is above `f` in this share of studies; 0 if it is so more often without any.
 double noncentralityOf(double share, double f, double df1, double df2) {
+  const NoncentralFisher fisher(f, df1, df2);
   double low = 0, high = 1;
-  if (noncentralFisherAbove(f, df1, df2, 0) >= share) return 0;
-  while (noncentralFisherAbove(f, df1, df2, high) < share) low = high, high *= 2;
+  if (fisher.above(0) >= share) return 0;
+  while (fisher.above(high) < share) low = high, high *= 2;
   for (int turn = 0; turn < 40; ++turn) {
     const double middle = 0.5 * (low + high);
-    (noncentralFisherAbove(f, df1, df2, middle) < share ? low : high) = middle;
+    (fisher.above(middle) < share ? low : high) = middle;
   }
   return high;
 }

@@ -60,15 +60,15 @@ TEST_CASE(
       const double y2 = f / (1 + f), y4 = f / (2 + f),
                    mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
       INFO("λ " << lambda << ", F " << f);
-      CHECK(noncentralFisherAbove(f, 2, 2, lambda) == Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
-      CHECK(noncentralFisherAbove(f, 2, 4, lambda) ==
+      CHECK(NoncentralFisher(f, 2, 2).above(lambda) == Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
+      CHECK(NoncentralFisher(f, 2, 4).above(lambda) ==
             Approx(1 - y4 * std::exp(-mu * (1 - y4)) * (1 + (1 - y4) * (1 + mu * y4))).margin(1e-10));
-      CHECK(noncentralFisherAbove(f, 3, 7, 0) == Approx(fisherAbove(f, 3, 7)).epsilon(1e-12));
+      CHECK(NoncentralFisher(f, 3, 7).above(0) == Approx(fisherAbove(f, 3, 7)).epsilon(1e-12));
     }
   for (const double df2 : {2., 9., 40.})
     for (const double f : {300., 1000., 3000.})
-      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) < 0.005);
-  CHECK(noncentralFisherAbove(0, 1, 5, 3) == 1);
+      CHECK(std::abs(NoncentralFisher(f, 1, df2).above(1000) - NoncentralFisher(f, 1, df2).above(1000.1)) < 0.005);
+  CHECK(NoncentralFisher(0, 1, 5).above(3) == 1);
 }
 
 TEST_CASE("A quantile is where the distribution has that share") {
