@@ -13,6 +13,25 @@ namespace {
 /// daughters pressed together are off by 1e-5 radii with this limit and by 5e-3 without.
 constexpr double gripShare = 0.1;
 
+/// The points that lists are built from: where the rows stand.
+void takePoints(Contacts& c, const Bodies& bodies, int threads) {
+  if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) {
+    c.list.reference = bodies.position;
+    return;
+  }
+  parallelFor(bodies.blockCount(), threads, [&](int block) {
+    const BlockPlace& place = bodies.blocks[block];
+    for (int line = place.firstLine; line < place.firstLine + bodies.verticesPerLane(block); ++line)
+      for (int lane = 0; lane < place.liveLanes; ++lane) {
+        const SnapshotRow row = readRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
+        const std::size_t at = std::size_t(line) * vertexStride + lane;
+        c.list.reference[at] = row.x;
+        c.list.reference[at + blockLanes] = row.y;
+        c.list.reference[at + 2 * blockLanes] = row.z;
+      }
+  });
+}
+
 }  // namespace
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search, Precision precision,
@@ -97,29 +116,6 @@ void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int
   c.farthest[index] = change.farthest;
   countChange(c, change, index);
 }
-
-namespace {
-
-/// The points that lists are built from: where the rows stand.
-void takePoints(Contacts& c, const Bodies& bodies, int threads) {
-  if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) {
-    c.list.reference = bodies.position;
-    return;
-  }
-  parallelFor(bodies.blockCount(), threads, [&](int block) {
-    const BlockPlace& place = bodies.blocks[block];
-    for (int line = place.firstLine; line < place.firstLine + bodies.verticesPerLane(block); ++line)
-      for (int lane = 0; lane < place.liveLanes; ++lane) {
-        const SnapshotRow row = readRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
-        const std::size_t at = std::size_t(line) * vertexStride + lane;
-        c.list.reference[at] = row.x;
-        c.list.reference[at + blockLanes] = row.y;
-        c.list.reference[at + 2 * blockLanes] = row.z;
-      }
-  });
-}
-
-}  // namespace
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   const double limit = 0.25 * c.list.skin * c.list.skin;

@@ -29,22 +29,6 @@ std::int64_t mostNumbers(const NeighbourList& list) {
   return static_cast<std::int64_t>(std::clamp(list.mostBytes / list.bytesPerNeighbour, 0.0, 1e15));
 }
 
-}  // namespace
-
-NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
-  NeighbourList list;
-  list.kernels = &searchKernels(isa);
-  switch (search) {
-    case ContactSearch::grid: list.search = AnySearch{GridSearch{}}; break;
-    case ContactSearch::aabbTree: list.search = AnySearch{TreeSearch{}}; break;
-    case ContactSearch::spatialHash: list.search = AnySearch{SpatialHash{}}; break;
-    case ContactSearch::bruteForce: list.search = AnySearch{BruteForce{}}; break;
-  }
-  return list;
-}
-
-namespace {
-
 /// Fills all blocks' lists. Each of the threads may use its share of what is left.
 template <class Search>
 void searchBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
@@ -84,6 +68,18 @@ void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& li
 }
 
 }  // namespace
+
+NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
+  NeighbourList list;
+  list.kernels = &searchKernels(isa);
+  switch (search) {
+    case ContactSearch::grid: list.search = AnySearch{GridSearch{}}; break;
+    case ContactSearch::aabbTree: list.search = AnySearch{TreeSearch{}}; break;
+    case ContactSearch::spatialHash: list.search = AnySearch{SpatialHash{}}; break;
+    case ContactSearch::bruteForce: list.search = AnySearch{BruteForce{}}; break;
+  }
+  return list;
+}
 
 void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads) {
   const int blocks = bodies.blockCount();

@@ -99,7 +99,6 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
   bind();
   std::vector<GLenum> targets;
   for (const Texture* colour : colours) {
-    if (!colour) break;
     targets.push_back(GLenum(GL_COLOR_ATTACHMENT0 + targets.size()));
     glFramebufferTexture2D(GL_FRAMEBUFFER, targets.back(), GL_TEXTURE_2D, colour->id(), 0);
   }

@@ -5,28 +5,6 @@
 namespace morula {
 using namespace shader;
 
-namespace {
-
-// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at an edge.
-// llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence the number of them.
-const char* const outlines = R"(
-uniform usampler2D owners;
-uniform int outlineReach;  // in samples
-const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
-float outlineShade(ivec2 at, uint own, bool wanted) {
-  float edges = 0.0;
-  int turns = wanted && own != 0u && own != lineOwner ? 4 : 0;
-  for (int i = 0; i < turns; ++i) {
-    ivec2 there = clamp(at + outlineReach * around[i], ivec2(0), size - 1);
-    uint other = texelFetch(owners, there, 0).r;
-    if (other != own && other != lineOwner) edges = 1.0;
-  }
-  return 1.0 - 0.72 * edges;
-}
-)";
-
-}  // namespace
-
 std::string screenVertexShader() {
   return std::string(version) + R"(
 void main() {  // one triangle that covers the picture
@@ -96,8 +74,10 @@ void main() {
 }
 
 std::string resolveShader(int samples) {
-  return std::string(version) + "const int samples = " + std::to_string(samples) + ";\n" + common + outlines + R"(
+  return std::string(version) + "const int samples = " + std::to_string(samples) + ";\n" + common + R"(
 uniform sampler2D lights, heights, veils;
+uniform usampler2D owners;
+uniform int outlineReach;     // in samples
 uniform usampler2D visibles;  // [occlusionShader]
 uniform ivec2 last;           // pixel
 uniform int veiled, shelled;
@@ -126,6 +106,20 @@ bool plain(ivec2 corner, uint own) {
   ivec2 low = max(corner - outlineReach, ivec2(0)), high = min(corner + samples - 1 + outlineReach, size - 1);
   return texelFetch(owners, low, 0).r == own && texelFetch(owners, high, 0).r == own &&
          texelFetch(owners, ivec2(low.x, high.y), 0).r == own && texelFetch(owners, ivec2(high.x, low.y), 0).r == own;
+}
+
+// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at an edge.
+// llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence the number of them.
+const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+float outlineShade(ivec2 at, uint own, bool wanted) {
+  float edges = 0.0;
+  int turns = wanted && own != 0u && own != lineOwner ? 4 : 0;
+  for (int i = 0; i < turns; ++i) {
+    ivec2 there = clamp(at + outlineReach * around[i], ivec2(0), size - 1);
+    uint other = texelFetch(owners, there, 0).r;
+    if (other != own && other != lineOwner) edges = 1.0;
+  }
+  return 1.0 - 0.72 * edges;
 }
 
 // A thin glass shell: nearly nothing where one looks straight through it, more towards its rim. Once per pixel; its
