@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "physics/stages.h"
 
 namespace morula {
 namespace {
@@ -43,8 +44,12 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   c.kernels = &contactKernels(isa, precision);
   const bool rubs = parameters.friction > 0, sticks = parameters.adhesion.has_value();
   if (sticks) c.list.bytesPerNeighbour += sizeof(double);
+  const auto take = !kindOf(model).hasMesh                 ? &ContactKernels::takeSphereSnapshot
+                    : parameters.law == ContactLaw::thesis ? &ContactKernels::takeSnapshot
+                                                           : &ContactKernels::takeSurface;
+  for (int cells = 1; cells <= blockLanes; ++cells)
+    c.takeSnapshot[cells - 1] = contactKernels(narrowestIsa(cells, isa, precision), precision).*take;
   if (!kindOf(model).hasMesh) {
-    c.takeSnapshot = c.kernels->takeSphereSnapshot;
     if (sticks) c.list.reach = sphereAdhesionReach;
     c.addForces = sticks && rubs ? c.kernels->addStickySphereForcesWithFriction
                   : sticks       ? c.kernels->addStickySphereForces
@@ -53,7 +58,6 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
     return c;
   }
   if (parameters.law == ContactLaw::pair && !sticks) c.list.bytesPerNeighbour += sizeof(VertexNumber);
-  c.takeSnapshot = parameters.law == ContactLaw::thesis ? c.kernels->takeSnapshot : c.kernels->takeSurface;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
                 : sticks                             ? c.kernels->addStickyPairForces
@@ -110,7 +114,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = bodies.blocks[index].firstLine;
-  const SnapshotChange change = c.takeSnapshot(
+  const SnapshotChange change = c.takeSnapshot[block.liveLanes - 1](
       bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
   c.farthest[index] = change.farthest;

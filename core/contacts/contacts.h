@@ -1,6 +1,7 @@
 #pragma once
 // Contact of cells: which vertices may touch (neighbour_list.h), what a vertex's neighbours read of it
 // (snapshot.h), and the forces (the laws' kernels).
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -20,10 +21,10 @@ struct Contacts {
   // Constant
   ContactParameters parameters;
   const ContactKernels* kernels = nullptr;
-  ContactKernels::TakeSnapshot takeSnapshot = nullptr;  // of the scene's cell model
-  ContactKernels::AddForces addForces = nullptr;        // of the scene's cell model and law
-  double lightestVertex = 0;                            // [mass] now, where there is friction
-  double skinShare = 0;                                 // [SearchSettings]
+  std::array<ContactKernels::TakeSnapshot, blockLanes> takeSnapshot{};  // [living cells of a block − 1]
+  ContactKernels::AddForces addForces = nullptr;                        // of the scene's cell model and law
+  double lightestVertex = 0;                                            // [mass] now, where there is friction
+  double skinShare = 0;                                                 // [SearchSettings]
 
   // State between rebuilds; nothing of it is part of the result
   AlignedVector<double> radius;                // [slot] influence radius [length]

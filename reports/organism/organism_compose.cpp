@@ -41,9 +41,8 @@ Image readBack(int width, int height, bool transparent) {
 }  // namespace
 
 Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
-  const int samples = frame.samples;
   const Program& program =
-      programs_->resolve.try_emplace(samples, screenVertexShader(), resolveShader(samples)).first->second;
+      programs_->resolve.try_emplace(frame.samples, screenVertexShader(), resolveShader(frame.samples)).first->second;
   frame.describe(program);
   setPaper(program);
   if (frame.picture.transparent) program.set("paperLight", 0, 0, 0);

@@ -76,10 +76,9 @@ void main() {
 std::string resolveShader(int samples) {
   return std::string(version) + "const int samples = " + std::to_string(samples) + ";\n" + common + R"(
 uniform sampler2D lights, heights, veils;
-uniform usampler2D owners;
-uniform int outlineReach;     // in samples
-uniform usampler2D visibles;  // [occlusionShader]
-uniform ivec2 last;           // pixel
+uniform usampler2D owners, visibles;  // of samples; of pixels (occlusionShader)
+uniform int outlineReach;             // in samples
+uniform ivec2 last;                   // pixel
 uniform int veiled, shelled;
 uniform int groundless;  // what nothing is drawn on is transparent; light is then that of what is drawn alone
 uniform vec3 paperLight;
