@@ -57,15 +57,14 @@ inline Arrangement arrangementOf(const World& world) {
 
 /// One run for each seed from 1 on, with these values changed.
 inline std::vector<Arrangement> runSeeds(const std::string& file, int seeds, const std::vector<std::string>& changes) {
-  std::vector<Scene> scenes;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    std::vector<Override> overrides{parseOverride("seed=" + std::to_string(seed))};
-    for (const std::string& change : changes) overrides.push_back(parseOverride(change));
-    scenes.push_back(loadScenario(std::string(MORULA_SOURCE_DIR "/scenarios/") + file, overrides).scene);
-  }
-  std::vector<Arrangement> all(scenes.size());
+  std::vector<Override> overrides;
+  for (const std::string& change : changes) overrides.push_back(parseOverride(change));
+  const Scene scene = loadScenario(std::string(MORULA_SOURCE_DIR "/scenarios/") + file, overrides).scene;
+  std::vector<Arrangement> all(seeds);
   parallelFor(seeds, 2, [&](int i) {
-    World world = makeWorld(scenes[i]);
+    Scene seeded = scene;
+    seeded.seed = i + 1;
+    World world = makeWorld(seeded);
     while (!finished(world)) step(world);
     all[i] = arrangementOf(world);
   });

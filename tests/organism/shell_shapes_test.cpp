@@ -1,6 +1,8 @@
 // The shape of the shell decides how the worm's four cells lie [Yamamoto & Kimura 2017].
 #include <cmath>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "catch.h"
 #include "organism/four_cells.h"
@@ -43,7 +45,20 @@ TEST_CASE(
   CHECK(between["linear"] < seeds);
   CHECK(longer["linear"] == seeds);
   CHECK(at(3)["linear"] == seeds);
+  auto sticky = at(2.25, "2"), stickyLonger = at(2.5, "2");
   CHECK(at(2.25, "1")["diamond"] > between["diamond"]);
-  CHECK(at(2.25, "2")["diamond"] >= seeds - 1);
-  CHECK(at(2.5, "2")["diamond"] > longer["diamond"]);
+  CHECK(sticky["diamond"] >= seeds - 1);
+  CHECK(stickyLonger["diamond"] > longer["diamond"]);
+  // The scenario's head tells these counts.
+  std::ifstream file(MORULA_SOURCE_DIR "/scenarios/worm/shell-shapes.yaml");
+  const std::string head{std::istreambuf_iterator<char>(file), {}};
+  const auto told = [&](const std::string& before, int count, const std::string& after) {
+    CHECK_THAT(head, ContainsSubstring(before + std::to_string(count) + after));
+  };
+  told("wide, ", round["tetrahedron"], " tetrahedra and " + std::to_string(round["diamond"]) + " diamonds;");
+  told("long, ", oval["tetrahedron"], " tetrahedra and " + std::to_string(oval["diamond"]) + " diamonds;");
+  told("at 2.25, ", between["diamond"], " diamond, " + std::to_string(between["T"]) + " T and ");
+  told(" T and ", between["linear"], " lines;");
+  told("adhesion of 2, ", sticky["diamond"], " diamonds at 2.25, and ");
+  told(" at 2.25, and ", stickyLonger["diamond"], " diamonds at 2.5.");
 }
