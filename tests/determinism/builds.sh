@@ -21,9 +21,7 @@ scene=$build/unique-four.scene
 "$write_scene" "$here/../../scenarios/thesis/unique-four.yaml" >"$scene"
 isas=$($emulator "$build/hash_program" --isas)
 different=0
-scalar=scalar
-if [ $emulator ]; then scalar=; fi # takes half a minute there; matrix.sh does it
-for isa in $scalar ${isas##*[[:space:]]}; do # one cell at a time, and the widest
+for isa in scalar ${isas##*[[:space:]]}; do # one cell at a time, and the widest
   "$here/compare.sh" "$name, $isa" $emulator "$build/hash_program" --isa "$isa" || different=1
 done
 # What is read from a file, and hashed on the way, is so in any instruction set.

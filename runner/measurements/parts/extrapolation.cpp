@@ -118,7 +118,7 @@ MemoryUse extrapolateMemory(const Life& life, const TrialRun& trial) {
   scale(std::ceil(cells / blockLanes) / b.blockCount(), {&m.bodies, &m.snapshots, &m.listRows});
   scale(cells / here, {&m.search});
   if (world.contacts && here < cells) {
-    const double perPair = world.contacts->list.bytesPerNeighbour - 5;  // that are needed only while lists are moved
+    const double perPair = world.contacts->list.bytesPerNeighbour - 5;  // only while lists are moved
     const double perVertex = measureContactTrend(life, trial).pairs * touchingShare(cells);
     m.listPairs = static_cast<std::size_t>(perPair * perVertex * cells * verticesPerCell(b));
   }

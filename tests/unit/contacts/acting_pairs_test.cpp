@@ -31,11 +31,11 @@ std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
   return chosen;
 }
 
-/// Chooses with about this margin, in smallest influence radii.
+/// Chooses with about this margin M, in smallest influence radii R: gaps that change by M²/(0.4 R) ask for it.
 void choose(Crowd& crowd, double share) {
   ActingPairs& acting = crowd.contacts.acting;
   acting.age = 1;
-  std::ranges::fill(acting.change, 2.5 * share * share * crowd.contacts.list.skin / 0.3);
+  std::ranges::fill(acting.change, share * share / 0.4 * crowd.contacts.list.skin / crowd.contacts.skinShare);
   choosePairs(crowd.contacts, crowd.lab.bodies, 1);
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("Where little moves the choice is narrow and lasts") {
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
   const ActingPairs& acting = crowd.contacts.acting;
   Bodies& b = crowd.lab.bodies;
-  const double radius = crowd.contacts.list.skin / 0.3;
+  const double radius = crowd.contacts.list.skin / crowd.contacts.skinShare;
   std::vector<double> shares;
   for (double way : {1e-4, 1e-3}) {
     std::int64_t oldest = 0;

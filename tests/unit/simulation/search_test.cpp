@@ -49,7 +49,7 @@ TEST_CASE("Any skin leads to the same state: only the number of searches differs
     CAPTURE(skinShare);
     CHECK(end.hash == usual.hash);
     if (skinShare == 0) CHECK(end.rebuilds >= end.steps);
-    else CHECK((end.rebuilds > usual.rebuilds) == (skinShare < 0.3));
+    else CHECK((end.rebuilds > usual.rebuilds) == (skinShare < SearchSettings{}.skinShare));
   }
 }
 
