@@ -136,7 +136,8 @@ class Place:
         os.mkdir(self.home)
         self.environment = {"PATH": os.environ["PATH"], "HOME": self.home, "LANG": "C.UTF-8", "USER": "one",
                             "TMPDIR": self.work, "FAULT_FOLDER": self.work, "FAULT_COUNT": self.count,
-                            "MESA_SHADER_CACHE_DISABLE": "true", "GIT_CEILING_DIRECTORIES": folder}
+                            "MESA_SHADER_CACHE_DISABLE": "false", "MESA_SHADER_CACHE_DIR": os.path.join(folder, "shaders"),
+                            "GIT_CEILING_DIRECTORIES": folder}
 
     def run(self, words, fault=None, before=None, fast=0):
         """How it ended, and how often an operation of the fault's kind came, or of each kind (KINDS). 124: it did not end.
