@@ -5,19 +5,21 @@
 //   |a| < R_ij  and  min(g, g + τ ġ) < 0      with the gap g = a·h, ġ = u·h, u = v_i − v_j and the delay τ = C/K
 //
 // and two in three do not: they lie beside or behind each other, or are too far apart. Let a₀, h₀, u₀, g₀ and ġ₀ be those
-// of a moment. While no y has moved farther than δ since then, no n has turned by more than η, and no v has changed by
-// more than w, all as lengths of vectors, and since no n, and so no h, is longer than ν,
+// of a moment, and b = a₀ + t u₀ what a is a time t later if no v changes. While no y is farther than δ from where its v of
+// then would have brought it, no n has turned by more than η, and no v has changed by more than w, all as lengths of
+// vectors, and since no n, and so no h, is longer than ν,
 //
-//   |a| ≥ |a₀| − 2δ
-//   g = g₀ + (a − a₀)·h₀ + a·(h − h₀)                ≥ g₀ − 2νδ − R_ij η                              where |a| < R_ij
-//   g + τ ġ = g + τ ġ₀ + τ (u − u₀)·h + τ u₀·(h − h₀)  ≥ g₀ + τ ġ₀ − 2ν (δ + τ w) − (R_ij + τ |u₀|) η
+//   |a| ≥ |b| − 2δ
+//   g = b·h₀ + (a − b)·h₀ + a·(h − h₀)                   ≥ g₀ + t ġ₀ − 2νδ − R_ij η                     where |a| < R_ij
+//   g + τ ġ = g + τ ġ₀ + τ (u − u₀)·h + τ u₀·(h − h₀)    ≥ g₀ + (t + τ) ġ₀ − 2ν (δ + τ w) − (R_ij + τ |u₀|) η
 //
-// So until 2ν (δ + τ w) + R η reaches a margin M, for the largest R of all cells, no pair acts with
+// So until 2ν (δ + τ w) + R η reaches a margin M, for the largest R of all cells, or t a horizon T, no pair acts with
 //
-//   |a₀| > R_ij + M   or   min(g₀, g₀ + τ ġ₀) > M + τ |u₀| M/R
+//   |b| > R_ij + M for all t ≤ T   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
 //
-// In single precision roundings of all this, here and in the law, are some 1e-6 of R + τ |u₀|, and of |a₀|: 1e-5 of them
-// are added. δ, η and w are sums over snapshots of the largest changes from one to the next.
+// What moves together stays apart, however fast. In single precision roundings of all this, here and in the law, are some
+// 1e-6 of R + (T + τ) |u₀|, and of |b|: 1e-5 of them are added. η and w are sums over snapshots of the largest changes from
+// one to the next, and δ of how far y is from where the last v would have brought it, and of w over time.
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -25,7 +27,8 @@ namespace morula::MORULA_ISA {
 /// [ContactKernels::findActing]
 inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
                        VertexNumber* acting) {
-  const Lanes margin = lists.margin, perSpeed = lists.perSpeed, delay = lists.delay, reachSquared = lists.reachSquared;
+  const Lanes margin = lists.margin, perSpeed = lists.perSpeed, ahead = lists.ahead, reachSquared = lists.reachSquared,
+              horizon = lists.horizon;
   std::int32_t found = 0;
   for (int lane = 0; lane < lists.liveLanes; ++lane)
     for (int v = 0; v < lists.vertices; ++v) {
@@ -43,10 +46,12 @@ inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int
         const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
         const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
         const Lanes gap = 0.5 * dot(a, apartNormals), opening = 0.5 * dot(relative, apartNormals);
-        const Lanes most = margin + perSpeed * sqrt(dot(relative, relative));
+        const Lanes speedSquare = dot(relative, relative), most = margin + perSpeed * sqrt(speedSquare);
+        const Lanes nearestAt = min(max(-dot(a, relative) / (speedSquare + tiny), Lanes(0.0)), horizon);
+        const Vec nearest = a + nearestAt * relative;
         // What does not compare may act.
-        const unsigned idle =
-            bits(curvature * dot(a, a) > reachSquared) | bits((gap > most) & (gap + delay * opening > most));
+        const unsigned idle = bits(curvature * dot(nearest, nearest) > reachSquared) |
+                              bits((gap > most) & (gap + ahead * opening > most));
         const std::int32_t left = count - k;
         unsigned acts = ~idle & ((1u << (left < width ? left : width)) - 1);
         for (; acts; acts &= acts - 1) acting[found++] = list[k + __builtin_ctz(acts)];

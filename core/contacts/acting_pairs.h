@@ -1,10 +1,10 @@
 #pragma once
-// The pairs of the neighbour list that may act before surfaces have moved and turned by a margin (acting_kernel.h). For
-// the pair law without adhesion slices are cut of these alone: in a packed scene two pairs in five, and a step takes two
-// thirds of its time. With adhesion all pairs within reach act.
+// The pairs of the neighbour list that may act for a while: as long as surfaces turn, and stray from where their velocities
+// bring them, by no more than a margin (acting_kernel.h). For the pair law without adhesion slices are cut of these alone:
+// in a packed scene two pairs in five, and a step takes two thirds of its time. With adhesion all pairs within reach act.
 #include <cstdint>
+#include <vector>
 
-#include "base/aligned.h"
 #include "contacts/contacts_kernels.h"
 #include "physics/bodies.h"
 
@@ -14,17 +14,25 @@ struct Contacts;
 
 /// Which pairs were chosen, and since when; no bit of the result depends on it.
 struct ActingPairs {
-  AlignedVector<double> change;  // [block] by how much gaps may have changed since then [length]
-  double margin = 0;             // [length] by how much they may; infinite if all pairs were
-  double largestRadius = 0;      // [length] influence radius
-  std::int64_t age = 0;          // in evaluations
+  /// Since then, at most, of one block.
+  struct Change {
+    double gaps = 0;    // [length] but for what velocities change
+    double speeds = 0;  // [length/time] of velocities
+    double drift = 0;   // [length] of gaps, by velocities that have changed
+    double time = 0;    // [time]
+  };
+  std::vector<Change> change;  // [block]
+  double margin = 0;           // [length] by how much gaps may change; infinite if all pairs were chosen
+  double horizon = 0;          // [time] for which velocities of then were looked ahead
+  double largestRadius = 0;    // [length] influence radius
+  std::int64_t age = 0;        // in evaluations
 };
 
 /// Whether slices are cut of chosen pairs only.
 bool choosesPairs(const Contacts& contacts);
 
-/// Adds what a snapshot has changed in its block.
-void countChange(Contacts& contacts, const SnapshotChange& change, int block);
+/// Adds what a snapshot has changed in its block. `sinceLast` [time]: ContactKernels::takeSnapshot.
+void countChange(Contacts& contacts, const SnapshotChange& change, int block, double sinceLast);
 
 /// Whether no other pairs than those chosen can act.
 bool choiceHolds(const ActingPairs& acting);

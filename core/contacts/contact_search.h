@@ -1,8 +1,6 @@
 #pragma once
 // How pairs of vertices within reach are found. All ways find the same pairs, so none changes a bit of the
 // result; they are here to be compared (tests/bench/search_bench.cpp prints what each costs).
-#include <string_view>
-
 #include "base/choice.h"
 
 namespace morula {
@@ -25,8 +23,5 @@ struct SearchSettings {
   /// search at every step, for measurements.
   double skinShare = 0.3;
 };
-
-/// Of a name on the command line. Throws InputError for another word.
-ContactSearch parseContactSearch(std::string_view word);
 
 }  // namespace morula

@@ -101,7 +101,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);
-  c.acting = {.change = AlignedVector<double>(bodies.blockCount(), 0)};
+  c.acting = {.change = std::vector<ActingPairs::Change>(bodies.blockCount())};
   c.list.reference = bodies.position;
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
   int mostVertices = 0;
@@ -112,13 +112,13 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
     for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
 }
 
-void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
+void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index, double sinceLast) {
   const std::size_t lines = bodies.blocks[index].firstLine;
   const SnapshotChange change = c.takeSnapshot[block.liveLanes - 1](
       bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
-      c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
+      c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes], sinceLast);
   c.farthest[index] = change.farthest;
-  countChange(c, change, index);
+  countChange(c, change, index, sinceLast);
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {

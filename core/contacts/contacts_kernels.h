@@ -46,8 +46,9 @@ struct ContactConstants {
 
 /// Squares of the largest changes of a block's vertices.
 struct SnapshotChange {
-  double farthest = 0;                       // from the place in `reference` [length²]
-  double moved = 0, turned = 0, spedUp = 0;  // of y, n and v since the snapshot before; for the pair law
+  double farthest = 0;  // from the place in `reference` [length²]
+  // For the pair law, since the snapshot before: how far y is from where v would have brought it; of n; of v.
+  double strayed = 0, turned = 0, spedUp = 0;
 };
 
 /// One block's neighbour lists, and which pairs to leave out (acting_kernel.h).
@@ -58,15 +59,16 @@ struct ListsToThin {
   int vertices, liveLanes;
   VertexNumber firstVertex;
   double reachSquared;      // [1] beyond which κ a² is too far
-  double margin, perSpeed;  // [length], [time]: beyond margin + perSpeed |u| gaps are too wide,
-  double delay;             // [time] now and after this
+  double horizon;           // [time] until then a moves on by u,
+  double margin, perSpeed;  // [length], [time]: and beyond margin + perSpeed |u| gaps are too wide,
+  double ahead;             // [time] now and after this
 };
 
 struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. `reference`:
-  /// [vertexCount][3][blockLanes].
+  /// [vertexCount][3][blockLanes]; `sinceLast`: how long y have moved by v since the snapshot before [time].
   using TakeSnapshot = SnapshotChange (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
-                                          RealPointer reference, RowMemory* rows);
+                                          RealPointer reference, RowMemory* rows, double sinceLast);
   TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface;
   /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,

@@ -79,7 +79,7 @@ MORULA_INLINE double largestOf(Lanes a) {
 
 /// [ContactKernels::takeSnapshot]
 inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                                   RealPointer reference, RowMemory* rows) {
+                                   RealPointer reference, RowMemory* rows, double /*sinceLast*/) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {

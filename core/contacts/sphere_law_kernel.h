@@ -31,7 +31,7 @@ struct SphereLaw {
 
 /// [ContactKernels::takeSnapshot]
 inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
-                                         RealPointer reference, RowMemory* rows) {
+                                         RealPointer reference, RowMemory* rows, double /*sinceLast*/) {
   Lanes farthest = 0.0;
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);

@@ -28,8 +28,8 @@ struct SurfaceForce {
 
 /// [ContactKernels::takeSnapshot] of the surface.
 inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                                  RealPointer reference, RowMemory* rows) {
-  Lanes farthest = 0.0, moved = 0.0, turned = 0.0, spedUp = 0.0;
+                                  RealPointer reference, RowMemory* rows, double sinceLast) {
+  Lanes farthest = 0.0, strayed = 0.0, turned = 0.0, spedUp = 0.0;
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
@@ -52,12 +52,12 @@ inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, 
         largest = max(select(cell, dot(change, change), 0.0), largest);
       };
       see(y - loadVec(reference, v, lane), farthest);
-      see(y - before.x, moved);
+      see(y - (before.x + Lanes(sinceLast) * before.v), strayed);
       see(n - before.n, turned);
       see(asStored(w) - before.v, spedUp);
     }
   }
-  return {largestOf(farthest), largestOf(moved), largestOf(turned), largestOf(spedUp)};
+  return {largestOf(farthest), largestOf(strayed), largestOf(turned), largestOf(spedUp)};
 }
 
 /// Zeros in the scratch of a block's surface.

@@ -64,7 +64,7 @@ struct DivisionParameters {
 enum class Takes { nothing, axis, substance, polarity };
 
 /// A way to choose where cells divide. To add one: its value above, a file in planes/ with its class and this row,
-/// a line in policy.cpp.
+/// its name below and in policy.cpp.
 struct DivisionPlaneKind {
   DivisionPlane plane;
   const char* name;              // as scenarios spell it; {name: [x, y, z]} or {name: a0} if it takes something
@@ -80,6 +80,9 @@ struct DivisionPlaneKind {
   std::unique_ptr<DivisionPolicy> (*make)(const PlaneChoice&, std::uint64_t seed);
 };
 
+/// Each in a file of planes/.
+extern const DivisionPlaneKind longestPlane, randomPlane, axisPlane, alternatingPlane, smallestAreaPlane, towardsPlane,
+    awayFromPlane, acrossPlane, polarityPlane, shellAxisPlane, perpendicularPlane, parallelPlane, tensionPlane;
 /// All of them, in the order in which people should meet them.
 std::span<const DivisionPlaneKind> divisionPlanes();
 const DivisionPlaneKind& kindOf(DivisionPlane plane);

@@ -8,9 +8,6 @@
 
 namespace morula {
 
-extern const DivisionPlaneKind longestPlane, randomPlane, axisPlane, alternatingPlane, smallestAreaPlane, towardsPlane,
-    awayFromPlane, acrossPlane, polarityPlane, shellAxisPlane, perpendicularPlane, parallelPlane, tensionPlane;
-
 std::span<const DivisionPlaneKind> divisionPlanes() {
   static const DivisionPlaneKind kinds[] = {
       longestPlane, randomPlane,   axisPlane,      alternatingPlane,   smallestAreaPlane, towardsPlane, awayFromPlane,

@@ -2,8 +2,6 @@
 
 namespace morula {
 
-extern const CellModelKind shellCells, shapeMatchingCells, sphereCells;
-
 const CellModelKind& kindOf(CellModel model) {
   switch (model) {
     case CellModel::shell: return shellCells;

@@ -24,6 +24,7 @@ struct CellModelKind {
   StabilityLimits (*limits)(const Bodies&, int slot);
 };
 
+extern const CellModelKind shellCells, shapeMatchingCells, sphereCells;
 const CellModelKind& kindOf(CellModel model);
 
 }  // namespace morula

@@ -27,7 +27,6 @@ StabilityLimits shapeLimits(const Bodies& b, int) {
 
 }  // namespace
 
-extern const CellModelKind shapeMatchingCells;
 const CellModelKind shapeMatchingCells{
     .hasRestShape = true, .limitedBy = "shape-matching", .chooseForces = chooseShapeForces, .limits = shapeLimits};
 

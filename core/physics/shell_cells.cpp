@@ -59,7 +59,6 @@ StabilityLimits shellLimits(const Bodies& b, int slot) {
 
 }  // namespace
 
-extern const CellModelKind shellCells;
 const CellModelKind shellCells{
     .hasMembrane = true, .limitedBy = "springs", .chooseForces = chooseShellForces, .limits = shellLimits};
 

@@ -16,7 +16,6 @@ StabilityLimits sphereLimits(const Bodies&, int) { return {INFINITY, INFINITY}; 
 
 }  // namespace
 
-extern const CellModelKind sphereCells;
 const CellModelKind sphereCells{
     .hasMesh = false, .limitedBy = "", .chooseForces = chooseSphereForces, .limits = sphereLimits};
 

@@ -131,11 +131,12 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
     return evaluation == 0 ? stages : furtherStages(stages, evaluation - 1);
   };
 
+  const double sinceLast = timeStep / static_cast<double>(world.stages.furtherDrifts.size() + 1);
   parallelFor(blocks, threads, [&](int i) {
     const BlockView block = bodies.block(i, threadNumber());
     const PhysicsStages stages = stagesOf(block);
     advance(stages, bodies, block, timeStep);
-    if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i);
+    if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i, sinceLast);
     if (isolated) kick(stages, bodies, block, timeStep);
   });
   if (isolated) return;

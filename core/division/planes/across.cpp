@@ -18,7 +18,6 @@ struct AcrossContact final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind acrossPlane;
 const DivisionPlaneKind acrossPlane{
     .plane = DivisionPlane::across,
     .name = "across",

@@ -19,7 +19,6 @@ struct AlternatingPlane final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind alternatingPlane;
 const DivisionPlaneKind alternatingPlane{
     .plane = DivisionPlane::alternating,
     .name = "alternating",

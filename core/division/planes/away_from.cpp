@@ -16,7 +16,6 @@ struct AwayFromContact final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind awayFromPlane;
 const DivisionPlaneKind awayFromPlane{
     .plane = DivisionPlane::awayFrom,
     .name = "away-from",

@@ -13,7 +13,6 @@ struct FixedAxis final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind axisPlane;
 const DivisionPlaneKind axisPlane{
     .plane = DivisionPlane::axis,
     .name = "axis",

@@ -11,7 +11,6 @@ struct LongestExtent final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind longestPlane;
 const DivisionPlaneKind longestPlane{
     .plane = DivisionPlane::longest,
     .name = "longest",

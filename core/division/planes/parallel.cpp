@@ -16,7 +16,6 @@ struct ParallelToSurface final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind parallelPlane;
 const DivisionPlaneKind parallelPlane{
     .plane = DivisionPlane::parallel,
     .name = "parallel",

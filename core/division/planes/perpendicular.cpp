@@ -14,7 +14,6 @@ struct PerpendicularToSurface final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind perpendicularPlane;
 const DivisionPlaneKind perpendicularPlane{
     .plane = DivisionPlane::perpendicular,
     .name = "perpendicular",

@@ -28,7 +28,6 @@ struct Polarity final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind polarityPlane;
 const DivisionPlaneKind polarityPlane{
     .plane = DivisionPlane::polarity,
     .name = "polarity",

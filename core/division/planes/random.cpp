@@ -18,7 +18,6 @@ struct RandomDirection final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind randomPlane;
 const DivisionPlaneKind randomPlane{
     .plane = DivisionPlane::random,
     .name = "random",

@@ -17,7 +17,6 @@ struct ShellAxis final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind shellAxisPlane;
 const DivisionPlaneKind shellAxisPlane{
     .plane = DivisionPlane::shellAxis,
     .name = "shell-axis",

@@ -15,7 +15,6 @@ struct SmallestArea final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind smallestAreaPlane;
 const DivisionPlaneKind smallestAreaPlane{
     .plane = DivisionPlane::smallestArea,
     .name = "smallest-area",

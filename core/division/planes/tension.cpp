@@ -24,7 +24,6 @@ struct AlongTension final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind tensionPlane;
 const DivisionPlaneKind tensionPlane{
     .plane = DivisionPlane::tension,
     .name = "tension",

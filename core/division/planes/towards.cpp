@@ -16,7 +16,6 @@ struct TowardsContact final : DivisionPolicy {
 
 }  // namespace
 
-extern const DivisionPlaneKind towardsPlane;
 const DivisionPlaneKind towardsPlane{
     .plane = DivisionPlane::towards,
     .name = "towards",

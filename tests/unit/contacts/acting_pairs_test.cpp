@@ -31,18 +31,20 @@ std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
   return chosen;
 }
 
-/// Chooses with about this margin M, in smallest influence radii R: gaps that change by M²/(0.4 R) ask for it.
-void choose(Crowd& crowd, double share) {
+/// Chooses with about this margin M, in smallest influence radii R, and so far ahead: gaps that change by M²/(0.8 R) in such
+/// a time ask for it.
+void choose(Crowd& crowd, double share, double horizon) {
   ActingPairs& acting = crowd.contacts.acting;
   acting.age = 1;
-  std::ranges::fill(acting.change, share * share / 0.4 * crowd.contacts.list.skin / crowd.contacts.skinShare);
+  const double gaps = share * share / 0.8 * crowd.contacts.list.skin / crowd.contacts.skinShare;
+  std::ranges::fill(acting.change, ActingPairs::Change{.gaps = gaps, .time = share / 0.8 * horizon});
   choosePairs(crowd.contacts, crowd.lab.bodies, 1);
 }
 
 /// The worst that motion within a margin may do to a pair: how far its gap is from acting then, in the margin.
 struct WorstMotion {
   const Contacts& c;
-  double moved, turned, spedUp;  // δ, η, w
+  double strayed, turned, spedUp;  // δ, η, w
 
   double operator()(const SnapshotRow& i, const SnapshotRow& j) const {
     const double delay = c.parameters.damping / c.parameters.stiffness;
@@ -50,18 +52,22 @@ struct WorstMotion {
     const Vector h = 0.5 * Vector{j.nx - i.nx, j.ny - i.ny, j.nz - i.nz};
     const Vector u = Vector{i.vx, i.vy, i.vz} - Vector{j.vx, j.vy, j.vz};
     const double curvature = 0.5 * (double(i.inverseRadiusSquared) + double(j.inverseRadiusSquared));
+    const double horizon = c.acting.horizon, nearest = std::clamp(-dot(a, u) / (dot(u, u) + 1e-300), 0.0, horizon);
     double worst = INFINITY;
-    // Nearer, against the normals, or across; turned against the distance or against the speed.
-    for (const Vector& way : {a, h, cross(cross(a, h), a)})
-      for (const Vector& b : {a, u, a + delay * u}) {
-        const Vector nearer = a - 2 * moved / (norm(way) + 1e-300) * way;
-        if (!(curvature * dot(nearer, nearer) < 1)) continue;
-        const Vector turnedBy = h - turned / (norm(b) + 1e-300) * b;
-        if (norm(turnedBy) > longest) continue;
-        const Vector faster = u - 2 * spedUp / (norm(turnedBy) + 1e-300) * turnedBy;
-        const double gap = dot(nearer, turnedBy);
-        worst = std::min({worst, gap, gap + delay * dot(faster, turnedBy)});
-      }
+    // At any time, nearer, against the normals, or across; turned against the distance or against the speed.
+    for (double time : {0.0, nearest, 0.5 * horizon, horizon}) {
+      const Vector then = a + time * u;
+      for (const Vector& way : {then, h, cross(cross(then, h), then)})
+        for (const Vector& b : {then, u, then + delay * u}) {
+          const Vector nearer = then - 2 * strayed / (norm(way) + 1e-300) * way;
+          if (!(curvature * dot(nearer, nearer) < 1)) continue;
+          const Vector turnedBy = h - turned / (norm(b) + 1e-300) * b;
+          if (norm(turnedBy) > longest) continue;
+          const Vector faster = u - 2 * spedUp / (norm(turnedBy) + 1e-300) * turnedBy;
+          const double gap = dot(nearer, turnedBy);
+          worst = std::min({worst, gap, gap + delay * dot(faster, turnedBy)});
+        }
+    }
     return worst / c.acting.margin;
   }
 };
@@ -73,7 +79,7 @@ struct Motion {
 
 }  // namespace
 
-TEST_CASE("No pair that is left out can act, whatever moves, turns and speeds up within the margin") {
+TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns and speeds up within the margin") {
   const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas())
     for (Precision precision : {Precision::binary64, Precision::binary32})
@@ -98,8 +104,10 @@ TEST_CASE("No pair that is left out can act, whatever moves, turns and speeds up
             c.rows[g] = asMemory(row, precision);
           }
           rows = rowsOf(crowd);
-          for (double margin : {0.02, 0.05, 0.09}) {
-            choose(crowd, margin);
+          const double radius = crowd.contacts.list.skin / crowd.contacts.skinShare;
+          for (const auto& [margin, ahead] :
+               {std::pair{0.02, 0.0}, {0.05, 0.0}, {0.09, 0.0}, {0.02, 0.3}, {0.09, 1.0}}) {
+            choose(crowd, margin, speed > 0 ? ahead * radius / speed : 0);
             const auto chosen = chosenOf(c);
             const double most = 0.999 * c.acting.margin, delay = std::max(law.damping / law.stiffness, 1e-6);
             const WorstMotion motions[]{{c, 0, 0, 0},
@@ -147,7 +155,7 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
             crowd.lab.setVelocity(slot, v, (i % 20 == 7 ? 300 : 30) * size * way);
           }
         }
-        crowd.evaluateContacts();
+        crowd.evaluateContacts(key % 3 == 0 ? 0 : 1.0 / 30);  // as what flies and spins does, or not at all
         const Reals chosen = b.acceleration;
         Contacts whole = crowd.contacts;
         buildNeighbourList(whole.list, b, whole.radius, 1);
@@ -195,8 +203,9 @@ TEST_CASE("Snapshots count by how much they may change gaps, and the choice hold
   for (Isa isa : availableIsas()) {
     Crowd crowd(limp(), {ContactLaw::pair, 40, 2}, ball, heap(ball, 9, 1.8, 0), isa);
     Bodies& b = crowd.lab.bodies;
-    ActingPairs& acting = crowd.contacts.acting;
-    std::vector<double> expected(acting.change.size(), 0);
+    const ActingPairs& acting = crowd.contacts.acting;
+    constexpr double sinceLast = 0.01;
+    std::vector<double> gaps(acting.change.size(), 0), drift = gaps, speeds = gaps;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::vector<SnapshotRow> before = rowsOf(crowd);
       for (int slot = 0; slot < b.count; ++slot)
@@ -205,27 +214,37 @@ TEST_CASE("Snapshots count by how much they may change gaps, and the choice hold
           crowd.lab.setPosition(slot, v, b.vertex(slot, v) + 0.01 * noiseVector(5, k));
           crowd.lab.setVelocity(slot, v, crowd.lab.velocity(slot, v) + noiseVector(6, k));
         }
-      crowd.advanceAndSnapshot(0);
+      crowd.advanceAndSnapshot(0, sinceLast);
       const std::vector<SnapshotRow> after = rowsOf(crowd);
       for (int block = 0; block < b.blockCount(); ++block) {
-        Worst moved, turned, spedUp;
+        Worst strayed, turned, spedUp;
         for (int slot = block * blockLanes; slot < std::min(b.count, (block + 1) * blockLanes); ++slot)
           for (int v = 0; v < b.vertexCount(); ++v) {
             const SnapshotRow &p = before[numberOf(b, slot, v)], &q = after[numberOf(b, slot, v)];
-            moved.see(norm(Vector{q.x - p.x, q.y - p.y, q.z - p.z}));
+            strayed.see(norm(Vector{q.x - p.x, q.y - p.y, q.z - p.z} - sinceLast * Vector{p.vx, p.vy, p.vz}));
             turned.see(norm(Vector{q.nx - p.nx, q.ny - p.ny, q.nz - p.nz}));
             spedUp.see(norm(Vector{q.vx - p.vx, q.vy - p.vy, q.vz - p.vz}));
           }
-        expected[block] += 2 * longest * (moved + 2.0 / 40 * spedUp) + acting.largestRadius * turned;
+        gaps[block] += 2 * longest * (strayed + 2.0 / 40 * spedUp) + acting.largestRadius * turned;
+        drift[block] += 2 * longest * sinceLast * speeds[block];
+        speeds[block] += spedUp;
       }
     }
-    for (std::size_t block = 0; block < expected.size(); ++block)
-      CHECK(std::abs(acting.change[block] - expected[block]) < 1e-6 * expected[block]);
+    for (std::size_t block = 0; block < gaps.size(); ++block) {
+      const ActingPairs::Change& since = acting.change[block];
+      CHECK(std::abs(since.gaps - gaps[block]) < 1e-6 * gaps[block]);
+      CHECK(std::abs(since.drift - drift[block]) < 1e-6 * drift[block]);
+      CHECK(std::abs(since.time - 3 * sinceLast) < 1e-15);
+    }
   }
-  ActingPairs acting{.change = {0, 0}, .margin = 1};
+  ActingPairs acting{.change = {{}, {}}, .margin = 1, .horizon = 2};
   CHECK(choiceHolds(acting));
   for (double change : {0.999, 1.0, std::nan("")}) {
-    acting.change[1] = change;
+    acting.change[1] = {.gaps = 0.5, .drift = change - 0.5};
     CHECK(choiceHolds(acting) == (change == 0.999));
   }
+  acting.change[1] = {.time = 2};
+  CHECK(choiceHolds(acting));
+  acting.change[1].time = 2.001;
+  CHECK_FALSE(choiceHolds(acting));
 }

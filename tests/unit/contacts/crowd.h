@@ -34,20 +34,21 @@ struct Crowd {
     for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
   }
 
-  /// The same of contact alone.
-  void evaluateContacts() {
+  /// The same of contact alone; `sinceLast`: ContactKernels::takeSnapshot.
+  void evaluateContacts(double sinceLast = 0) {
     Bodies& b = lab.bodies;
-    advanceAndSnapshot(0);
+    advanceAndSnapshot(0, sinceLast);
     refreshList(contacts, b, 1);
     b.acceleration.assign(b.acceleration.size(), 0);
     for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
   }
 
-  void advanceAndSnapshot(double timeStep) {
+  void advanceAndSnapshot(double timeStep) { advanceAndSnapshot(timeStep, timeStep); }
+  void advanceAndSnapshot(double timeStep, double sinceLast) {
     Bodies& b = lab.bodies;
     for (int i = 0; i < b.blockCount(); ++i) {
       advance(lab.stages, b, b.block(i, 0), timeStep);
-      takeSnapshot(contacts, b, b.block(i, 0), i);
+      takeSnapshot(contacts, b, b.block(i, 0), i, sinceLast);
     }
   }
 

@@ -286,12 +286,6 @@ TEST_CASE("Counters tell the work: the same for every instruction set and number
   }
 }
 
-TEST_CASE("Names of the ways to search: back and forth; another word is an error that names them") {
-  for (ContactSearch search : valuesOf<ContactSearch>()) CHECK(parseContactSearch(nameOf(search)) == search);
-  CHECK_THROWS_WITH(parseContactSearch("aabbtree"), ContainsSubstring("did you mean 'aabb-tree'?"));
-  CHECK_THROWS_WITH(parseContactSearch("octree"), ContainsSubstring("spatial-hash, brute-force"));
-}
-
 TEST_CASE("Without a skin there is a search at every step, and the same motion") {
   const Mesh ball = makeIcosphere(1);
   auto cells = heap(ball, 9, 1.8, 0.5);
