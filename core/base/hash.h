@@ -1,7 +1,6 @@
 #pragma once
 // XXH3-128 over named fields, never over raw structs: padding, pointers and byte order cannot leak in.
 // Hashes out of texts: the way back from Hash::text.
-#include <bit>
 #include <charconv>
 #include <cstdint>
 #include <memory>

@@ -13,7 +13,8 @@
 //   g = b·h₀ + (a − b)·h₀ + a·(h − h₀)                   ≥ g₀ + t ġ₀ − 2νδ − R_ij η                     where |a| < R_ij
 //   g + τ ġ = g + τ ġ₀ + τ (u − u₀)·h + τ u₀·(h − h₀)    ≥ g₀ + (t + τ) ġ₀ − 2ν (δ + τ w) − (R_ij + τ |u₀|) η
 //
-// So until 2ν (δ + τ w) + R η reaches a margin M, for the largest R of all cells, or t a horizon T, no pair acts with
+// So until 2ν (δ + τ w) + R η of one cell or the other, for the largest R of all, reaches the margin M_i or M_j of that cell,
+// or t a horizon T, no pair acts with M = (M_i + M_j)/2 and
 //
 //   |b| > R_ij + M for all t ≤ T   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
 //
@@ -24,11 +25,18 @@
 
 namespace morula::MORULA_ISA {
 
+/// Of `width` vertices.
+MORULA_INLINE Lanes halfMargins(const ListsToThin& lists, const VertexNumber* vertex) {
+  Real spread[width];
+  for (int l = 0; l < width; ++l) spread[l] = lists.halfMargins[vertex[l]];
+  return load(spread);
+}
+
 /// [ContactKernels::findActing]
 inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
                        VertexNumber* acting) {
-  const Lanes margin = lists.margin, perSpeed = lists.perSpeed, ahead = lists.ahead, reachSquared = lists.reachSquared,
-              horizon = lists.horizon;
+  const Lanes perRadius = lists.perRadius, horizon = lists.horizon, delayPerRadius = lists.delayPerRadius,
+              ahead = lists.ahead, room = lists.room, roomPerSpeed = lists.roomPerSpeed;
   std::int32_t found = 0;
   for (int lane = 0; lane < lists.liveLanes; ++lane)
     for (int v = 0; v < lists.vertices; ++v) {
@@ -40,17 +48,20 @@ inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int
       VertexNumber own[width];
       for (VertexNumber& g : own) g = lists.firstVertex + row;
       const Rows i = loadRows(rows, own);
+      const Lanes ownHalf = lists.halfMargins[own[0]];
       for (std::int32_t k = 0; k < count; k += width) {
         for (int l = 0; l < width; ++l) __builtin_prefetch(rows + list[k + 16 + l]);
         const Rows j = loadRows(rows, list + k);
         const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
         const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
         const Lanes gap = 0.5 * dot(a, apartNormals), opening = 0.5 * dot(relative, apartNormals);
-        const Lanes speedSquare = dot(relative, relative), most = margin + perSpeed * sqrt(speedSquare);
+        const Lanes margin = ownHalf + halfMargins(lists, list + k), speedSquare = dot(relative, relative);
+        const Lanes most = room + margin + (roomPerSpeed + delayPerRadius * margin) * sqrt(speedSquare);
+        const Lanes reach = (1 + relativeRoom) * (1.0 + perRadius * margin);
         const Lanes nearestAt = min(max(-dot(a, relative) / (speedSquare + tiny), Lanes(0.0)), horizon);
         const Vec nearest = a + nearestAt * relative;
         // What does not compare may act.
-        const unsigned idle = bits(curvature * dot(nearest, nearest) > reachSquared) |
+        const unsigned idle = bits(curvature * dot(nearest, nearest) > reach * reach) |
                               bits((gap > most) & (gap + ahead * opening > most));
         const std::int32_t left = count - k;
         unsigned acts = ~idle & ((1u << (left < width ? left : width)) - 1);

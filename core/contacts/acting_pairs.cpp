@@ -10,17 +10,17 @@
 namespace morula {
 namespace {
 
-constexpr double roundingRoom = 1e-5;
-// Of the smallest influence radius R. A choice costs about as much as half an evaluation of all pairs and lasts M/ċ of
-// them if each changes gaps by ċ; a margin M keeps so many more pairs. Both together cost least at M² = 0.8 R ċ, measured;
-// where M is beyond the largest one, as among newborn cells that fly apart, more than is gained.
-constexpr double cheapestMargin = 0.8, leastMargin = 0.01, mostMargin = 0.2;
+// Of the smallest influence radius R. A choice costs about as much as half an evaluation of all pairs and lasts N of them if
+// a cell's margin is N ċ, when gaps change by ċ in each; margins keep more pairs, by their mean. Both together cost least
+// at N² = R/ċ with the mean ċ, measured; half of the mean is for cells that become faster. Where margins are beyond the
+// largest one in the mean, as among newborn cells that fly apart, they cost more than is gained.
+constexpr double cheapest = 1, spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
 constexpr double farthestAhead = 100;  // [evaluation]
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
-/// The lists of one block.
-void findActing(const Contacts& c, const Bodies& bodies, int block, double reach, BlockLists& lists) {
+/// The lists of one block. `radius`: the smallest influence radius [length].
+void findActing(const Contacts& c, const Bodies& bodies, int block, double radius, BlockLists& lists) {
   const std::size_t needed = std::size_t(lists.used) + ListsToThin::readable;
   if (lists.neighbours.size() < needed) lists.neighbours.resize(needed + needed / 4);
   std::fill_n(lists.neighbours.begin() + lists.used, ListsToThin::readable,
@@ -35,11 +35,13 @@ void findActing(const Contacts& c, const Bodies& bodies, int block, double reach
                          .vertices = bodies.verticesPerLane(block),
                          .liveLanes = bodies.liveLanes(block),
                          .firstVertex = bodies.blocks[block].firstLine * blockLanes,
-                         .reachSquared = reach * reach,
+                         .halfMargins = c.acting.halfMargins.data(),
+                         .perRadius = 1 / radius,
                          .horizon = c.acting.horizon,
-                         .margin = c.acting.margin + roundingRoom * c.acting.largestRadius,
-                         .perSpeed = delay * c.acting.margin / c.acting.largestRadius + roundingRoom * ahead,
-                         .ahead = ahead};
+                         .delayPerRadius = delay / c.acting.largestRadius,
+                         .ahead = ahead,
+                         .room = relativeRoom * c.acting.largestRadius,
+                         .roomPerSpeed = relativeRoom * ahead};
   c.kernels->findActing(thin, c.rows.data(), lists.acting.begin.data(), lists.acting.length.data(),
                         lists.acting.neighbours.data());
 }
@@ -49,18 +51,23 @@ void findActing(const Contacts& c, const Bodies& bodies, int block, double reach
 bool choosesPairs(const Contacts& c) { return !c.scratch.empty() && !c.parameters.adhesion; }
 
 void countChange(Contacts& c, const SnapshotChange& s, int block, double sinceLast) {
-  ActingPairs::Change& all = c.acting.change[block];
-  const double twice = 2 * std::sqrt(normalScaleSquared), spedUp = std::sqrt(s.spedUp);
-  all.gaps += twice * (std::sqrt(s.strayed) + delayOf(c) * spedUp) + c.acting.largestRadius * std::sqrt(s.turned);
-  all.drift += twice * sinceLast * all.speeds;
-  all.speeds += spedUp;
-  all.time += sinceLast;
+  const double twice = 2 * std::sqrt(normalScaleSquared);
+  for (int lane = 0; lane < blockLanes; ++lane) {
+    ActingPairs::Change& all = c.acting.change[std::size_t(block) * blockLanes + lane];
+    const double strayed = std::sqrt(s.strayed[lane]), turned = std::sqrt(s.turned[lane]),
+                 spedUp = std::sqrt(s.spedUp[lane]);
+    all.gaps += twice * (strayed + delayOf(c) * spedUp) + c.acting.largestRadius * turned;
+    all.drift += twice * sinceLast * all.speeds;
+    all.speeds += spedUp;
+    all.time += sinceLast;
+  }
 }
 
-bool choiceHolds(const ActingPairs& acting) {
+bool choiceHolds(const ActingPairs& acting, std::span<const int> slots) {
   // Not `>=`: where numbers are none, pairs are chosen anew.
-  return std::ranges::all_of(acting.change, [&](const ActingPairs::Change& since) {
-    return since.gaps + since.drift < acting.margin && since.time <= acting.horizon;
+  return std::ranges::all_of(slots, [&](int slot) {
+    const ActingPairs::Change& since = acting.change[slot];
+    return since.gaps + since.drift < acting.margin[slot] && since.time <= acting.horizon;
   });
 }
 
@@ -70,23 +77,30 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   const double radius = radiusOf(*std::ranges::min_element(bodies.slots, {}, radiusOf));
   acting.largestRadius = radiusOf(*std::ranges::max_element(bodies.slots, {}, radiusOf));
   // The first choice shall not last: how fast gaps change is not known yet.
-  double perEvaluation = 0, time = 0;
-  if (acting.age > 0) {
-    const auto age = static_cast<double>(acting.age);
-    perEvaluation = std::ranges::max_element(acting.change, {}, &ActingPairs::Change::gaps)->gaps / age;
-    time = acting.change.front().time / age;
-  }
-  acting.margin = std::max(leastMargin * radius, std::sqrt(cheapestMargin * radius * perEvaluation));
-  acting.horizon = std::min(acting.margin / perEvaluation, farthestAhead) * time;
+  const auto age = static_cast<double>(std::max<std::int64_t>(acting.age, 1));
+  const auto perEvaluation = [&](int slot) { return acting.age > 0 ? acting.change[slot].gaps / age : 0; };
+  double mean = 0;
+  for (int slot : bodies.slots) mean += perEvaluation(slot) / bodies.count;
+  const double lasts = mean > 0 ? std::sqrt(cheapest * radius / mean) : farthestAhead;
+  for (int slot : bodies.slots)
+    acting.margin[slot] = std::max(leastMargin * radius, lasts * (perEvaluation(slot) + spare * mean));
+  acting.horizon = acting.age > 0 ? std::min(lasts, farthestAhead) * acting.change[bodies.slots[0]].time / age : 0;
   std::fill(acting.change.begin(), acting.change.end(), ActingPairs::Change());
   acting.age = 0;
-  if (!(acting.margin < mostMargin * radius)) {
-    acting.margin = acting.horizon = INFINITY;
+  if (!((1 + spare) * mean * lasts < mostMargin * radius)) {
+    std::fill(acting.margin.begin(), acting.margin.end(), INFINITY);
+    acting.horizon = INFINITY;
     return cutIntoSlices(c.list, foundLists, bodies, threads);
   }
-  const double reach = (1 + acting.margin / radius) * (1 + roundingRoom);
+  parallelFor(bodies.blockCount(), threads, [&](int block) {
+    const int first = bodies.blocks[block].firstLine;
+    for (int line = first; line < first + bodies.verticesPerLane(block); ++line)
+      for (int lane = 0; lane < blockLanes; ++lane)
+        acting.halfMargins[std::size_t(line) * blockLanes + lane] =
+            static_cast<float>(0.5 * acting.margin[std::size_t(block) * blockLanes + lane]);
+  });
   parallelFor(bodies.blockCount(), threads,
-              [&](int block) { findActing(c, bodies, block, reach, c.list.perBlock[block]); });
+              [&](int block) { findActing(c, bodies, block, radius, c.list.perBlock[block]); });
   cutIntoSlices(c.list, actingLists, bodies, threads);
 }
 

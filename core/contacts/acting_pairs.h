@@ -3,8 +3,10 @@
 // bring them, by no more than a margin (acting_kernel.h). For the pair law without adhesion slices are cut of these alone:
 // in a packed scene two pairs in five, and a step takes two thirds of its time. With adhesion all pairs within reach act.
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/aligned.h"
 #include "contacts/contacts_kernels.h"
 #include "physics/bodies.h"
 
@@ -14,18 +16,19 @@ struct Contacts;
 
 /// Which pairs were chosen, and since when; no bit of the result depends on it.
 struct ActingPairs {
-  /// Since then, at most, of one block.
+  /// Since then, at most, of one cell.
   struct Change {
     double gaps = 0;    // [length] but for what velocities change
     double speeds = 0;  // [length/time] of velocities
     double drift = 0;   // [length] of gaps, by velocities that have changed
     double time = 0;    // [time]
   };
-  std::vector<Change> change;  // [block]
-  double margin = 0;           // [length] by how much gaps may change; infinite if all pairs were chosen
-  double horizon = 0;          // [time] for which velocities of then were looked ahead
-  double largestRadius = 0;    // [length] influence radius
-  std::int64_t age = 0;        // in evaluations
+  std::vector<Change> change;        // [slot]
+  std::vector<double> margin;        // [slot] by how much gaps may change [length]; infinite if all pairs were chosen
+  AlignedVector<float> halfMargins;  // [vertex]
+  double horizon = 0;                // [time] for which velocities of then were looked ahead
+  double largestRadius = 0;          // [length] influence radius
+  std::int64_t age = 0;              // in evaluations
 };
 
 /// Whether slices are cut of chosen pairs only.
@@ -34,8 +37,8 @@ bool choosesPairs(const Contacts& contacts);
 /// Adds what a snapshot has changed in its block. `sinceLast` [time]: ContactKernels::takeSnapshot.
 void countChange(Contacts& contacts, const SnapshotChange& change, int block, double sinceLast);
 
-/// Whether no other pairs than those chosen can act.
-bool choiceHolds(const ActingPairs& acting);
+/// Whether no other pairs than those chosen can act, of cells in these slots.
+bool choiceHolds(const ActingPairs& acting, std::span<const int> slots);
 
 /// Chooses pairs anew, from the neighbour list and all snapshots, and cuts them into slices.
 void choosePairs(Contacts& contacts, const Bodies& bodies, int threads);

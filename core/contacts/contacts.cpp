@@ -101,7 +101,8 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);
-  c.acting = {.change = std::vector<ActingPairs::Change>(bodies.blockCount())};
+  const std::size_t slots = bodies.restScale.size();
+  c.acting = {.change = std::vector<ActingPairs::Change>(slots), .margin = std::vector<double>(slots)};
   c.list.reference = bodies.position;
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
   int mostVertices = 0;
@@ -110,6 +111,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.scratch.resize(bodies.scratch.size(), {Reals(precision), Reals(precision)});
   for (auto& [force, turn] : c.scratch)
     for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
+  if (choosesPairs(c)) c.acting.halfMargins.resize(vertices + 1);
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index, double sinceLast) {
@@ -133,7 +135,7 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
     c.adhesion.isCurrent = false;
     ++c.rebuilds;
   }
-  if (choose && (search || !choiceHolds(c.acting))) choosePairs(c, bodies, threads);
+  if (choose && (search || !choiceHolds(c.acting, bodies.slots))) choosePairs(c, bodies, threads);
   ++c.acting.age;
   if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
   c.pairEvaluations += c.list.pairs;  // the forces come next

@@ -48,8 +48,11 @@ struct ContactConstants {
 struct SnapshotChange {
   double farthest = 0;  // from the place in `reference` [length²]
   // For the pair law, since the snapshot before: how far y is from where v would have brought it; of n; of v.
-  double strayed = 0, turned = 0, spedUp = 0;
+  double strayed[blockLanes] = {}, turned[blockLanes] = {}, spedUp[blockLanes] = {};  // [lane]
 };
+
+/// Of lengths, for roundings in single precision (acting_kernel.h).
+constexpr double relativeRoom = 1e-5;
 
 /// One block's neighbour lists, and which pairs to leave out (acting_kernel.h).
 struct ListsToThin {
@@ -58,10 +61,13 @@ struct ListsToThin {
   static constexpr int readable = 32;  // numbers of rows behind the last neighbour
   int vertices, liveLanes;
   VertexNumber firstVertex;
-  double reachSquared;      // [1] beyond which κ a² is too far
-  double horizon;           // [time] until then a moves on by u,
-  double margin, perSpeed;  // [length], [time]: and beyond margin + perSpeed |u| gaps are too wide,
-  double ahead;             // [time] now and after this
+  const float* halfMargins;  // [length] of each vertex; two make M
+  double perRadius;          // [1/length] 1/R of the smallest R: what is (1 + M/R) R_ij apart is too far,
+  double horizon;            // [time] if it is so until then,
+  double delayPerRadius;     // [time/length] τ/R of the largest R: gaps beyond M + τ |u| M/R are too wide
+  double ahead;              // [time] now and after this,
+  double room;               // [length] and by so much more, for roundings,
+  double roomPerSpeed;       // [time] and so much more per |u|
 };
 
 struct ContactKernels {

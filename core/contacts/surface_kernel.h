@@ -16,6 +16,8 @@
 //
 // for G_k does not depend on x_k, and changes by (x_{k+1}' − x_{k−1}') × of k's own ring, which are the neighbours that v
 // and k share. The sums over all vertices of these forces and of their couples about any point are those of f and q.
+#include <algorithm>
+
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -29,7 +31,8 @@ struct SurfaceForce {
 /// [ContactKernels::takeSnapshot] of the surface.
 inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
                                   RealPointer reference, RowMemory* rows, double sinceLast) {
-  Lanes farthest = 0.0, strayed = 0.0, turned = 0.0, spedUp = 0.0;
+  Lanes farthest = 0.0;
+  alignas(64) Real strayed[blockLanes] = {}, turned[blockLanes] = {}, spedUp[blockLanes] = {};
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
@@ -48,16 +51,19 @@ inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, 
       const Rows before = loadRows(here, consecutive);
       storeRows(here, {y, n, w, curvature});
       const Mask cell = curvature > Lanes(0.0);  // in lanes without one nothing stands in lists
-      const auto see = [&](const Vec& change, Lanes& largest) {
-        largest = max(select(cell, dot(change, change), 0.0), largest);
-      };
-      see(y - loadVec(reference, v, lane), farthest);
-      see(y - (before.x + Lanes(sinceLast) * before.v), strayed);
-      see(n - before.n, turned);
-      see(asStored(w) - before.v, spedUp);
+      const auto squareOf = [&](const Vec& change) { return select(cell, dot(change, change), 0.0); };
+      const auto see = [&](const Vec& change, Real* largest) { store(largest, max(squareOf(change), load(largest))); };
+      farthest = max(squareOf(y - loadVec(reference, v, lane)), farthest);
+      see(y - (before.x + Lanes(sinceLast) * before.v), strayed + lane);
+      see(n - before.n, turned + lane);
+      see(asStored(w) - before.v, spedUp + lane);
     }
   }
-  return {largestOf(farthest), largestOf(strayed), largestOf(turned), largestOf(spedUp)};
+  SnapshotChange change{.farthest = largestOf(farthest)};
+  std::copy_n(strayed, blockLanes, change.strayed);
+  std::copy_n(turned, blockLanes, change.turned);
+  std::copy_n(spedUp, blockLanes, change.spedUp);
+  return change;
 }
 
 /// Zeros in the scratch of a block's surface.

@@ -1,7 +1,6 @@
 #include "division/policy.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/error.h"
 #include "biology/substance_pattern.h"

@@ -9,7 +9,6 @@
 //   MEASURE of generation N   of clones: those of the cells N divisions from the egg, clone_radius of generation 3
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "simulation/cell_selection.h"

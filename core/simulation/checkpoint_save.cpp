@@ -1,5 +1,4 @@
 // A world's state as columns.
-#include <array>
 #include <cmath>
 #include <map>
 #include <variant>

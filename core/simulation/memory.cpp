@@ -119,8 +119,8 @@ MemoryUse measureMemory(const World& world) {
   }
   if (world.contacts) {
     const Contacts& k = *world.contacts;
-    m.snapshots =
-        bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change, k.list.reference);
+    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
+                        k.acting.margin, k.acting.halfMargins, k.list.reference);
     m.listRows = bytes(k.list.firstSlice);
     m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
     for (const BlockLists& lists : k.list.perBlock) {

@@ -1,6 +1,5 @@
 #include "simulation/swirls.h"
 
-#include <algorithm>
 #include <numbers>
 
 #include "base/maths.h"

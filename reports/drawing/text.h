@@ -3,7 +3,6 @@
 // system calls sans-serif. Letters are not hinted, so that text scales evenly; there is no kerning.
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "image/colour.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 // Colours as people write them (sRGB, 8 bits a channel), and how cells with several coloured substances get theirs.
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #pragma once
 // Pictures as pixels, in memory.
-#include <string>
 #include <vector>
 
 #include "image/colour.h"

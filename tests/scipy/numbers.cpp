@@ -86,7 +86,7 @@ int main() {
   samples.push_back(twoSamples({1, 2, 2, 3, 1, 1, 0, 5}, {0, 0, 1, 0, 2, 1, 1, 0}));  // many ties
   Json quantiles = Json::array();
   for (const double share : {0.001, 0.025, 0.05, 0.4, 0.95, 0.975})
-    quantiles.push_back({share, normalQuantile(share), studentQuantile(share, 9)});
+    quantiles.push_back({share, studentQuantile(share, 9)});
   std::vector<double> p;
   for (std::uint32_t i = 0; i < 30; ++i) p.push_back(0.1 * randomUnit({5, {}}, i) * randomUnit({6, {}}, i));
   const Json all{

@@ -1,6 +1,5 @@
 #pragma once
 // One page of runs, studies, checks or accuracy runs: from their files to the page's bytes.
-#include <filesystem>
 #include <string>
 #include <vector>
 

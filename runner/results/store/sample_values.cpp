@@ -1,6 +1,5 @@
 #include "store/sample_values.h"
 
-#include <algorithm>
 #include <set>
 
 namespace morula {

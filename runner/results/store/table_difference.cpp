@@ -1,6 +1,5 @@
 #include "store/table_difference.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstring>
 

@@ -1,6 +1,5 @@
 #include "check/invariants.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "files/text.h"

@@ -1,8 +1,5 @@
 #pragma once
 // From what a run left behind to charts: a measure over time, who touches whom, which way cells divided.
-#include <map>
-#include <string>
-#include <vector>
 
 #include "charts/chart.h"
 #include "charts/charts_of_pairs.h"

@@ -113,16 +113,4 @@ double NoncentralFisher::above(double lambda) const {
   return sum + left * above;
 }
 
-double normalBelow(double z) {
-  if (z < 0) return 1 - normalBelow(-z);
-  if (!(z < 8.5)) return 1;
-  // Φ(z) = ½ + φ(z) (z + z³/3 + z⁵/(3·5) + …) [Abramowitz & Stegun 26.2.11]: no term is negative
-  double term = z, sum = z;
-  for (int k = 3; term > 1e-17 * sum; k += 2) term *= z * z / k, sum += term;
-  constexpr double oneOverRootOfTwoPi = 0.3989422804014327;
-  return 0.5 + oneOverRootOfTwoPi * exponential(-0.5 * z * z) * sum;
-}
-
-double normalQuantile(double share) { return whereItPasses(share, -8.5, 8.5, normalBelow); }
-
 }  // namespace morula

@@ -37,9 +37,4 @@ class NoncentralFisher {
   double f_, df1_, df2_, y_ = 0, central_ = 0, more_ = 0;  // I_x(d₂/2, d₁/2), and what j = 1 adds
 };
 
-/// P(Z ≤ z) of the normal distribution with mean 0 and standard deviation 1, to within 1e-15.
-double normalBelow(double z);
-/// The z with P(Z ≤ z) = share; −8.5 and 8.5, beyond which shares are not told from 0 and 1, at the ends.
-double normalQuantile(double share);
-
 }  // namespace morula

@@ -31,22 +31,27 @@ std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
   return chosen;
 }
 
-/// Chooses with about this margin M, in smallest influence radii R, and so far ahead: gaps that change by M²/(0.8 R) in such
-/// a time ask for it.
+/// Chooses with margins of about this mean, in smallest influence radii R, four times as wide for every second cell, and so
+/// far ahead: gaps that change by ċ = (M/1.5)²/R in the mean ask for 1.5 R √(ċ/R).
 void choose(Crowd& crowd, double share, double horizon) {
   ActingPairs& acting = crowd.contacts.acting;
   acting.age = 1;
-  const double gaps = share * share / 0.8 * crowd.contacts.list.skin / crowd.contacts.skinShare;
-  std::ranges::fill(acting.change, ActingPairs::Change{.gaps = gaps, .time = share / 0.8 * horizon});
+  const double radius = crowd.contacts.list.skin / crowd.contacts.skinShare, mean = share / 1.5 * share / 1.5 * radius;
+  for (int slot : crowd.lab.bodies.slots)
+    acting.change[slot] = {.gaps = (slot % 2 == 0 ? 0.4 : 1.6) * mean, .time = share / 1.5 * horizon};
   choosePairs(crowd.contacts, crowd.lab.bodies, 1);
 }
 
-/// The worst that motion within a margin may do to a pair: how far its gap is from acting then, in the margin.
+/// The worst that motion within a pair's margin M may do to it: how far its gap is from acting then, in the margin.
 struct WorstMotion {
   const Contacts& c;
-  double strayed, turned, spedUp;  // δ, η, w
+  double ofStraying, ofTurning, ofSpeeding;  // how M is shared between 2νδ, R η and 2ντw
 
-  double operator()(const SnapshotRow& i, const SnapshotRow& j) const {
+  double operator()(const SnapshotRow& i, const SnapshotRow& j, double margin) const {
+    const double most = 0.999 * margin, strayed = ofStraying * most / (2 * longest),
+                 turned = ofTurning * most / c.acting.largestRadius,
+                 spedUp =
+                     ofSpeeding * most / (2 * longest * std::max(c.parameters.damping / c.parameters.stiffness, 1e-6));
     const double delay = c.parameters.damping / c.parameters.stiffness;
     const Vector a{i.x - j.x, i.y - j.y, i.z - j.z};
     const Vector h = 0.5 * Vector{j.nx - i.nx, j.ny - i.ny, j.nz - i.nz};
@@ -68,7 +73,7 @@ struct WorstMotion {
           worst = std::min({worst, gap, gap + delay * dot(faster, turnedBy)});
         }
     }
-    return worst / c.acting.margin;
+    return worst / margin;
   }
 };
 
@@ -109,18 +114,14 @@ TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns an
                {std::pair{0.02, 0.0}, {0.05, 0.0}, {0.09, 0.0}, {0.02, 0.3}, {0.09, 1.0}}) {
             choose(crowd, margin, speed > 0 ? ahead * radius / speed : 0);
             const auto chosen = chosenOf(c);
-            const double most = 0.999 * c.acting.margin, delay = std::max(law.damping / law.stiffness, 1e-6);
-            const WorstMotion motions[]{{c, 0, 0, 0},
-                                        {c, most / (2 * longest), 0, 0},
-                                        {c, 0, most / c.acting.largestRadius, 0},
-                                        {c, 0, 0, most / (2 * longest * delay)},
-                                        {c, most / (4 * longest), most / (2 * c.acting.largestRadius), 0}};
+            const WorstMotion motions[]{{c, 0, 0, 0}, {c, 1, 0, 0}, {c, 0, 1, 0}, {c, 0, 0, 1}, {c, 0.5, 0.5, 0}};
+            const auto marginOf = [&](VertexNumber g) { return c.acting.margin[crowd.slotOf(g)]; };
             for (VertexNumber g = 0; g + 1 < static_cast<VertexNumber>(rows.size()); ++g) {
               if (!(rows[g].inverseRadiusSquared > 0)) continue;
               for (VertexNumber j : neighboursOf(c.list, g))
                 if (!std::ranges::binary_search(chosen[g], j))
                   for (const WorstMotion& worst : motions) {
-                    const double gap = worst(rows[g], rows[j]);
+                    const double gap = worst(rows[g], rows[j], 0.5 * (marginOf(g) + marginOf(j)));
                     act += gap < 0, ++left;
                     closest = std::min(closest, gap);
                   }
@@ -192,7 +193,8 @@ TEST_CASE("Where little moves the choice is narrow and lasts") {
       oldest = std::max(oldest, acting.age);
     }
     CHECK(oldest > 3);
-    shares.push_back(acting.margin / radius);
+    shares.push_back(0);  // the margins' mean
+    for (int slot : b.slots) shares.back() += acting.margin[slot] / radius / b.count;
   }
   CHECK(shares[0] < shares[1]);
   CHECK(shares[1] < 0.1);
@@ -205,7 +207,7 @@ TEST_CASE("Snapshots count by how much they may change gaps, and the choice hold
     Bodies& b = crowd.lab.bodies;
     const ActingPairs& acting = crowd.contacts.acting;
     constexpr double sinceLast = 0.01;
-    std::vector<double> gaps(acting.change.size(), 0), drift = gaps, speeds = gaps;
+    std::vector<double> gaps(acting.change.size(), 0), drift = gaps, speeds = gaps;  // [slot]
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::vector<SnapshotRow> before = rowsOf(crowd);
       for (int slot = 0; slot < b.count; ++slot)
@@ -216,35 +218,35 @@ TEST_CASE("Snapshots count by how much they may change gaps, and the choice hold
         }
       crowd.advanceAndSnapshot(0, sinceLast);
       const std::vector<SnapshotRow> after = rowsOf(crowd);
-      for (int block = 0; block < b.blockCount(); ++block) {
+      for (int slot = 0; slot < b.count; ++slot) {
         Worst strayed, turned, spedUp;
-        for (int slot = block * blockLanes; slot < std::min(b.count, (block + 1) * blockLanes); ++slot)
-          for (int v = 0; v < b.vertexCount(); ++v) {
-            const SnapshotRow &p = before[numberOf(b, slot, v)], &q = after[numberOf(b, slot, v)];
-            strayed.see(norm(Vector{q.x - p.x, q.y - p.y, q.z - p.z} - sinceLast * Vector{p.vx, p.vy, p.vz}));
-            turned.see(norm(Vector{q.nx - p.nx, q.ny - p.ny, q.nz - p.nz}));
-            spedUp.see(norm(Vector{q.vx - p.vx, q.vy - p.vy, q.vz - p.vz}));
-          }
-        gaps[block] += 2 * longest * (strayed + 2.0 / 40 * spedUp) + acting.largestRadius * turned;
-        drift[block] += 2 * longest * sinceLast * speeds[block];
-        speeds[block] += spedUp;
+        for (int v = 0; v < b.vertexCount(); ++v) {
+          const SnapshotRow &p = before[numberOf(b, slot, v)], &q = after[numberOf(b, slot, v)];
+          strayed.see(norm(Vector{q.x - p.x, q.y - p.y, q.z - p.z} - sinceLast * Vector{p.vx, p.vy, p.vz}));
+          turned.see(norm(Vector{q.nx - p.nx, q.ny - p.ny, q.nz - p.nz}));
+          spedUp.see(norm(Vector{q.vx - p.vx, q.vy - p.vy, q.vz - p.vz}));
+        }
+        gaps[slot] += 2 * longest * (strayed + 2.0 / 40 * spedUp) + acting.largestRadius * turned;
+        drift[slot] += 2 * longest * sinceLast * speeds[slot];
+        speeds[slot] += spedUp;
       }
     }
-    for (std::size_t block = 0; block < gaps.size(); ++block) {
-      const ActingPairs::Change& since = acting.change[block];
-      CHECK(std::abs(since.gaps - gaps[block]) < 1e-6 * gaps[block]);
-      CHECK(std::abs(since.drift - drift[block]) < 1e-6 * drift[block]);
+    for (int slot : b.slots) {
+      const ActingPairs::Change& since = acting.change[slot];
+      CHECK(std::abs(since.gaps - gaps[slot]) < 1e-6 * gaps[slot]);
+      CHECK(std::abs(since.drift - drift[slot]) < 1e-6 * drift[slot]);
       CHECK(std::abs(since.time - 3 * sinceLast) < 1e-15);
     }
   }
-  ActingPairs acting{.change = {{}, {}}, .margin = 1, .horizon = 2};
-  CHECK(choiceHolds(acting));
+  ActingPairs acting{.change = {{}, {}}, .margin = {9, 1}, .horizon = 2};
+  const auto holds = [&] { return choiceHolds(acting, std::array{0, 1}); };
+  CHECK(holds());
   for (double change : {0.999, 1.0, std::nan("")}) {
     acting.change[1] = {.gaps = 0.5, .drift = change - 0.5};
-    CHECK(choiceHolds(acting) == (change == 0.999));
+    CHECK(holds() == (change == 0.999));
   }
   acting.change[1] = {.time = 2};
-  CHECK(choiceHolds(acting));
+  CHECK(holds());
   acting.change[1].time = 2.001;
-  CHECK_FALSE(choiceHolds(acting));
+  CHECK_FALSE(holds());
 }

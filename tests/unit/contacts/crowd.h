@@ -52,6 +52,13 @@ struct Crowd {
     }
   }
 
+  int slotOf(VertexNumber g) const {
+    const Bodies& b = lab.bodies;
+    int block = 0;
+    while (block + 1 < b.blockCount() && b.blocks[block + 1].firstLine <= g / blockLanes) ++block;
+    return block * blockLanes + g % blockLanes;
+  }
+
   double lawTimeStep = 0x1p-9;  // what the thesis' law is told
 };
 

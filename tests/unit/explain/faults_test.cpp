@@ -55,7 +55,8 @@ Reals::Reference largest(const Bodies& b, Reals& array, int cell) {
 
 /// All of a cell's contacts are left out of the list.
 void dropContacts(World& w, int cell) {
-  w.contacts->list.skin = w.contacts->acting.margin = w.contacts->acting.horizon = 1e9;  // this step makes no new list
+  w.contacts->list.skin = w.contacts->acting.horizon = 1e9;
+  std::ranges::fill(w.contacts->acting.margin, 1e9);  // this step makes no new list
   NeighbourList& list = w.contacts->list;
   const auto far = static_cast<std::int32_t>(list.reference.size() / 3);
   const int slot = w.bodies->slots[cell], lane = slot % blockLanes;

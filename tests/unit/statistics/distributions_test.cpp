@@ -45,11 +45,8 @@ TEST_CASE("Fisher's F of 1 and n degrees of freedom is the square of Student's t
   CHECK(fisherAbove(0, 3, 4) == 1);
 }
 
-TEST_CASE("The normal distribution is that of erfc, and many degrees of freedom come to it") {
-  Worst error;
-  for (double z = -9; z <= 9; z += 0.13) error.see(std::abs(normalBelow(z) - 0.5 * std::erfc(-z / std::sqrt(2))));
-  CHECK(error < 1e-15);
-  CHECK(studentQuantile(0.975, 1e6) == Approx(normalQuantile(0.975)).epsilon(3e-6));  // differs by z³/4 df
+TEST_CASE("Student's distribution comes to the normal one with many degrees of freedom") {
+  CHECK(studentQuantile(0.975, 1e6) == Approx(1.959963984540054).epsilon(3e-6));  // differs by z³/4 df
 }
 
 TEST_CASE(
@@ -74,7 +71,6 @@ TEST_CASE(
 TEST_CASE("A quantile is where the distribution has that share") {
   Worst error;
   for (const double share : {1e-6, 0.025, 0.05, 0.3, 0.5, 0.9, 0.975, 0.999}) {
-    error.see(std::abs(normalBelow(normalQuantile(share)) - share));
     for (const double df : {1., 2., 9., 19., 37.4, 500.})
       error.see(std::abs(1 - studentAbove(studentQuantile(share, df), df) - share));
   }
