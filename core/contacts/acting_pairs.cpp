@@ -15,7 +15,8 @@ namespace {
 // at N² = R/ċ with the mean ċ, measured; half of the mean is for cells that become faster. Where margins are beyond the
 // largest one in the mean, as among newborn cells that fly apart, they cost more than is gained.
 constexpr double cheapest = 1, spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
-constexpr double farthestAhead = 100;  // [evaluation]
+constexpr double farthestAhead = 100, withoutChoice = 30;  // [evaluation]
+constexpr std::int64_t shortestLife = 3;  // [evaluation] a choice that lasts less costs more than it saves
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
@@ -84,12 +85,14 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   const double lasts = mean > 0 ? std::sqrt(cheapest * radius / mean) : farthestAhead;
   for (int slot : bodies.slots)
     acting.margin[slot] = std::max(leastMargin * radius, lasts * (perEvaluation(slot) + spare * mean));
-  acting.horizon = acting.age > 0 ? std::min(lasts, farthestAhead) * acting.change[bodies.slots[0]].time / age : 0;
+  const double timeStep = acting.age > 0 ? acting.change[bodies.slots[0]].time / age : 0;
+  const bool endedSoon = acting.horizon > 0 && acting.age < shortestLife;
+  acting.horizon = std::min(lasts, farthestAhead) * timeStep;
   std::fill(acting.change.begin(), acting.change.end(), ActingPairs::Change());
   acting.age = 0;
-  if (!((1 + spare) * mean * lasts < mostMargin * radius)) {
+  if (endedSoon || !((1 + spare) * mean * lasts < mostMargin * radius)) {
     std::fill(acting.margin.begin(), acting.margin.end(), INFINITY);
-    acting.horizon = INFINITY;
+    acting.horizon = withoutChoice * timeStep;
     return cutIntoSlices(c.list, foundLists, bodies, threads);
   }
   parallelFor(bodies.blockCount(), threads, [&](int block) {

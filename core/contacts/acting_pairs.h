@@ -26,7 +26,7 @@ struct ActingPairs {
   std::vector<Change> change;        // [slot]
   std::vector<double> margin;        // [slot] by how much gaps may change [length]; infinite if all pairs were chosen
   AlignedVector<float> halfMargins;  // [vertex]
-  double horizon = 0;                // [time] for which velocities of then were looked ahead
+  double horizon = 0;                // [time] for which velocities of then were looked ahead, and the choice may hold
   double largestRadius = 0;          // [length] influence radius
   std::int64_t age = 0;              // in evaluations
 };
