@@ -14,7 +14,7 @@ namespace {
 // a cell's margin is N ċ, when gaps change by ċ in each; margins keep more pairs, by their mean. Both together cost least
 // at N² = R/ċ with the mean ċ, measured; half of the mean is for cells that become faster. Where margins are beyond the
 // largest one in the mean, as among newborn cells that fly apart, they cost more than is gained.
-constexpr double cheapest = 1, spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
+constexpr double spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
 constexpr double farthestAhead = 100, withoutChoice = 30;  // [evaluation]
 constexpr std::int64_t shortestLife = 3;  // [evaluation] a choice that lasts less costs more than it saves
 
@@ -82,7 +82,7 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   const auto perEvaluation = [&](int slot) { return acting.age > 0 ? acting.change[slot].gaps / age : 0; };
   double mean = 0;
   for (int slot : bodies.slots) mean += perEvaluation(slot) / bodies.count;
-  const double lasts = mean > 0 ? std::sqrt(cheapest * radius / mean) : farthestAhead;
+  const double lasts = mean > 0 ? std::sqrt(radius / mean) : farthestAhead;
   for (int slot : bodies.slots)
     acting.margin[slot] = std::max(leastMargin * radius, lasts * (perEvaluation(slot) + spare * mean));
   const double timeStep = acting.age > 0 ? acting.change[bodies.slots[0]].time / age : 0;

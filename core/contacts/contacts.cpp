@@ -101,8 +101,6 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);
-  const std::size_t slots = bodies.restScale.size();
-  c.acting = {.change = std::vector<ActingPairs::Change>(slots), .margin = std::vector<double>(slots)};
   c.list.reference = bodies.position;
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
   int mostVertices = 0;
@@ -111,7 +109,10 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.scratch.resize(bodies.scratch.size(), {Reals(precision), Reals(precision)});
   for (auto& [force, turn] : c.scratch)
     for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
-  if (choosesPairs(c)) c.acting.halfMargins.resize(vertices + 1);
+  if (!choosesPairs(c)) return;
+  c.acting = {.change = std::vector<ActingPairs::Change>(bodies.restScale.size()),
+              .margin = std::vector<double>(bodies.restScale.size()),
+              .halfMargins = AlignedVector<float>(vertices + 1)};
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index, double sinceLast) {
@@ -120,7 +121,7 @@ void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int
       bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes], sinceLast);
   c.farthest[index] = change.farthest;
-  countChange(c, change, index, sinceLast);
+  if (choosesPairs(c)) countChange(c, change, index, sinceLast);
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {

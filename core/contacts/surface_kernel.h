@@ -16,8 +16,6 @@
 //
 // for G_k does not depend on x_k, and changes by (x_{k+1}' − x_{k−1}') × of k's own ring, which are the neighbours that v
 // and k share. The sums over all vertices of these forces and of their couples about any point are those of f and q.
-#include <algorithm>
-
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -60,9 +58,8 @@ inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, 
     }
   }
   SnapshotChange change{.farthest = largestOf(farthest)};
-  std::copy_n(strayed, blockLanes, change.strayed);
-  std::copy_n(turned, blockLanes, change.turned);
-  std::copy_n(spedUp, blockLanes, change.spedUp);
+  for (int lane = 0; lane < blockLanes; ++lane)
+    change.strayed[lane] = strayed[lane], change.turned[lane] = turned[lane], change.spedUp[lane] = spedUp[lane];
   return change;
 }
 

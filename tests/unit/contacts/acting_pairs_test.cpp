@@ -200,6 +200,22 @@ TEST_CASE("Where little moves the choice is narrow and lasts") {
   CHECK(shares[1] < 0.1);
 }
 
+TEST_CASE("Where choices end soon, because now one cell jumps and now another, all pairs are taken for a while") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
+  Bodies& b = crowd.lab.bodies;
+  const double jump = 0.05 * crowd.contacts.list.skin / crowd.contacts.skinShare;
+  int choices = 0;
+  for (int i = 0; i < 200; ++i) {
+    const int slot = b.slots[i % b.count];
+    b.write(b.position, slot, 0, b.vertex(slot, 0) + Vector{0, 0, i / b.count % 2 == 0 ? jump : -jump});
+    crowd.evaluateContacts(1e-3);
+    choices += crowd.contacts.acting.age == 1;
+  }
+  CHECK(choices < 40);  // instead of nearly 200
+  CHECK(choices > 5);   // and later they are tried again
+}
+
 TEST_CASE("Snapshots count by how much they may change gaps, and the choice holds up to its margin") {
   const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas()) {
