@@ -30,9 +30,10 @@ Hasher& Hasher::add(double v) {
   return add(std::bit_cast<std::uint64_t>(v));
 }
 
-Hasher& Hasher::add(std::string_view text) {
-  add(std::uint64_t{text.size()});
-  XXH3_128bits_update(&state_->xxh, text.data(), text.size());
+Hasher& Hasher::add(std::string_view text) { return add(std::uint64_t{text.size()}).addPiece(text); }
+
+Hasher& Hasher::addPiece(std::string_view bytes) {
+  XXH3_128bits_update(&state_->xxh, bytes.data(), bytes.size());
   return *this;
 }
 

@@ -38,6 +38,8 @@ class Hasher {
   Hasher& add(const char* text) { return add(std::string_view(text)); }
   Hasher& add(const Hash& h) { return add(h.high).add(h.low); }
   Hasher& add(std::span<const double> values);
+  /// Bytes without their number, which texts have: all pieces of a file give its XXH3-128.
+  Hasher& addPiece(std::string_view bytes);
 
   Hash digest() const;
 

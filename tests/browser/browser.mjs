@@ -8,7 +8,7 @@ export const [packages, pages] = process.argv.slice(2).map((p) => resolve(p));
 const require = createRequire(join(packages, "package.json"));
 const puppeteer = require("puppeteer-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
-const flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--allow-file-access-from-files", "--disable-extensions"];
+const flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--allow-file-access-from-files", "--disable-extensions", "--disable-gpu-compositing"];
 
 export let failures = 0;
 export function check(what, holds, found = "") {
@@ -22,7 +22,7 @@ export async function start(more = []) {
 }
 
 /** Opens a page and listens for all that must not happen. */
-export async function open(browser, name, size = { width: 1280, height: 1000 }, hash = "") {
+export async function open(browser, name, size = { width: 1000, height: 700 }, hash = "") {
   const page = await browser.newPage(), url = pathToFileURL(join(pages, name)).href;
   page.on("console", (m) => check(`${name}: nothing on the console`, !["error", "warning"].includes(m.type()) || /GPU stall|swiftshader|WebGL-.*Performance/i.test(m.text()), m.text()));
   page.on("pageerror", (e) => check(`${name}: no error in the program`, false, e.message));
@@ -76,7 +76,7 @@ export async function clickNode(page, path) {
 
 async function pixels(page, nth) {
   await settle(page);
-  return (await page.$$("#explorer canvas"))[nth].screenshot({ encoding: "base64" });
+  return (await page.$$("#explorer canvas"))[nth].screenshot({ encoding: "base64", optimizeForSpeed: true });
 }
 
 /** A busy machine may draw late: it has ten seconds and more. */

@@ -38,18 +38,24 @@ Descriptor openRegular(const std::filesystem::path& file) {
   return opened;
 }
 
-/// Reads up to `count` bytes.
+/// Up to `count` bytes, as `take` gets them. Not by the announced size: files of /proc announce 0, and others may grow
+/// meanwhile.
+void readUpTo(const Descriptor& from, std::uint64_t count, const std::filesystem::path& file,
+              const std::function<void(std::string_view)>& take) {
+  char piece[1 << 16];
+  while (count > 0) {
+    const ssize_t n = ::read(from.number(), piece, std::min<std::uint64_t>(count, sizeof piece));
+    if (n < 0 && errno != EINTR) refuseUnreadable(file);
+    if (n == 0) break;
+    if (n < 0) continue;
+    take({piece, static_cast<std::size_t>(n)});
+    count -= static_cast<std::uint64_t>(n);
+  }
+}
+
 std::string readUpTo(const Descriptor& from, std::uint64_t count, const std::filesystem::path& file) {
   std::string bytes;
-  while (bytes.size() < count) {
-    const std::size_t before = bytes.size();
-    const std::size_t chunk = static_cast<std::size_t>(std::min<std::uint64_t>(count - before, 1 << 20));
-    bytes.resize(before + chunk);
-    const ssize_t n = ::read(from.number(), bytes.data() + before, chunk);
-    if (n < 0 && errno != EINTR) refuseUnreadable(file);
-    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    if (n == 0) break;
-  }
+  readUpTo(from, count, file, [&](std::string_view piece) { bytes += piece; });
   return bytes;
 }
 
@@ -57,11 +63,14 @@ std::string readUpTo(const Descriptor& from, std::uint64_t count, const std::fil
 
 std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes) {
   const Descriptor opened = openRegular(file);
-  // Not by its announced size: files of /proc announce 0, and others may grow meanwhile.
   std::string bytes = readUpTo(opened, maxBytes + 1, file);
   if (bytes.size() > maxBytes)
     refuse(file, "holds more than " + std::to_string(maxBytes >> 20) + " MiB, the most that is read of such a file");
   return bytes;
+}
+
+void readPieces(const std::filesystem::path& file, const std::function<void(std::string_view)>& take) {
+  readUpTo(openRegular(file), UINT64_MAX, file, take);
 }
 
 std::string readBeginning(const std::filesystem::path& file, std::size_t count) {

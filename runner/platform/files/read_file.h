@@ -3,7 +3,9 @@
 // device that never ends, a file of /proc that cannot be read.
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace morula {
 
@@ -12,6 +14,9 @@ inline constexpr std::uint64_t maxInputBytes = std::uint64_t{64} << 20;  // of a
 /// All bytes of a regular file. Throws FileError with the path and the reason: it is not there, is no regular file,
 /// cannot be read, or holds more than `maxBytes`. Never waits.
 std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes = maxInputBytes);
+
+/// The same of any size, piece by piece.
+void readPieces(const std::filesystem::path& file, const std::function<void(std::string_view)>& take);
 
 /// The first `count` bytes, or as many as there are. Throws FileError if it is no regular file, or cannot be read.
 std::string readBeginning(const std::filesystem::path& file, std::size_t count);

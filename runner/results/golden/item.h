@@ -87,7 +87,7 @@ struct GoldenLink {
 struct GoldenImage {
   static constexpr const char *form = "image name renderer hash", *check = "images";
   std::string name;      // "organism"
-  std::string renderer;  // only pictures of one renderer are alike to the bit; one word
+  std::string renderer;  // only pictures of one renderer are alike to the bit; one word; "none": it was not drawn
   Hash hash;             // of the pixels
   int line = 0;
 };

@@ -77,8 +77,11 @@ MachineInfo machineInfo() {
 
 std::string binaryHash() {
   static const std::string hash = [] {
-    const std::string bytes = readHead("/proc/self/exe", std::size_t{1} << 30);
-    return bytes.empty() ? "unknown" : Hasher().add(bytes).digest().text();
+    Hasher hasher;
+    try {
+      readPieces("/proc/self/exe", [&](std::string_view piece) { hasher.addPiece(piece); });
+    } catch (const FileError&) { return std::string("unknown"); }
+    return hasher.digest().text();
   }();
   return hash;
 }

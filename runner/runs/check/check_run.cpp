@@ -86,8 +86,8 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
       for (const auto& sample : part->samples) context.samples.push_back(sample.world);
     context.chain.insert(context.chain.end(), part->chain.begin(), part->chain.end());
   }
-  if (withPicture && run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
-    context.images.push_back(imageOf(run, scenario));
+  if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
+    context.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", "none", {}});
   GoldenData data = observeGolden(run.world, context);
   data.parameters = decidingValues(scenario);
   return data;
@@ -124,13 +124,13 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
 
-CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden) {
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
   if (fileExists(file)) {
     try {
-      report = compareGolden(readAccepted(scenario, file), observe(scenario, checked.run));
+      report = compareGolden(readAccepted(scenario, file), observe(scenario, checked.run, draw));
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
   } else if (needsGolden) report.results.push_back(goldenMissing(scenario, file));
   for (auto& result : checkInvariants(scenario, checked)) report.results.push_back(std::move(result));

@@ -107,7 +107,7 @@ void checkOutcome(const Scenario& scenario, const RunSettings& settings, const C
     if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, end.failure);
   } else if (!fileExists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
     outcome.whyNotChecked = "there is no golden file";
-  else outcome.checks = check(scenario, checked, false);
+  else outcome.checks = check(scenario, checked, false, settings.draw);
 }
 
 /// Called after the run is stored, so that a failure of Bullet loses nothing.

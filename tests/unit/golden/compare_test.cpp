@@ -394,12 +394,16 @@ TEST_CASE("costs and pictures have classes of their own, unless something else e
   CHECK(find(both, "images").failureClass == "COMPUTATION");
 }
 
-TEST_CASE("a picture of another renderer says nothing") {
-  const CheckReport report = compareWith(reread(exampleGolden()), [](GoldenFacts& f) {
-    f.images[0] = {"organism", "painter-2", {9, 9}};
-  });
-  CHECK(report.passed());
-  CHECK(find(report, "images").actual == "another renderer: not compared");
+TEST_CASE("a picture of another renderer says nothing, nor does one that is not drawn") {
+  const auto golden = reread(exampleGolden());
+  const auto actual = [&](const GoldenImage& image) {
+    const CheckReport report = compareWith(golden, [&](GoldenFacts& f) { f.images = {image}; });
+    CHECK(report.passed());
+    return find(report, "images").actual;
+  };
+  CHECK(actual({"organism", "painter-2", {9, 9}}) == "another renderer: not compared");
+  CHECK(actual({"organism", "none", {}}) == "not drawn: not compared");
+  CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.images.clear(); }).passed());
 }
 
 TEST_CASE("a difference no larger than one unit in the last place grows to is chaos") {
