@@ -17,21 +17,19 @@ Vector nearestOnSegment(const Point& p, const Point& a, const Point& b) {
   return a + share * d;
 }
 
-/// Inside the triangle's prism the foot on its plane, else the nearest point of its border.
+/// Inside the triangle's prism the foot on its plane, else the nearest point of a side that p lies beyond.
 double squaredDistance(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Vector n = cross(b - a, c - a), ap = p - a;
+  const Vector n = cross(b - a, c - a);
   const double area = dot(n, n);
-  if (area > 0 && dot(cross(b - a, ap), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
-      dot(cross(a - c, p - c), n) >= 0) {
-    const double height = dot(ap, n);
-    return height * height / area;
-  }
   double least = INFINITY;
   for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}}) {
+    if (area > 0 && dot(cross(v - u, p - u), n) >= 0) continue;
     const Vector off = p - nearestOnSegment(p, u, v);
     least = std::min(least, dot(off, off));
   }
-  return least;
+  if (least < INFINITY) return least;
+  const double height = dot(p - a, n);
+  return height * height / area;
 }
 
 /// A face with the ball around it, by which most faces are left out.

@@ -25,8 +25,7 @@ using Context = CairoPointer<cairo_t, cairo_destroy>;
 
 /// cairo fails on what we have checked only by a bug of ours or for want of memory. Throws BugError.
 inline void requireSuccess(cairo_status_t status) {
-  // Its PNGs go to memory: where libpng fails, there is none.
-  if (status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_PNG_ERROR) throw std::bad_alloc();
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS) throw BugError(std::string("cairo: ") + cairo_status_to_string(status));
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "drawing/cairo.h"
+#include "drawing/png_file.h"
 
 namespace morula {
 namespace {
@@ -186,30 +187,6 @@ std::string Drawing::file(PictureFormat format) const {
   // cairo numbers all surfaces of the process: the only thing that would differ between equal drawings.
   if (const auto id = bytes.find(" id=\"surface"); id != bytes.npos) bytes.erase(id, bytes.find('"', id + 5) + 1 - id);
   return bytes.insert(bytes.find(svgEnd) + svgEnd.size(), "<!-- Morula -->\n");
-}
-
-namespace {
-
-constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, always the first
-
-/// The chunk "Software: Morula" with its length before it and its check sum behind it [PNG specification, annex D].
-constexpr std::string_view ownMark{
-    "\0\0\0\x0f"
-    "tEXtSoftware\0Morula\x19"
-    "I\x11|",
-    27};
-
-}  // namespace
-
-std::string pngFile(const Image& image) {
-  if (image.pixels.empty()) throw InputError("an empty image cannot be written");
-  std::string bytes;
-  requireSuccess(cairo_surface_write_to_png_stream(surfaceOf(image).get(), append, &bytes));
-  return bytes.insert(headerEnd, ownMark);
-}
-
-bool isOwnPng(std::string_view head) {
-  return head.starts_with("\x89PNG\r\n\x1a\n") && head.substr(std::min(headerEnd, head.size())).starts_with(ownMark);
 }
 
 double crisp(double place) { return std::floor(place) + 0.5; }

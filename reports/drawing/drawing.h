@@ -63,13 +63,6 @@ class Drawing {
   std::vector<std::function<void(cairo_t*)>> marks_;
 };
 
-/// The content of a PNG file, 8-bit RGB or RGBA, which says that Morula made it. Equal images give equal bytes
-/// on one libpng.
-std::string pngFile(const Image& image);
-
-/// Whether a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
-bool isOwnPng(std::string_view head);
-
 /// Of a horizontal or vertical line one pixel wide: through the middle of a row or column, so that it is crisp.
 double crisp(double place);
 

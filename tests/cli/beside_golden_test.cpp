@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "drawing/drawing.h"
+#include "drawing/png_file.h"
 #include "launch.h"
 
 using namespace morula::test;

@@ -12,7 +12,7 @@
 #include "base/hash.h"
 #include "biology/dna.h"
 #include "drawing/drawing.h"
-#include "drawing/read_png.h"
+#include "drawing/png_file.h"
 #include "explain/run_source.h"
 #include "golden/golden.h"
 #include "mesh/convex_shell.h"

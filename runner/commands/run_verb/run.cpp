@@ -196,7 +196,7 @@ void addRun(CLI::App& app, Action& action) {
                                          "One run for each seed of a range: 1..50");
   verb.takes("--db", options.database, "FILE", "Store in this file; default: run.db beside the pictures");
   verb.takes("--out", options.out, "FOLDER", "Folder for results, one folder in it per run");
-  verb.takes("--no-pictures", options.noPictures, "Do not draw");
+  verb.takes("--no-pictures", options.noPictures, "Draw nothing, not even what the golden holds");
   verb.takes("--no-check", options.noCheck, "Do not compare with the golden file");
   verb.takes("--checkpoint-every", options.checkpointEvery, "STEPS", natural(1, 1'000'000'000'000),
              "Keep a checkpoint every so many steps; one is always kept at Ctrl-C");

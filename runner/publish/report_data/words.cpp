@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "drawing/png_file.h"
 #include "scenario/deciding_values.h"
 #include "system/installation.h"
 

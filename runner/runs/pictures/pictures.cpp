@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/multiples.h"
 #include "document/words.h"
+#include "drawing/png_file.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/text.h"

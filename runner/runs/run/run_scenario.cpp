@@ -11,6 +11,7 @@
 #include "check/check_run.h"
 #include "check/remarks.h"
 #include "check/sanity.h"
+#include "drawing/png_file.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "files/read_file.h"

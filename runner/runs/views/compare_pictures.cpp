@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "drawing/read_png.h"
+#include "drawing/png_file.h"
 #include "files/read_file.h"
 
 namespace morula {

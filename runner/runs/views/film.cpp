@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "drawing/drawing.h"
+#include "drawing/png_file.h"
 #include "files/read_file.h"
 #include "files/scratch_folder.h"
 #include "files/write_file.h"

@@ -11,7 +11,7 @@
 #include "comparison/organism_grid.h"
 #include "database/store_error.h"
 #include "document/words.h"
-#include "drawing/read_png.h"
+#include "drawing/png_file.h"
 #include "files/read_file.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"

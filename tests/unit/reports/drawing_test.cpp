@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "catch.h"
+#include "drawing/png_file.h"
 #include "files/content.h"
 
 namespace morula {

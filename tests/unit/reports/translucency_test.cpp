@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "catch.h"
+#include "drawing/png_file.h"
 #include "pictures.h"
 
 namespace morula {
