@@ -23,7 +23,7 @@ cat >"$folder/tsconfig.json" <<END
     "paths": { "three": ["node_modules/@types/three"], "three/*": ["node_modules/@types/three/*"] } },
   "include": ["$source/reports/explorer/src"] }
 END
-node "$folder/node_modules/typescript/bin/tsc" --noEmit -p "$folder/tsconfig.json"
+node "$folder/node_modules/typescript/bin/tsc" --noEmit --incremental --tsBuildInfoFile "$folder/types" -p "$folder/tsconfig.json"
 
 node "$here/faces_test.mjs" "$folder" "$source/reports/explorer/src"
 

@@ -1,5 +1,5 @@
-// The axis lies along the organism's surface: both daughters stay as far out as their mother, and a layer of cells
-// stays one.
+// Planes by where the organism's surface is: along it both daughters stay as far out as their mother, and a layer of
+// cells stays one; across it one daughter goes in.
 #include "division/planes/directions.h"
 #include "division/planes/make_from_choice.h"
 
@@ -14,6 +14,13 @@ struct ParallelToSurface final : DivisionPolicy {
   }
 };
 
+struct PerpendicularToSurface final : DivisionPolicy {
+  Cut findCut(const CellContext& cell) const override {
+    const std::optional<Vector> out = outwardDirection(cell);
+    return throughCentre(cell, out ? *out : longestExtent(cell));
+  }
+};
+
 }  // namespace
 
 const DivisionPlaneKind parallelPlane{
@@ -22,6 +29,14 @@ const DivisionPlaneKind parallelPlane{
     .meaning = "the direction of their largest extent along the organism's surface (in the middle as longest)",
     .needsShape = true,
     .make = makeFromChoice<ParallelToSurface>,
+};
+
+const DivisionPlaneKind perpendicularPlane{
+    .plane = DivisionPlane::perpendicular,
+    .name = "perpendicular",
+    .meaning =
+        "the direction that stands on the organism's surface, with daughter A outside (in the middle as longest)",
+    .make = makeFromChoice<PerpendicularToSurface>,
 };
 
 }  // namespace morula

@@ -1,0 +1,57 @@
+// Planes by a cell's contact with cells that hold a substance; without such a contact as longest.
+#include "division/planes/directions.h"
+#include "division/planes/make_from_choice.h"
+
+namespace morula {
+namespace {
+
+/// `axisFrom`: the axis, by the cell and the direction to its contact.
+template <auto axisFrom>
+struct ByContact final : DivisionPolicy {
+  explicit ByContact(const PlaneChoice& p) : substance(p.substance) {}
+  Cut findCut(const CellContext& cell) const override {
+    const std::optional<Vector> contact = contactDirection(cell, substance);
+    return throughCentre(cell, contact ? axisFrom(cell, *contact) : longestExtent(cell));
+  }
+  std::string substance;
+};
+
+Vector same(const CellContext&, const Vector& contact) { return contact; }
+Vector opposite(const CellContext&, const Vector& contact) { return -contact; }
+
+}  // namespace
+
+/// Daughter A at the contact: as the spindle of the worm's P2 turns to EMS, and that of EMS to P2.
+const DivisionPlaneKind towardsPlane{
+    .plane = DivisionPlane::towards,
+    .name = "towards",
+    .meaning =
+        "the direction to their contact with cells that hold a substance, where daughter A lies (without one "
+        "as longest)",
+    .takes = Takes::substance,
+    .needsContact = true,
+    .make = makeFromChoice<ByContact<same>>,
+};
+
+const DivisionPlaneKind awayFromPlane{
+    .plane = DivisionPlane::awayFrom,
+    .name = "away-from",
+    .meaning = "the same direction with daughter B at the contact",
+    .takes = Takes::substance,
+    .needsContact = true,
+    .make = makeFromChoice<ByContact<opposite>>,
+};
+
+/// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of it, as skin cells
+/// do that stay on what they cover.
+const DivisionPlaneKind acrossPlane{
+    .plane = DivisionPlane::across,
+    .name = "across",
+    .meaning = "the direction of their largest extent along such a contact, so that the plane cuts it in two",
+    .takes = Takes::substance,
+    .needsShape = true,
+    .needsContact = true,
+    .make = makeFromChoice<ByContact<longestExtentAcross>>,
+};
+
+}  // namespace morula
