@@ -27,9 +27,8 @@ double squaredDistance(const Point& p, const Point& a, const Point& b, const Poi
     const Vector off = p - nearestOnSegment(p, u, v);
     least = std::min(least, dot(off, off));
   }
-  if (least < INFINITY) return least;
   const double height = dot(p - a, n);
-  return height * height / area;
+  return least < INFINITY ? least : height * height / area;
 }
 
 /// A face with the ball around it, by which most faces are left out.

@@ -2,7 +2,6 @@
 
 #include <png.h>
 
-#include <algorithm>
 #include <csetjmp>
 #include <new>
 
@@ -91,7 +90,7 @@ std::string pngFile(const Image& image) {
 }
 
 bool isOwnPng(std::string_view head) {
-  return head.starts_with(signature) && head.substr(std::min(headerEnd, head.size())).starts_with(ownMark);
+  return head.starts_with(signature) && head.size() > headerEnd && head.substr(headerEnd).starts_with(ownMark);
 }
 
 Image readPng(const std::string& bytes, const std::string& name) {

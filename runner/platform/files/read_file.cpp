@@ -79,8 +79,7 @@ std::string readBeginning(const std::filesystem::path& file, std::size_t count) 
 
 std::string readHead(const std::filesystem::path& file, std::size_t count) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0 || !typeProblem(status).empty()) return "";
-  return readBeginning(file, count);
+  return ::stat(file.c_str(), &status) != 0 || !typeProblem(status).empty() ? "" : readBeginning(file, count);
 }
 
 void requireRegularFile(const std::filesystem::path& file) {

@@ -124,13 +124,17 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
 
-CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw) {
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw,
+                  std::optional<GoldenData>* observed) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
   if (fileExists(file)) {
     try {
-      report = compareGolden(readAccepted(scenario, file), observe(scenario, checked.run, draw));
+      const Golden golden = readAccepted(scenario, file);
+      GoldenData now = observe(scenario, checked.run, draw);
+      report = compareGolden(golden, now);
+      if (observed) *observed = std::move(now);
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
   } else if (needsGolden) report.results.push_back(goldenMissing(scenario, file));
   for (auto& result : checkInvariants(scenario, checked)) report.results.push_back(std::move(result));
