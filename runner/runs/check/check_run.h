@@ -52,8 +52,7 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 std::filesystem::path goldenFile(const Scenario& scenario);
 
 /// The run's golden and invariants. With `needsGolden` a missing golden file is a failed
-/// check; otherwise only invariants are checked then. Without `draw` the golden's picture is not compared. `observed`: gets
-/// what was compared with the golden, if not null.
+/// check; otherwise only invariants are checked then. Without `draw` its picture is not compared; `observed` gets what was.
 CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw = true,
                   std::optional<GoldenData>* observed = nullptr);
 
