@@ -1,4 +1,4 @@
 #include "cli/verbs.h"
 #include "options/program.h"
 
-int main(int argc, char** argv) { return morula::cli::runProgram(argc, argv, morula::cli::addVerbs); }
+int main(int argc, char** argv) { return morula::cli::runProgram(argc, argv, morula::cli::verbs); }

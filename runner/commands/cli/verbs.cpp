@@ -5,13 +5,10 @@
 
 namespace morula::cli {
 
-/// In the order in which the help shows them.
-void addVerbs(CLI::App& app, Action& action) {
-  for (AddVerb* add :
-       {addRun,    addParts, addCheck,   addExplain, addReview,       addValidate, addSchema,     addInit,
-        addRender, addChart, addLineage, addReplay,  addExport,       addReport,   addPlayground, addAccuracy,
-        addBench,  addStudy, addCompare, addTrail,   addEngineWorker, addDescribe})
-    add(app, action);
-}
+static constexpr AddVerb* all[] = {addRun,     addParts,  addCheck,        addExplain,  addReview,  addValidate,
+                                   addSchema,  addInit,   addRender,       addChart,    addLineage, addReplay,
+                                   addExport,  addReport, addPlayground,   addAccuracy, addBench,   addStudy,
+                                   addCompare, addTrail,  addEngineWorker, addDescribe};
+const std::span<AddVerb* const> verbs = all;
 
 }  // namespace morula::cli

@@ -1,6 +1,8 @@
 #pragma once
 // The verbs of the program, each in the file of its name; `run`: run_verb/run_verb.h; those of studies:
 // study_verbs/study_verbs.h.
+#include <span>
+
 #include "options/verb.h"
 
 namespace morula::cli {
@@ -8,7 +10,7 @@ namespace morula::cli {
 AddVerb addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart, addLineage,
     addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addDescribe;
 
-/// All of them.
-AddVerb addVerbs;
+/// All of them, in the order in which the help shows them.
+extern const std::span<AddVerb* const> verbs;
 
 }  // namespace morula::cli

@@ -3,6 +3,6 @@
 
 int main(int argc, char** argv) {
   using namespace morula::cli;
-  return runProgram(argc, argv,
-                    [](CLI::App& app, Action& action) { addRun(app, action), addEngineWorker(app, action); });
+  AddVerb* const verbs[] = {addRun, addEngineWorker};
+  return runProgram(argc, argv, verbs);
 }
