@@ -29,6 +29,7 @@
 #include "tasks/run_study.h"
 #include "temporary_folder.h"
 #include "unit/analysis/study_db.h"
+#include "unit/scenario/every_part.h"
 
 namespace morula::fuzz {
 
@@ -145,10 +146,22 @@ std::string fileOf(std::string_view bytes) {
   return file;
 }
 
+/// Whatever is said of it must begin with its place.
+void readAsScenario(std::string_view bytes) {
+  try {
+    readScenario(text(bytes), "fuzz.yaml", "");
+  } catch (const InputError& refused) {
+    if (std::string_view(refused.what()).starts_with("fuzz.yaml:")) throw;
+    throw std::logic_error(std::string("refused without a place: ") + refused.what());
+  }
+}
+
 const Reader all[] = {
-    {"scenario", [](std::string_view b) { readScenario(text(b), "fuzz.yaml", ""); },
+    {"scenario", readAsScenario,
      [] {
-       return filesIn({"scenarios", "tests/bad_scenarios"}, ".yaml");
+       auto files = filesIn({"scenarios", "tests/bad_scenarios"}, ".yaml");
+       files.resize(2 * files.size(), test::everyPart);  // half of the inputs are made of this one
+       return files;
      }},
     {"override",
      [](std::string_view b) {

@@ -1,7 +1,4 @@
-// Properties: a good scenario with one mistake is refused at the mistake's place; with any damage at all it
-// is refused or read, and never breaks the reader.
-#include <random>
-
+// A good scenario with one mistake is refused at the mistake's place; with any damage at all: fuzz/readers.cpp.
 #include "helpers.h"
 #include "scenario/loading.h"
 
@@ -75,34 +72,4 @@ TEST_CASE("a required key that is missing is named") {
     text.erase(at, text.find('\n', at) + 1 - at);
     CHECK(complaints(text).find(std::string(key) + ": is missing") != std::string::npos);
   }
-}
-
-TEST_CASE("random damage is refused or read, but never breaks the reader") {
-  std::mt19937 random(20080617);
-  const auto upTo = [&](std::size_t n) { return static_cast<std::size_t>(random() % (n + 1)); };
-  const std::string spice = "\n\t :-{}[],'\"|>&*!#%@~?<.0189eEx_\\\r\x01\x7f\xc3\xa9\xff";
-  int refused = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    auto text = everyPart;
-    for (auto edits = 1 + upTo(3); edits > 0; --edits) {
-      const auto at = upTo(text.size());
-      switch (upTo(4)) {
-        case 0: text.insert(at, 1, spice[upTo(spice.size() - 1)]); break;
-        case 1: text.erase(at, 1 + upTo(5)); break;
-        case 2: text.insert(at, text.substr(upTo(text.size()), upTo(20))); break;
-        case 3:
-          if (at < text.size()) text[at] = spice[upTo(spice.size() - 1)];
-          break;
-        default: text.resize(at); break;
-      }
-    }
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      ++refused;
-      // Whatever is said begins with a place.
-      if (!std::string(error.what()).starts_with("test.yaml:")) FAIL(error.what() << "\n" << text);
-    }
-  }
-  CHECK(refused > 10'000);
 }
