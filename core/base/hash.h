@@ -38,7 +38,7 @@ class Hasher {
   Hasher& add(const char* text) { return add(std::string_view(text)); }
   Hasher& add(const Hash& h) { return add(h.high).add(h.low); }
   Hasher& add(std::span<const double> values);
-  /// Bytes without their number, which texts have: all pieces of a file give its XXH3-128.
+  /// Bytes alone, where texts have their length before them: the pieces of a file, in order, give the file's XXH3-128.
   Hasher& addPiece(std::string_view bytes);
 
   Hash digest() const;

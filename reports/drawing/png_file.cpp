@@ -102,9 +102,10 @@ Image readPng(const std::string& bytes, const std::string& name) {
   } png{};
   png.version = PNG_IMAGE_VERSION;
   if (!chunksFit(bytes) || !png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) throw damaged;
-  if (std::uint64_t{png.width} * png.height > mostPixels)
+  if (png.width > mostSide || png.height > mostSide || std::uint64_t{png.width} * png.height > mostPixels)
     throw InputError(name + ": a picture of " + std::to_string(png.width) + " x " + std::to_string(png.height) +
-                     " pixels is too large; needs at most " + std::to_string(mostPixels) + " pixels");
+                     " pixels is too large; needs at most " + std::to_string(mostPixels) + " pixels, and " +
+                     std::to_string(mostSide) + " along a side");
   png.format = PNG_FORMAT_RGBA;
   std::vector<png_byte> pixels(PNG_IMAGE_SIZE(png));
   Image image(static_cast<int>(png.width), static_cast<int>(png.height), paper);

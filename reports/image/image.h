@@ -6,7 +6,8 @@
 
 namespace morula {
 
-/// Throws InputError unless both sides of a picture are 1 to 16384 pixels.
+inline constexpr int mostSide = 16384;  // [pixel] of a picture
+/// Throws InputError unless both sides of a picture are 1 to `mostSide` pixels.
 void checkSides(int width, int height);
 
 /// Pixels, row by row from the top left.

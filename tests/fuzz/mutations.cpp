@@ -1,7 +1,7 @@
 // In every test run: each reader reads its seeds, what earlier findings were (corpus/READER), and a fixed number of inputs that are
 // made of them by chance, the same ones everywhere.
 //
-//   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each; exit 1 and the input in a file for a finding; what inputs are
+//   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each (Reader::times); exit 1 and the input in a file for a finding; what inputs are
 //                                            made of goes into FOLDER
 #include <algorithm>
 #include <cstdio>
@@ -37,8 +37,13 @@ std::string_view pieceOf(const std::string& from, Chance& draw) {
 }
 
 std::string mutated(const std::vector<std::string>& seeds, Chance& draw) {
-  static const char* const hostile[] = {"0",  "-1",   "1e308", "nan", "99999999999999999999", "[", "{", "\"",
-                                        "\n", "\xff", ": ",    "*"};
+  static const char* const hostile[] = {"0",  "-1",   "1e308", "nan",     "99999999999999999999",
+                                        "[",  "{",    "\"",    "\n",      "\xff",
+                                        ": ", "*",    "]",     "}",       ",",
+                                        "'",  "|",    ">",     "&",       "!",
+                                        "#",  "%",    "@",     "~",       "?",
+                                        "<",  ".",    "-",     "\t",      "\r",
+                                        "\\", "\x01", "\x7f",  "\xc3\xa9"};
   std::string input = seeds[draw(seeds.size())];
   for (std::size_t changes = 1 + draw(4); changes > 0; --changes) {
     const std::size_t at = draw(input.size() + 1);
@@ -96,7 +101,7 @@ int main(int argc, char** argv) {
     for (const std::string& seed : seeds) isClean = isFine(reader, seed, taken) && isClean;
     for (std::size_t i = 0; argc > 3 && i < seeds.size(); ++i)
       std::ofstream(std::filesystem::path(argv[3]) / std::to_string(i), std::ios::binary) << seeds[i];
-    for (std::size_t i = 0; i < count && isClean; ++i, ++read) {
+    for (std::size_t i = 0; i < reader.times * count && isClean; ++i, ++read) {
       Chance draw(i);
       isClean = isFine(reader, mutated(seeds, draw), taken);
     }

@@ -160,9 +160,10 @@ const Reader all[] = {
     {"scenario", readAsScenario,
      [] {
        auto files = filesIn({"scenarios", "tests/bad_scenarios"}, ".yaml");
-       files.resize(2 * files.size(), test::everyPart);  // half of the inputs are made of this one
+       files.resize(5 * files.size(), test::everyPart);  // four of five inputs are made of this one
        return files;
-     }},
+     },
+     5},
     {"override",
      [](std::string_view b) {
        readScenario(contentOf(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"), "small.yaml", "",

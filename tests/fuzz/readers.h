@@ -15,6 +15,7 @@ struct Reader {
   void (*read)(std::string_view bytes);
   /// Valid inputs to begin with, from the repository's own files.
   std::vector<std::string> (*seeds)();
+  int times = 1;  // as many inputs as are asked for
 };
 
 std::span<const Reader> readers();

@@ -16,8 +16,8 @@ struct ByContact final : DivisionPolicy {
   std::string substance;
 };
 
-Vector same(const CellContext&, const Vector& contact) { return contact; }
-Vector opposite(const CellContext&, const Vector& contact) { return -contact; }
+Vector towardsContact(const CellContext&, const Vector& contact) { return contact; }
+Vector awayFromContact(const CellContext&, const Vector& contact) { return -contact; }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ const DivisionPlaneKind towardsPlane{
         "as longest)",
     .takes = Takes::substance,
     .needsContact = true,
-    .make = makeFromChoice<ByContact<same>>,
+    .make = makeFromChoice<ByContact<towardsContact>>,
 };
 
 const DivisionPlaneKind awayFromPlane{
@@ -39,7 +39,7 @@ const DivisionPlaneKind awayFromPlane{
     .meaning = "the same direction with daughter B at the contact",
     .takes = Takes::substance,
     .needsContact = true,
-    .make = makeFromChoice<ByContact<opposite>>,
+    .make = makeFromChoice<ByContact<awayFromContact>>,
 };
 
 /// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of it, as skin cells

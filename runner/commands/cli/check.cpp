@@ -72,11 +72,10 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   const Simulation& run = checked->run;
   signal = run.signal;
   if (run.end.status != RunStatus::done) return failed(scenario, run);
-  std::optional<GoldenData> observed;
-  CheckReport report = check(scenario, *checked, true, true, &observed);
+  const GoldenData observed = observe(scenario, run);
+  CheckReport report = check(scenario, *checked, observed, true);
   if (report.passed()) removePending(scenario);
-  else if (scenario.check.fails.empty())
-    signal = putPending(scenario, run, observed ? *observed : observe(scenario, run), how, quiet);
+  else if (scenario.check.fails.empty()) signal = putPending(scenario, run, observed, how, quiet);
   // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
   report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)

@@ -102,8 +102,7 @@ Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
   const auto all = [](CLI::App*) { return true; };
   for (AddVerb* add : verbs) {
     add(app, action);
-    if (app.get_subcommands(all).back()->get_name() == word)
-      break;  // nobody asks for the others: that saves a millisecond
+    if (app.get_subcommands(all).back()->get_name() == word) break;  // the options of all verbs take a millisecond
   }
   for (auto* verb : app.get_subcommands(all)) {
     verb->allow_extras();

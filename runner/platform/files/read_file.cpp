@@ -38,7 +38,7 @@ Descriptor openRegular(const std::filesystem::path& file) {
   return opened;
 }
 
-/// Up to `count` bytes, as `take` gets them. Not by the announced size: files of /proc announce 0, and others may grow
+/// Hands up to `count` bytes to `take`, in pieces. Not by the announced size: files of /proc announce 0, and others may grow
 /// meanwhile.
 void readUpTo(const Descriptor& from, std::uint64_t count, const std::filesystem::path& file,
               const std::function<void(std::string_view)>& take) {

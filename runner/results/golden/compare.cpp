@@ -99,7 +99,7 @@ CheckResult compareImages(const std::string& file, Pairs pairs) {
   std::erase_if(pairs, [&](const Pair& p) {
     if (!p.golden || !p.observed) return false;
     const std::string& now = std::get<GoldenImage>(*p.observed).renderer;
-    undrawn |= now == "none";
+    undrawn |= now == GoldenImage::undrawn;
     return std::get<GoldenImage>(*p.golden).renderer != now;
   });
   CheckResult r = compareExactly(file, "images", pairs);

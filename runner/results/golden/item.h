@@ -85,9 +85,9 @@ struct GoldenLink {
 };
 
 struct GoldenImage {
-  static constexpr const char *form = "image name renderer hash", *check = "images";
+  static constexpr const char *form = "image name renderer hash", *check = "images", *undrawn = "none";
   std::string name;      // "organism"
-  std::string renderer;  // only pictures of one renderer are alike to the bit; one word; "none": it was not drawn
+  std::string renderer;  // only pictures of one renderer are alike to the bit; one word, or `undrawn`
   Hash hash;             // of the pixels
   int line = 0;
 };

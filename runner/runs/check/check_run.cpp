@@ -87,7 +87,7 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
     context.chain.insert(context.chain.end(), part->chain.begin(), part->chain.end());
   }
   if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
-    context.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", "none", {}});
+    context.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", GoldenImage::undrawn, {}});
   GoldenData data = observeGolden(run.world, context);
   data.parameters = decidingValues(scenario);
   return data;
@@ -124,17 +124,13 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
 
-CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw,
-                  std::optional<GoldenData>* observed) {
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, const GoldenData& observed, bool needsGolden) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
   if (fileExists(file)) {
     try {
-      const Golden golden = readAccepted(scenario, file);
-      GoldenData now = observe(scenario, checked.run, draw);
-      report = compareGolden(golden, now);
-      if (observed) *observed = std::move(now);
+      report = compareGolden(readAccepted(scenario, file), observed);
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
   } else if (needsGolden) report.results.push_back(goldenMissing(scenario, file));
   for (auto& result : checkInvariants(scenario, checked)) report.results.push_back(std::move(result));

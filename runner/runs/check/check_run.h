@@ -37,7 +37,7 @@ class RunChecks {
 /// Runs the scenario with its checks. `options.watch` is theirs.
 CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {}, bool asked = true);
 
-/// What the run's golden would say.
+/// What the run's golden would say, and without `withPicture` that no picture was drawn.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
 
 /// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if that
@@ -51,10 +51,9 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 /// The golden's file for the scenario; the path may not exist.
 std::filesystem::path goldenFile(const Scenario& scenario);
 
-/// The run's golden and invariants. With `needsGolden` a missing golden file is a failed
-/// check; otherwise only invariants are checked then. Without `draw` its picture is not compared; `observed` gets what was.
-CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden, bool draw = true,
-                  std::optional<GoldenData>* observed = nullptr);
+/// The run's golden, compared with what was observed of the run, and invariants. With `needsGolden` a missing golden file is
+/// a failed check; otherwise only invariants are checked then.
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, const GoldenData& observed, bool needsGolden);
 
 /// All checks that the run alone decides: of a run that failed, whether it had to.
 std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const CheckedRun& checked);

@@ -206,7 +206,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
     f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
     return;
   }
-  const CheckReport report = check(scenario, checked, true);
+  const CheckReport report = check(scenario, checked, observe(scenario, run), true);
   f.checks = report.results;
   f.text += describe(report, true);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others

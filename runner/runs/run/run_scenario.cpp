@@ -102,13 +102,15 @@ void keepForGolden(const RunResults& records, RunResults& kept) {
 void checkOutcome(const Scenario& scenario, const RunSettings& settings, const CheckedRun& checked,
                   RunOutcome& outcome) {
   const RunEnd& end = checked.run.end;
+  const bool hasGolden = fileExists(goldenFile(scenario));
   if (!settings.check) outcome.whyNotChecked = "as asked";
   else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
   else if (end.status == RunStatus::failed) {
     if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, end.failure);
-  } else if (!fileExists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
-    outcome.whyNotChecked = "there is no golden file";
-  else outcome.checks = check(scenario, checked, false, settings.draw);
+  } else if (!hasGolden && !Invariants::areGiven(scenario.check)) outcome.whyNotChecked = "there is no golden file";
+  else
+    outcome.checks =
+        check(scenario, checked, hasGolden ? observe(scenario, checked.run, settings.draw) : GoldenData{}, false);
 }
 
 /// Called after the run is stored, so that a failure of Bullet loses nothing.

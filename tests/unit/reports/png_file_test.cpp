@@ -49,6 +49,10 @@ TEST_CASE("what is no PNG picture is refused by name", "[drawing]") {
   large[17] = large[21] = 1;                 // 65536 + 17 by 65536 + 9 pixels
   large.replace(29, 4, "\x0c\x85\x1c\xaa");  // the header's checksum [PNG specification, 5.3]
   refused(large, "too large");
+  std::string wide = whole;
+  wide[18] = 0x40;  // 16384 + 17 by 9 pixels
+  wide.replace(29, 4, std::string("\x8d\xc2\x49\xb4", 4));
+  refused(wide, "16384 along a side");
   std::string flat = whole;
   flat[19] = 0;  // no width
   refused(flat, "damaged");
