@@ -21,6 +21,7 @@
 // What moves together stays apart, however fast. In single precision roundings of all this, here and in the law, are some
 // 1e-6 of R + (T + τ) |u₀|, and of |b|: 1e-5 of them are added. η and w are sums over snapshots of the largest changes from
 // one to the next, and δ of how far y is from where the last v would have brought it, and of w over time.
+#include "contacts/near_kernel.h"  // hitTable
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -60,12 +61,11 @@ inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int
         const Lanes reach = (1 + relativeRoom) * (1.0 + perRadius * margin);
         const Lanes nearestAt = min(max(-dot(a, relative) / (speedSquare + tiny), Lanes(0.0)), horizon);
         const Vec nearest = a + nearestAt * relative;
-        // What does not compare may act.
         const unsigned idle = bits(curvature * dot(nearest, nearest) > reach * reach) |
-                              bits((gap > most) & (gap + ahead * opening > most));
-        const std::int32_t left = count - k;
-        unsigned acts = ~idle & ((1u << (left < width ? left : width)) - 1);
-        for (; acts; acts &= acts - 1) acting[found++] = list[k + __builtin_ctz(acts)];
+                              bits((gap > most) & (gap + ahead * opening > most));  // what does not compare may act
+        const unsigned acts = ~idle & ((1u << (count - k < width ? count - k : width)) - 1);
+        for (int l = 0; l < width; ++l) acting[found + l] = list[k + hitTable.which[acts][l]];
+        found += hitTable.count[acts];
       }
       length[row] = found - begin[row];
     }

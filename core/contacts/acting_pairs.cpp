@@ -15,8 +15,8 @@ namespace {
 // at N² = R/ċ with the mean ċ, measured; half of the mean is for cells that become faster. Where margins are beyond the
 // largest one in the mean, as among newborn cells that fly apart, they cost more than is gained.
 constexpr double spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
-constexpr double farthestAhead = 100, withoutChoice = 30;  // [evaluation]
-constexpr std::int64_t shortestLife = 3;  // [evaluation] a choice that lasts less costs more than it saves
+// [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
+constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
@@ -24,8 +24,7 @@ double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.s
 void findActing(const Contacts& c, const Bodies& bodies, int block, double radius, BlockLists& lists) {
   const std::size_t needed = std::size_t(lists.used) + ListsToThin::readable;
   if (lists.neighbours.size() < needed) lists.neighbours.resize(needed + needed / 4);
-  std::fill_n(lists.neighbours.begin() + lists.used, ListsToThin::readable,
-              static_cast<VertexNumber>(c.rows.size() - 1));
+  std::fill_n(lists.neighbours.begin() + lists.used, ListsToThin::readable, VertexNumber(c.rows.size() - 1));
   lists.acting.begin.assign(lists.begin.size(), 0);
   lists.acting.length.assign(lists.length.size(), 0);
   lists.acting.neighbours.resize(lists.neighbours.size());
@@ -77,22 +76,23 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   const auto radiusOf = [&](int slot) { return c.radius[slot]; };
   const double radius = radiusOf(*std::ranges::min_element(bodies.slots, {}, radiusOf));
   acting.largestRadius = radiusOf(*std::ranges::max_element(bodies.slots, {}, radiusOf));
+  const bool endedSoon = acting.horizon > 0 && acting.age < shortestLife && !choiceHolds(acting, bodies.slots);
+  acting.endedSoon = endedSoon ? acting.endedSoon + 1 : 0;
   // The first choice shall not last: how fast gaps change is not known yet.
   const auto age = static_cast<double>(std::max<std::int64_t>(acting.age, 1));
   const auto perEvaluation = [&](int slot) { return acting.age > 0 ? acting.change[slot].gaps / age : 0; };
   double mean = 0;
   for (int slot : bodies.slots) mean += perEvaluation(slot) / bodies.count;
-  const double lasts = mean > 0 ? std::sqrt(radius / mean) : farthestAhead;
+  const double lasts = mean > 0 ? std::sqrt(radius / mean) : double(farthestAhead);
   for (int slot : bodies.slots)
     acting.margin[slot] = std::max(leastMargin * radius, lasts * (perEvaluation(slot) + spare * mean));
   const double timeStep = acting.age > 0 ? acting.change[bodies.slots[0]].time / age : 0;
-  const bool endedSoon = acting.horizon > 0 && acting.age < shortestLife;
-  acting.horizon = std::min(lasts, farthestAhead) * timeStep;
+  acting.horizon = std::min(lasts, double(farthestAhead)) * timeStep;
   std::fill(acting.change.begin(), acting.change.end(), ActingPairs::Change());
   acting.age = 0;
-  if (endedSoon || !((1 + spare) * mean * lasts < mostMargin * radius)) {
+  if (acting.endedSoon > 1 || !((1 + spare) * mean * lasts < mostMargin * radius)) {
     std::fill(acting.margin.begin(), acting.margin.end(), INFINITY);
-    acting.horizon = withoutChoice * timeStep;
+    acting.horizon = double(withoutChoice) * timeStep;
     return cutIntoSlices(c.list, foundLists, bodies, threads);
   }
   parallelFor(bodies.blockCount(), threads, [&](int block) {

@@ -34,8 +34,7 @@ inline std::int32_t findNear(const NearQuery& q, std::int32_t* out) {
         const Lanes reach = (load(q.halfReach + at) + ownHalf) + skin;
         near |= bits((dx * dx + dy * dy + dz * dz < reach * reach) & (load(q.slot + at) != own)) << i;
       }
-      const std::int32_t left = last - k;
-      near &= (1u << (left < 8 ? left : 8)) - 1;  // not what lies behind the row's end
+      near &= (1u << (last - k < 8 ? last - k : 8)) - 1;  // not what lies behind the row's end
       EightInts places;
       __builtin_memcpy(&places, hitTable.which[near], sizeof places);
       places += k;
