@@ -76,8 +76,8 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   const auto radiusOf = [&](int slot) { return c.radius[slot]; };
   const double radius = radiusOf(*std::ranges::min_element(bodies.slots, {}, radiusOf));
   acting.largestRadius = radiusOf(*std::ranges::max_element(bodies.slots, {}, radiusOf));
-  const bool endedSoon = acting.horizon > 0 && acting.age < shortestLife && !choiceHolds(acting, bodies.slots);
-  acting.endedSoon = endedSoon ? acting.endedSoon + 1 : 0;
+  const bool tooShort = acting.horizon > 0 && acting.age < shortestLife && !choiceHolds(acting, bodies.slots);
+  acting.endedSoon = tooShort ? acting.endedSoon + 1 : 0;
   // The first choice shall not last: how fast gaps change is not known yet.
   const auto age = static_cast<double>(std::max<std::int64_t>(acting.age, 1));
   const auto perEvaluation = [&](int slot) { return acting.age > 0 ? acting.change[slot].gaps / age : 0; };

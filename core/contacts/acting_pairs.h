@@ -29,7 +29,7 @@ struct ActingPairs {
   double horizon = 0;                // [time] for which velocities of then were looked ahead, and the choice may hold
   double largestRadius = 0;          // [length] influence radius
   std::int64_t age = 0;              // in evaluations
-  int endedSoon = 0;                 // choices in succession whose margins were used up at once
+  int endedSoon = 0;                 // choices in succession whose margins did not last
 };
 
 /// Whether slices are cut of chosen pairs only.

@@ -216,6 +216,18 @@ TEST_CASE("Where choices end soon, because now one cell jumps and now another, a
   CHECK(choices > 5);   // and later they are tried again
 }
 
+TEST_CASE("Choices that searches end soon are no reason to take all pairs") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
+  Bodies& b = crowd.lab.bodies;
+  for (int i = 0; i < 20; ++i) {
+    b.write(b.position, 0, 0, b.vertex(0, 0) + Vector{0, 0, i % 2 == 0 ? 1e-4 : -1e-4});
+    crowd.contacts.listIsValid = false;
+    crowd.evaluateContacts(1e-3);
+    CHECK(std::isfinite(crowd.contacts.acting.margin[b.slots[0]]));
+  }
+}
+
 TEST_CASE("Snapshots count by how much they may change gaps, and the choice holds up to its margin") {
   const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas()) {
