@@ -1,5 +1,5 @@
 #pragma once
-// Rows of eight doubles. Read through lane_rows.h.
+// Rows of eight doubles. Read through rows_kernel.h.
 #include "base/lanes.h"
 
 namespace morula::MORULA_ISA {

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of sixteen floats, of which the first twelve are in use. Read through lane_rows.h.
+// Rows of sixteen floats, of which the first twelve are in use. Read through rows_kernel.h.
 #include "base/lanes.h"
 
 namespace morula::MORULA_ISA {

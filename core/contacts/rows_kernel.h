@@ -1,7 +1,11 @@
 #pragma once
 // Snapshot rows as lanes. A row of doubles has its velocity and 1/R² as floats, two in the place of one double.
 #include "base/lane_prefetch.h"
-#include "base/lane_rows.h"
+#if defined(MORULA_SINGLE)
+#include "base/lane_rows_single.h"
+#else
+#include "base/lane_rows_double.h"
+#endif
 #include "contacts/contacts_kernels.h"
 #include "physics/lane_vec3.h"
 

@@ -1,10 +1,17 @@
 // What runs for cells and lines.
-
-#include "organism/shader_parts.h"
 #include "organism/shaders.h"
 
 namespace morula {
-using namespace shader;
+namespace {
+
+constexpr char version[] = "#version 430 core\n", common[] = R"(
+const uint lineOwner = 0x80000000u;  // as in samples.h
+uniform ivec2 size;                  // of the sample grid
+uniform vec2 aperture;               // half of the picture at distance 1
+uniform float eyeDistance;
+)";
+
+}  // namespace
 
 std::string cellVertexShader(bool mapped) {
   return std::string(version) + (mapped ? "#define MAP\n" : "") + R"(

@@ -20,7 +20,7 @@
   X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) X(glGetUniformLocation) X(glLinkProgram) X(glMapBufferRange) \
   X(glMemoryBarrier) X(glMultiDrawElements) X(glPixelStorei) X(glReadBuffer) X(glReadPixels) X(glScissor) \
   X(glShaderSource) X(glStencilFunc) X(glStencilOp) X(glStencilOpSeparate) X(glTexImage2D) X(glTexParameteri) \
-  X(glTexSubImage2D) X(glUniform1f) X(glUniform1i) X(glUniform2f) X(glUniform2fv) X(glUniform2i) X(glUniform3f) \
+  X(glTexSubImage2D) X(glUniform1f) X(glUniform1i) X(glUniform2f) X(glUniform2i) X(glUniform3f) \
   X(glUniform4f) X(glUniformMatrix4fv) X(glUnmapBuffer) X(glUseProgram) X(glVertexAttribIPointer) \
   X(glVertexAttribPointer) X(glViewport)
 // clang-format on

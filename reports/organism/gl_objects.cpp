@@ -58,10 +58,6 @@ void Program::set(const char* name, float x, float y, float z, float w) const {
 
 void Program::setSize(const char* name, int x, int y) const { glUniform2i(glGetUniformLocation(program_, name), x, y); }
 
-void Program::setPairs(const char* name, const float* values, int pairs) const {
-  glUniform2fv(glGetUniformLocation(program_, name), pairs, values);
-}
-
 void Program::setMatrix(const char* name, const float* columns16) const {
   glUniformMatrix4fv(glGetUniformLocation(program_, name), 1, GL_FALSE, columns16);
 }
@@ -70,7 +66,6 @@ Texture::Texture(int width, int height, GLenum internalFormat) : width_(width) {
   glGenTextures(1, &texture_);
   glBindTexture(GL_TEXTURE_2D, texture_);
   GLenum format = GL_RGBA, type = GL_FLOAT;
-  if (internalFormat == GL_RG32UI) format = GL_RG_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_R32UI) format = GL_RED_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_DEPTH_COMPONENT32F) format = GL_DEPTH_COMPONENT;
   if (internalFormat == GL_DEPTH32F_STENCIL8) format = GL_DEPTH_STENCIL, type = GL_FLOAT_32_UNSIGNED_INT_24_8_REV;

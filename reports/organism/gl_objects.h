@@ -26,7 +26,6 @@ class Program {
   void set(const char* name, float x, float y) const;
   void set(const char* name, float x, float y, float z) const;
   void set(const char* name, float x, float y, float z, float w) const;
-  void setPairs(const char* name, const float* values, int pairs) const;
   void setSize(const char* name, int x, int y) const;
   void setMatrix(const char* name, const float* columns16) const;
 

@@ -1,62 +1,95 @@
-// The last pass of OrganismRenderer: everything together.
+// The passes of OrganismRenderer over the whole picture: what OpenGL drew is read back, and everything put together.
+#include <algorithm>
+#include <thread>
+#include <type_traits>
+
+#include "base/parallel.h"
 #include "organism/organism_passes.h"
 
 namespace morula {
 namespace {
 
-/// How the shader gets from eye space to the world in units of the shell's semi-axes, and with normals of
-/// that unit sphere back, whose inverse transpose has the same factors.
-void setShell(const Program& program, const Vector& wall, const EyeAxes& axes, const Point& centre) {
-  const Vector rows[3] = {axes.x, axes.y, axes.z};
-  const double semi[3] = {wall.x, wall.y, wall.z};
-  const double middle[3] = {centre.x, centre.y, centre.z};
-  float toShell[16] = {}, fromNormal[16] = {};
-  for (int eye = 0; eye < 3; ++eye) {
-    const double parts[3] = {rows[eye].x, rows[eye].y, rows[eye].z};
-    for (int world = 0; world < 3; ++world) {
-      toShell[4 * eye + world] = float(parts[world] / semi[world]);
-      fromNormal[4 * world + eye] = float(parts[world] / semi[world]);
-    }
+int threadsToUse() { return std::max(1, int(std::thread::hardware_concurrency())); }
+
+/// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what is
+/// looked at would lie too thin in the picture.
+double occlusionRadius(const OrganismPicture& picture, double mostInPicture) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const CellShape& cell : picture.cells) {
+    Point middle;
+    for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
+    for (const Point& p : cell.vertices) sum += norm(p - middle), ++count;
   }
-  for (int world = 0; world < 3; ++world) toShell[12 + world] = float(middle[world] / semi[world]);
-  toShell[15] = fromNormal[15] = 1;
-  program.setMatrix("toShell", toShell);
-  program.setMatrix("fromNormal", fromNormal);
+  return std::min(0.8 * (count ? sum / double(count) : 1), mostInPicture);
 }
 
-/// The pixels of the framebuffer in use.
-Image readBack(int width, int height, bool transparent) {
-  std::vector<std::uint8_t> rgba(std::size_t(4) * width * height);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  Image image(width, height, paper);
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* row = &rgba[std::size_t(4) * width * (height - 1 - y)];  // OpenGL counts upward
-    for (int x = 0; x < width; ++x) image.at(x, y) = {row[4 * x], row[4 * x + 1], row[4 * x + 2]};
-    for (int x = 0; transparent && x < width; ++x) image.opacity.push_back(row[4 * x + 3]);
+/// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a sample,
+/// row by row) for each row of pixels.
+template <class Number, class Body>
+void eachRow(const Samples& samples, GLenum attachment, GLenum format, int numbers, Body&& body) {
+  const std::size_t ofRow = std::size_t(numbers) * samples.columns() * samples.along;
+  const int rowsAtOnce = int(std::clamp<std::size_t>((1 << 20) / ofRow, 1, samples.height));
+  std::vector<Number> texels(ofRow * rowsAtOnce);
+  const GLenum type = std::is_same_v<Number, float> ? GL_FLOAT : GL_UNSIGNED_INT;
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadBuffer(attachment);
+  for (int first = 0; first < samples.height; first += rowsAtOnce) {
+    const int rows = std::min(rowsAtOnce, samples.height - first);
+    glReadPixels(0, first * samples.along, samples.columns(), rows * samples.along, format, type, texels.data());
+    parallelFor(rows, threadsToUse(), [&](int row) { body(first + row, &texels[ofRow * row]); });
   }
-  return image;
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
 }
 
 }  // namespace
 
-Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
-  const Program& program =
-      programs_->resolve.try_emplace(frame.samples, screenVertexShader(), resolveShader(frame.samples)).first->second;
-  frame.describe(program);
-  setPaper(program);
-  if (frame.picture.transparent) program.set("paperLight", 0, 0, 0);
-  program.set("groundless", frame.picture.transparent ? 1 : 0);
-  program.set("veiled", veiled ? 1 : 0);
-  program.set("shelled", frame.picture.shell ? 1 : 0);
-  program.set("lights", targets_->solid.lights, 0);
-  program.set("heights", targets_->solid.heights, 1);
-  program.set("owners", targets_->solid.owners, 2);
-  program.set("visibles", targets_->firstVisible, 3);
-  if (veiled) program.set("veils", *targets_->veils, 4);
-  if (frame.picture.shell) setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
-  fillScreen(targets_->resultBuffer, frame.width, frame.height);
-  return readBack(frame.width, frame.height, frame.picture.transparent);
+Samples& OrganismRenderer::readSamples(const Frame& frame) {
+  Samples& samples = targets_->read;
+  samples.outlineReach = frame.outlineReach(), samples.eyeDistance = float(frame.framing.distance);
+  samples.apertureX = float(frame.aperture.x), samples.apertureY = float(frame.aperture.y);
+  const std::size_t pixels = std::size_t(frame.width) * frame.height;
+  samples.owners.resize(pixels * samples.along * samples.along);
+  samples.middles.resize(pixels), samples.heights.resize(pixels), samples.visible.resize(pixels), samples.veils.clear();
+  const auto middle = [&](int x) { return samples.at(samples.middleOf(x), samples.along / 2); };  // in a row of pixels
+  targets_->solid.framebuffer.bind();
+  eachRow<std::uint32_t>(samples, GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, 1, [&](int y, const std::uint32_t* owners) {
+    std::copy_n(owners, samples.at(0, samples.along), &samples.owners[samples.at(0, y * samples.along)]);
+    for (int x = 0; x < frame.width; ++x) samples.middles[samples.pixelAt(x, y)] = owners[middle(x)];
+  });
+  eachRow<float>(samples, GL_COLOR_ATTACHMENT3, GL_RED, 1, [&](int y, const float* heights) {
+    for (int x = 0; x < frame.width; ++x) samples.heights[samples.pixelAt(x, y)] = heights[middle(x)];
+  });
+  return samples;
+}
+
+std::vector<std::uint32_t> OrganismRenderer::owners() const {
+  const Samples& samples = targets_->read;
+  std::vector<std::uint32_t> owners;
+  for (int y = samples.height - 1; y >= 0; --y)
+    for (int x = 0; x < samples.width; ++x) {
+      const std::uint32_t owner = samples.middles[samples.pixelAt(x, y)];
+      owners.push_back(isCell(owner) ? owner : noOwner);
+    }
+  return owners;
+}
+
+Image OrganismRenderer::compose(const Frame& frame) {
+  Samples& samples = targets_->read;
+  const float radius = float(occlusionRadius(frame.picture, 0.4 * frame.framing.distance * frame.aperture.y));
+  targets_->solid.framebuffer.bind();
+  eachRow<float>(samples, GL_COLOR_ATTACHMENT2, GL_RGBA, 4, [&](int y, const float* normals) {
+    findOcclusion(samples, radius, y, normals + 4 * samples.at(0, samples.along / 2));
+  });
+  // Twice: along an edge the first pass lacks half of the pattern that it should even out.
+  for (int pass = 0; pass < 2; ++pass) evenOut(samples, threadsToUse());
+  std::optional<GlassShell> shell;
+  if (frame.picture.shell) shell = {*frame.picture.shell * shellThickness, frame.axes, frame.framing.centre};
+  Image image(frame.width, frame.height, paper);
+  if (frame.picture.transparent) image.opacity.resize(image.pixels.size());
+  eachRow<float>(samples, GL_COLOR_ATTACHMENT0, GL_RGBA, 4,
+                 [&](int y, const float* lights) { resolve(samples, shell, y, lights, image); });
+  return image;
 }
 
 }  // namespace morula

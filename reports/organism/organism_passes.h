@@ -8,6 +8,7 @@
 #include "organism/camera.h"
 #include "organism/gl_objects.h"
 #include "organism/organism_renderer.h"
+#include "organism/samples.h"
 #include "organism/shaders.h"
 #include "organism/surface.h"
 
@@ -16,11 +17,7 @@ namespace morula {
 struct OrganismRenderer::Programs {
   std::map<CellProgram, std::unique_ptr<Program>> cells;  // those that were needed so far
   Program line{lineVertexShader(), lineFragmentShader()};
-  Program occlusion{screenVertexShader(), occlusionShader()};
-  Program blur{screenVertexShader(), occlusionBlurShader()};
-  std::map<int, Program> resolve;          // by samples; those that were needed so far
-  std::unique_ptr<Texture> scale;          // of maps
-  VertexBuffer screen{nullptr, 0, 0, {}};  // the shader knows its three corners by number
+  std::unique_ptr<Texture> scale;  // of maps
 };
 
 /// Everything that is as large as the picture or its sample grid.
@@ -37,25 +34,11 @@ struct OrganismRenderer::Targets {
           framebuffer({&lights, &owners, &normals, &heights}, &depth, counted) {}
   };
 
-  int width, height, samples;
   bool counted;  // surfaces before each sample can be, for a clip plane
   Layer solid;
-  std::unique_ptr<Texture> veils;  // light and opacity of translucent cells
-  Texture firstVisible, secondVisible, result;
-  Framebuffer firstVisibleBuffer, secondVisibleBuffer, resultBuffer;
-
+  Samples read;
   Targets(int w, int h, int s, bool clip)
-      : width(w),
-        height(h),
-        samples(s),
-        counted(clip),
-        solid(w * s, h * s, clip),
-        firstVisible(w, h, GL_RG32UI),
-        secondVisible(w, h, GL_RG32UI),
-        result(w, h, GL_RGBA8),
-        firstVisibleBuffer({&firstVisible}, nullptr),
-        secondVisibleBuffer({&secondVisible}, nullptr),
-        resultBuffer({&result}, nullptr) {}
+      : counted(clip), solid(w * s, h * s, clip), read{.width = w, .height = h, .along = s} {}
 };
 
 /// One picture while it is drawn.
@@ -82,9 +65,6 @@ struct OrganismRenderer::Frame {
     program.setSize("size", gridWidth(), gridHeight());
     program.set("aperture", float(aperture.x), float(aperture.y));
     program.set("eyeDistance", float(framing.distance));
-    program.set("samples", samples);
-    program.setSize("last", width - 1, height - 1);
-    program.set("outlineReach", outlineReach());
     program.setMatrix("projection", matrix.data());
     program.set("clip", clip[0], clip[1], clip[2], clip[3]);
   }
@@ -92,7 +72,4 @@ struct OrganismRenderer::Frame {
 
 /// Nothing anywhere: no owner, depths beyond everything. Lights and normals are read only where there is an owner.
 void clearLayer(float eyeDistance);
-
-void setPaper(const Program& program);
-
 }  // namespace morula

@@ -14,8 +14,6 @@
 namespace morula {
 namespace {
 
-constexpr std::uint32_t lineOwner = 0x80000000u;  // as in shader_parts.h
-
 struct LineVertex {
   float here[3], there[3], side, light[3];
 };
@@ -39,32 +37,6 @@ void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes&
   // The head: a triangle that is at most two fifths of the arrow long.
   const Vector base = b - (b - a) * std::min(0.4, headLength / std::max(norm(b - a), 1e-300));
   vertex(base, b, -headSide), vertex(base, b, headSide), vertex(b, base, 0);
-}
-
-/// The mean distance of a vertex from its cell's middle: how far shadows between cells should reach.
-double meanCellSize(const OrganismPicture& picture) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const CellShape& cell : picture.cells) {
-    Point middle;
-    for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
-    for (const Point& p : cell.vertices) sum += norm(p - middle), ++count;
-  }
-  return count ? sum / double(count) : 1;
-}
-
-/// The directions in which the occlusion shader looks: steps of the golden angle, and sixteen turns of them.
-void setSpiral(const Program& program) {
-  constexpr int taps = 18;  // as in the shader
-  float spiral[2 * taps], turns[2 * 16];
-  for (int i = 0; i < taps; ++i)
-    spiral[2 * i] = float(std::cos(2.399963 * i)), spiral[2 * i + 1] = float(std::sin(2.399963 * i));
-  for (int i = 0; i < 16; ++i) {
-    const double turn = 6.283185 * (i + 0.5) / 16;
-    turns[2 * i] = float(std::cos(turn)), turns[2 * i + 1] = float(std::sin(turn));
-  }
-  program.setPairs("spiral", spiral, taps);
-  program.setPairs("turns", turns, 16);
 }
 
 /// The depths from the eye that are kept: everything that is drawn, and the middle in any case.
@@ -96,10 +68,6 @@ void clearLayer(float eyeDistance) {
   glClearBufferuiv(GL_COLOR, 1, noCell);
   glClearBufferfv(GL_COLOR, 3, faraway);
   glClearBufferfv(GL_DEPTH, 0, &one);
-}
-
-void setPaper(const Program& program) {
-  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)), float(linearLight(paper.b)));
 }
 
 OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
@@ -138,11 +106,11 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
     const double beyond = picture.clip->offset / length - dot(framing.centre, picture.clip->normal / length);
     frame.clip = {float(normal.x), float(normal.y), float(normal.z), float(beyond)};
   }
-  if (!targets_ || targets_->width != width || targets_->height != height || targets_->samples != picture.samples ||
-      targets_->counted != picture.clip.has_value()) {
+  if (!targets_ || targets_->read.width != width || targets_->read.height != height ||
+      targets_->read.along != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
-    // As Targets has textures, and once more for what is translucent and for what is read back.
-    constexpr double ofSample = 68, ofPixel = 24, ofThreads = 100e6;
+    // As Targets has textures and what is read back, with what is translucent.
+    constexpr double ofSample = 72, ofPixel = 24, ofThreads = 100e6;
     requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
                         "; draw a smaller picture, with less --supersample, or where there is more");
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
@@ -150,17 +118,9 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   drawSolid(frame);
   if (picture.clip) drawCuts(frame);
   drawLines(frame);
-  findOcclusion(frame);
-  const bool veiled = drawVeils(frame);
-  return resolve(frame, veiled);
-}
-
-void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height) {
-  target.bind();
-  glViewport(0, 0, width, height);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  programs_->screen.drawTriangles(0, 3);
+  Samples& samples = readSamples(frame);
+  drawVeils(frame, samples.veils);
+  return compose(frame);
 }
 
 const Program& OrganismRenderer::cellProgram(const Frame& frame, CellPass pass) {
@@ -170,7 +130,7 @@ const Program& OrganismRenderer::cellProgram(const Frame& frame, CellPass pass) 
   frame.describe(*program);
   program->set("wireframe", frame.style == Style::wireframe ? 1 : 0);
   program->set("wireWidth", 1.0f * frame.pixel);
-  setPaper(*program);
+  program->set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)), float(linearLight(paper.b)));
   if (!kind.mapped) return *program;
   if (!programs_->scale) {
     std::vector<float> colours;
@@ -275,42 +235,6 @@ void OrganismRenderer::drawLines(const Frame& frame) {
   glDepthFunc(GL_ALWAYS);
   if (hidden < vertices.size()) buffer.drawTriangles(hidden, vertices.size() - hidden);
   glDepthFunc(GL_LESS);
-}
-
-std::vector<std::uint32_t> OrganismRenderer::owners() const {
-  const int samples = targets_->samples, width = targets_->width, height = targets_->height;
-  std::vector<std::uint32_t> grid(std::size_t(width) * height * samples * samples);
-  targets_->solid.framebuffer.bind();
-  glReadBuffer(GL_COLOR_ATTACHMENT1);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width * samples, height * samples, GL_RED_INTEGER, GL_UNSIGNED_INT, grid.data());
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  std::vector<std::uint32_t> owners;
-  owners.reserve(std::size_t(width) * height);
-  for (int y = height - 1; y >= 0; --y)  // OpenGL counts upward
-    for (int x = 0; x < width; ++x) {
-      const auto owner = grid[(std::size_t(y) * samples + samples / 2) * width * samples + x * samples + samples / 2];
-      owners.push_back(owner < lineOwner ? owner : 0);
-    }
-  return owners;
-}
-
-void OrganismRenderer::findOcclusion(const Frame& frame) {
-  frame.describe(programs_->occlusion);
-  // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
-  const double radius = std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
-  programs_->occlusion.set("radius", float(radius));
-  setSpiral(programs_->occlusion);
-  programs_->occlusion.set("normals", targets_->solid.normals, 0);
-  programs_->occlusion.set("owners", targets_->solid.owners, 1);
-  programs_->occlusion.set("heights", targets_->solid.heights, 2);
-  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
-  // Twice: along an edge the first pass lacks half of the pattern that it should even out.
-  frame.describe(programs_->blur);
-  programs_->blur.set("raw", targets_->firstVisible, 0);
-  fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
-  programs_->blur.set("raw", targets_->secondVisible, 0);
-  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
 }
 
 std::string rendererName() {

@@ -34,13 +34,13 @@ class OrganismRenderer {
   struct Frame;
   /// For this pass over the cells, in use and told what the frame is.
   const class Program& cellProgram(const Frame& frame, CellPass pass);
-  void fillScreen(const class Framebuffer& target, int width, int height);
   void drawSolid(const Frame& frame);
   void drawCuts(const Frame& frame);
   void drawLines(const Frame& frame);
-  bool drawVeils(const Frame& frame);
-  void findOcclusion(const Frame& frame);
-  Image resolve(const Frame& frame, bool veiled);
+  struct Samples& readSamples(const Frame& frame);
+  /// Light and opacity of translucent cells, four numbers a sample; nothing where there are none.
+  void drawVeils(const Frame& frame, std::vector<float>& seen);
+  Image compose(const Frame& frame);
 
   std::unique_ptr<class OffscreenContext> context_;
   std::unique_ptr<Programs> programs_;

@@ -72,12 +72,11 @@ class SharedBuffer {
 
 }  // namespace
 
-bool OrganismRenderer::drawVeils(const Frame& frame) {
-  if (frame.surface.corners.size() == frame.surface.solid) return false;
+void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
+  if (frame.surface.corners.size() == frame.surface.solid) return;
   const int width = frame.gridWidth(), height = frame.gridHeight(),
             threads = std::max(1, int(std::thread::hardware_concurrency()));
-  if (!targets_->veils) targets_->veils = std::make_unique<Texture>(width, height, GL_RGBA32F);
-  const Texture& sum = *targets_->veils;
+  seen.reserve(std::size_t(4) * width * height);
   const std::vector<Veil> veils = veilsOf(frame.surface, frame.framing.distance, frame.aperture.y, height);
   SharedBuffer cursors(0), fragments(1);
   // What is solid stays, and hides what is behind it.
@@ -143,15 +142,14 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
           static_cast<VeilFragment*>(fragments.contents(sizeof(VeilFragment) * std::max<std::size_t>(many, 1))),
           static_cast<const std::uint32_t*>(cursors.contents(4 * lists))};
       sortVeils(rows, threads);
-      const std::vector<float> seen = composeVeils(rows, first - from, last - from, margin, threads);
+      const std::vector<float> part = composeVeils(rows, first - from, last - from, margin, threads);
+      seen.insert(seen.end(), part.begin(), part.end());
       fragments.release(), cursors.release();
-      sum.setRows(first, last - first, seen.data());
     }
   }
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  return true;
 }
 
 }  // namespace morula

@@ -24,10 +24,4 @@ inline constexpr int scaleSteps = 1024;  // colours of the scale for maps that t
 std::string lineVertexShader();
 std::string lineFragmentShader();
 
-/// Passes over the whole picture.
-std::string screenVertexShader();
-std::string occlusionShader();           // how much of the sky a pixel's surface sees, from depths around it
-std::string occlusionBlurShader();       // evens out that pattern inside each cell
-std::string resolveShader(int samples);  // outlines, shading, shell, mean of so many samples along each side, sRGB
-
 }  // namespace morula

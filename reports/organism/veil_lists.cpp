@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
+#include "organism/samples.h"
 
 namespace morula {
 namespace {
@@ -41,7 +42,6 @@ void sortVeils(const VeilRows& veils, int threads) {
 }
 
 std::vector<float> composeVeils(const VeilRows& veils, int first, int last, int outlineReach, int threads) {
-  constexpr float outlineShade = 1 - 0.72f;  // as in screen_shaders.cpp
   const int width = veils.width;
   std::vector<float> result(std::size_t(4) * width * (last - first));
   parallelFor(last - first, threads, [&](int row) {

@@ -1,14 +1,27 @@
-// One direction for all cells that are cut so.
+// By a given axis.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
+#include "division/record.h"
 
 namespace morula {
 namespace {
 
+/// One direction for all cells that are cut so.
 struct FixedAxis final : DivisionPolicy {
   explicit FixedAxis(const PlaneChoice& p) : axis(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override { return throughCentre(cell, axis); }
   Vector axis;
+};
+
+/// The new wall meets the one before at right angles [Sachs 1877].
+/// Of the directions within the mother's plane, the one of the cell's largest extent. Cells that no division
+/// made are cut across the given axis.
+struct AlternatingPlane final : DivisionPolicy {
+  explicit AlternatingPlane(const PlaneChoice& p) : first(p.axis / norm(p.axis)) {}
+  Cut findCut(const CellContext& cell) const override {
+    const DivisionRecord* mother = cell.motherDivision();
+    return throughCentre(cell, mother ? longestExtentAcross(cell, mother->axis) : first);
+  }
+  Vector first;
 };
 
 }  // namespace
@@ -19,6 +32,15 @@ const DivisionPlaneKind axisPlane{
     .meaning = "one fixed axis, which points to daughter A",
     .takes = Takes::axis,
     .make = makeFromChoice<FixedAxis>,
+};
+
+const DivisionPlaneKind alternatingPlane{
+    .plane = DivisionPlane::alternating,
+    .name = "alternating",
+    .meaning = "an axis at right angles to their mother's, the one of their largest extent, and at first the given one",
+    .takes = Takes::axis,
+    .needsShape = true,
+    .make = makeFromChoice<AlternatingPlane>,
 };
 
 }  // namespace morula

@@ -1,6 +1,5 @@
 // Planes by a cell's contact with cells that hold a substance; without such a contact as longest.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 
 namespace morula {
 namespace {

@@ -1,13 +1,25 @@
 #pragma once
-// What several division planes go by: directions that a cell's shape, contacts and place give it.
+// What several division planes go by, directions that a cell's shape, contacts and place give it, and how they are made.
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "biology/cell_context.h"
 #include "biology/physical_unit.h"
 #include "division/cut.h"
+#include "division/policy.h"
 
 namespace morula {
+
+/// The `make` of a row of the table of planes: a policy made from the scenario's choice, or from the seed, or, where it needs
+/// neither, from nothing.
+template <class Policy>
+std::unique_ptr<DivisionPolicy> makeFromChoice([[maybe_unused]] const PlaneChoice& choice,
+                                               [[maybe_unused]] std::uint64_t seed) {
+  if constexpr (std::is_constructible_v<Policy, const PlaneChoice&>) return std::make_unique<Policy>(choice);
+  else if constexpr (std::is_constructible_v<Policy, std::uint64_t>) return std::make_unique<Policy>(seed);
+  else return std::make_unique<Policy>();
+}
 
 /// The plane with this unit normal through the centre of mass: in halves, as far as the cell is as large on one
 /// side of it as on the other.

@@ -3,7 +3,6 @@
 // direction to that contact (or away from it), and its daughters inherit this one: as in the worm, whose P lineage
 // turns its polarity round at P2, where it meets EMS.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 
 namespace morula {
 namespace {

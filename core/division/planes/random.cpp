@@ -2,7 +2,6 @@
 #include "base/random.h"
 
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 
 namespace morula {
 namespace {

@@ -1,7 +1,6 @@
 // Along the shell, whatever the cell's shape. Of semi-axes that are equally long x comes before y before z.
 #include "base/error.h"
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 
 namespace morula {
 namespace {

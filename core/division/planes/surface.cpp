@@ -1,7 +1,6 @@
 // Planes by where the organism's surface is: along it both daughters stay as far out as their mother, and a layer of
 // cells stays one; across it one daughter goes in.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 
 namespace morula {
 namespace {

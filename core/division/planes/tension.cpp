@@ -2,7 +2,6 @@
 // towards the other cell's. Two pulls to opposite sides stretch a cell though they add up to none, so the axis is not
 // their sum but the first eigenvector of Σ u uᵀ over the unit vectors u along which they pull, all with one weight.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 #include "division/principal_axis.h"
 
 namespace morula {

@@ -1,11 +1,16 @@
-// The new wall has the least area of all that pass through the middle [Errera 1886; Besson & Dumais 2011].
+// By the cell's own shape.
 #include "division/planes/directions.h"
-#include "division/planes/make_from_choice.h"
 #include "division/planes/section.h"
 
 namespace morula {
 namespace {
 
+/// Cells tend to divide across their longest extent [Hertwig 1884; Nilsson 2008, §1.1].
+struct LongestExtent final : DivisionPolicy {
+  Cut findCut(const CellContext& cell) const override { return throughCentre(cell, longestExtent(cell)); }
+};
+
+/// The new wall has the least area of all that pass through the middle [Errera 1886; Besson & Dumais 2011].
 struct SmallestArea final : DivisionPolicy {
   Cut findCut(const CellContext& cell) const override {
     const BodyShape& shape = cell.physical()->getShape();
@@ -14,6 +19,14 @@ struct SmallestArea final : DivisionPolicy {
 };
 
 }  // namespace
+
+const DivisionPlaneKind longestPlane{
+    .plane = DivisionPlane::longest,
+    .name = "longest",
+    .meaning = "the direction of their largest extent",
+    .needsShape = true,
+    .make = makeFromChoice<LongestExtent>,
+};
 
 const DivisionPlaneKind smallestAreaPlane{
     .plane = DivisionPlane::smallestArea,
