@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -43,18 +44,6 @@ struct OffscreenContext::Handle {
 
 namespace {
 
-/// Whether the system gives as many threads as llvmpipe takes, and some.
-bool threadsAreToBeHad() {
-  std::latch over(1);
-  std::vector<std::jthread> threads;
-  bool enough = true;
-  try {
-    for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i) threads.emplace_back([&] { over.wait(); });
-  } catch (...) { enough = false; }  // of no thread or no memory: whatever it is, those that wait must go on
-  over.count_down();
-  return enough;
-}
-
 /// Removes from the environment what users set for other programs, and what would give another driver, an older OpenGL or
 /// other pixels.
 void unsetMesaVariables() {
@@ -78,7 +67,7 @@ void settleDriver() {
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-    if (!threadsAreToBeHad()) setenv("LP_NUM_THREADS", "0", 1);  // else it waits for them without end
+    if (threadsToDraw() == 1) setenv("LP_NUM_THREADS", "0", 1);  // else it waits for them without end
   });
 }
 
@@ -125,6 +114,21 @@ void requireMemoryToDraw(double bytes, const std::string& remedy) {
         "there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) + " MB" + remedy,
         Want::memory);
   ::munmap(place, all);
+}
+
+int threadsToDraw() {
+  static const int threads = [] {
+    const int all = std::max(1, int(std::thread::hardware_concurrency()));
+    std::latch over(1);
+    std::vector<std::jthread> waiting;
+    bool enough = true;
+    try {  // llvmpipe takes as many, and so do we
+      while (int(waiting.size()) < 2 * all + 2) waiting.emplace_back([&] { over.wait(); });
+    } catch (...) { enough = false; }  // of no thread or no memory: whatever it is, those that wait must go on
+    over.count_down();
+    return enough ? all : 1;
+  }();
+  return threads;
 }
 
 OffscreenContext::OffscreenContext() {

@@ -37,6 +37,9 @@ MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
 /// many bytes; `remedy` ends it.
 void requireMemoryToDraw(double bytes, const std::string& remedy);
 
+/// On how many threads to draw: 1 where the system gives no more.
+int threadsToDraw();
+
 /// An OpenGL 4.3 core context without a window, current on the thread that made it. It draws into framebuffer
 /// objects only. Throws BugError if the library cannot give one, and FileError if it is not there.
 class OffscreenContext {

@@ -10,8 +10,7 @@
 namespace morula {
 namespace {
 
-constexpr int taps = 18, lanes = 20;  // of which the last two count for nothing
-constexpr int turns = 16;
+constexpr int turns = 16, taps = 18, lanes = 20;  // the last two lanes count for nothing
 constexpr int spread[turns] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // [Bayer 1973]
 
 /// Where a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by its place in a block.
@@ -58,8 +57,7 @@ void findOcclusion(Samples& samples, float radius, int y, const float* normals) 
     if (!isCell(samples.middles[here])) continue;
     const float pz = samples.heights[here], px = (atX + stepX * float(x)) * (eye - pz),
                 py = (atY + stepY * float(y)) * (eye - pz);
-    const float* n = normals + std::size_t(4) * samples.middleOf(x);
-    const float nx = n[0], ny = n[1], nz = n[2];
+    const float *n = normals + std::size_t(4) * samples.middleOf(x), nx = n[0], ny = n[1], nz = n[2];
     const float reach = 0.5f * float(samples.height) * radius / ((eye - pz) * samples.apertureY);  // [pixel]
     const Spiral& spiral = spirals()[spread[(y & 3) * 4 + (x & 3)]];
     float xs[lanes], ys[lanes], heights[lanes] = {}, taken[lanes];

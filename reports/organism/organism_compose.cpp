@@ -1,6 +1,5 @@
 // The passes of OrganismRenderer over the whole picture: what OpenGL drew is read back, and everything put together.
 #include <algorithm>
-#include <thread>
 #include <type_traits>
 
 #include "base/parallel.h"
@@ -8,8 +7,6 @@
 
 namespace morula {
 namespace {
-
-int threadsToUse() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
 /// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what is
 /// looked at would lie too thin in the picture.
@@ -37,7 +34,7 @@ void eachRow(const Samples& samples, GLenum attachment, GLenum format, int numbe
   for (int first = 0; first < samples.height; first += rowsAtOnce) {
     const int rows = std::min(rowsAtOnce, samples.height - first);
     glReadPixels(0, first * samples.along, samples.columns(), rows * samples.along, format, type, texels.data());
-    parallelFor(rows, threadsToUse(), [&](int row) { body(first + row, &texels[ofRow * row]); });
+    parallelFor(rows, threadsToDraw(), [&](int row) { body(first + row, &texels[ofRow * row]); });
   }
   glReadBuffer(GL_COLOR_ATTACHMENT0);
 }
@@ -82,7 +79,7 @@ Image OrganismRenderer::compose(const Frame& frame) {
     findOcclusion(samples, radius, y, normals + 4 * samples.at(0, samples.along / 2));
   });
   // Twice: along an edge the first pass lacks half of the pattern that it should even out.
-  for (int pass = 0; pass < 2; ++pass) evenOut(samples, threadsToUse());
+  for (int pass = 0; pass < 2; ++pass) evenOut(samples, threadsToDraw());
   std::optional<GlassShell> shell;
   if (frame.picture.shell) shell = {*frame.picture.shell * shellThickness, frame.axes, frame.framing.centre};
   Image image(frame.width, frame.height, paper);

@@ -1,7 +1,6 @@
 // The pass of OrganismRenderer over translucent cells.
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "base/error.h"
 #include "organism/organism_passes.h"
@@ -74,8 +73,7 @@ class SharedBuffer {
 
 void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
   if (frame.surface.corners.size() == frame.surface.solid) return;
-  const int width = frame.gridWidth(), height = frame.gridHeight(),
-            threads = std::max(1, int(std::thread::hardware_concurrency()));
+  const int width = frame.gridWidth(), height = frame.gridHeight(), threads = threadsToDraw();
   seen.reserve(std::size_t(4) * width * height);
   const std::vector<Veil> veils = veilsOf(frame.surface, frame.framing.distance, frame.aperture.y, height);
   SharedBuffer cursors(0), fragments(1);
