@@ -1,5 +1,6 @@
 #pragma once
-// Snapshot rows as lanes. A row of doubles has its velocity and 1/R² as floats, two in the place of one double.
+// Snapshot rows as lanes: 64 bytes in one cache line, read and written by index. Turning rows into columns of lanes is a
+// transposition in registers, not a gather. A row of doubles has its velocity and 1/R² as floats, two in place of a double.
 #include "base/lane_prefetch.h"
 #if defined(MORULA_SINGLE)
 #include "base/lane_rows_single.h"

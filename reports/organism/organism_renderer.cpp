@@ -110,7 +110,7 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
       targets_->read.along != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
     // As Targets has textures and what is read back, with what is translucent.
-    constexpr double ofSample = 72, ofPixel = 24, ofThreads = 100e6;
+    constexpr double ofSample = 68, ofPixel = 24, ofThreads = 100e6;
     requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
                         "; draw a smaller picture, with less --supersample, or where there is more");
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());

@@ -1,4 +1,4 @@
-// The passes over the whole picture, on samples that nobody drew.
+// The passes over the whole picture, on samples made by hand instead of by OpenGL.
 #include "organism/samples.h"
 
 #include <algorithm>
