@@ -18,18 +18,14 @@ CheckReport compareText(const std::string& text, const GoldenData& observed) {
 TEST_CASE("Damaged goldens are one failed check, with the line") {
   const std::string text = writeGolden(exampleGolden());
   const GoldenData data = exampleData();
-  const auto replaced = [&](const std::string& from, const std::string& to) {
-    std::string t = text;
-    return t.replace(t.find(from), from.size(), to);
-  };
   const std::vector<std::pair<std::string, const char*>> faults{
-      {replaced("volume 1024 2", "volume 1024 3"), "they were edited afterwards"},
-      {replaced("why first result\n", "why first result\n<<<<<<< ours\n"), "a merge marker"},
+      {with(text, "volume 1024 2", "volume 1024 3"), "they were edited afterwards"},
+      {with(text, "why first result\n", "why first result\n<<<<<<< ours\n"), "a merge marker"},
       {text.substr(0, text.size() / 2), ": "},
       {text.substr(0, text.rfind("end ")), "truncated"},
       {"", "empty"},
-      {replaced("count cells 1\n", "count cells 1\ncount cells 1\n"), "stands twice"},
-      {replaced("count cells 1\n", ""), "items"},
+      {with(text, "count cells 1\n", "count cells 1\ncount cells 1\n"), "stands twice"},
+      {with(text, "count cells 1\n", ""), "items"},
   };
   for (const auto& [damaged, why] : faults) {
     CAPTURE(why);

@@ -6,15 +6,7 @@ namespace morula {
 
 inline LineageEntry cell(const char* path, double born, std::uint64_t bornStep, Fate fate, StateId state,
                          double ended = 0, std::uint64_t endedStep = 0) {
-  LineageEntry e;
-  e.path = CellPath::parse(path);
-  e.born = born;
-  e.bornStep = bornStep;
-  e.fate = fate;
-  e.state = state;
-  e.ended = ended;
-  e.endedStep = endedStep;
-  return e;
+  return {CellPath::parse(path), born, ended, bornStep, endedStep, fate, state};
 }
 
 inline CellMeasures measures(const char* path, double volume) {
@@ -84,6 +76,11 @@ inline Golden exampleGolden(std::vector<ToleranceRule> rules = {}) {
 
 /// The golden as it is after its way through the file.
 inline Golden reread(const Golden& golden) { return readGolden(writeGolden(golden), golden.file); }
+
+/// A golden's text with another line in place of this one.
+inline std::string with(std::string text, const std::string& line, const std::string& other) {
+  return text.replace(text.find(line), line.size(), other);
+}
 
 inline ToleranceRule rule(const std::string& text) { return readRule("tolerance " + text, "rule"); }
 

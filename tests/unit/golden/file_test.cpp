@@ -66,10 +66,7 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compare
   CHECK(writeGolden(again) == text);
   CHECK(again.data.items.size() == exampleGolden().data.items.size());
   CHECK(compareGolden(again, observed).passed());
-  const auto replaced = [&](const std::string& by) {
-    std::string other = text;
-    return other.replace(other.find(line), line.size(), by);
-  };
+  const auto replaced = [&](const std::string& by) { return with(text, line, by); };
   for (const char* other : {"error position 0.00027 1.6875 0.013 1.5", "error position 0.00028 1.6875 0.014 1.5",
                             "error position 0.00028 1.6875 - -", "error surface 0.00028 1.6875 0.013 1.5"})
     complains(replaced(other), 0, "edited");
@@ -90,10 +87,7 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
   const Golden again = readGolden(text, "x.golden");
   CHECK(again.statistics == golden.statistics);
   CHECK(writeGolden(again) == text);
-  const auto replaced = [&](const std::string& by) {
-    std::string other = text;
-    return other.replace(other.find(line), line.size(), by);
-  };
+  const auto replaced = [&](const std::string& by) { return with(text, line, by); };
   for (const char* other :
        {"statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0018 runs 8",
         "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 9",
@@ -246,13 +240,10 @@ TEST_CASE("how fast runs part is kept, and cannot be edited") {
   const std::string text = writeGolden(golden);
   CHECK_THAT(text, ContainsSubstring("\ngrowth 1e-15 3\ngrowth 1e-09 700\n"));
   CHECK(writeGolden(readGolden(text, "x.golden")) == text);
-  const auto with = [&](const char* line) {
-    std::string edited = text;
-    return edited.replace(edited.find("growth 1e-09 700"), 16, line);
-  };
-  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
+  const auto replaced = [&](const std::string& by) { return with(text, "growth 1e-09 700", by); };
+  CHECK_THROWS_WITH(readGolden(replaced("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
   for (const char* line : {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
-    CHECK_THROWS_WITH(readGolden(with(line), "x"), ContainsSubstring("x:10: "));
+    CHECK_THROWS_WITH(readGolden(replaced(line), "x"), ContainsSubstring("x:10: "));
 }
 
 TEST_CASE("a long chain is thinned, and its last link stays") {
