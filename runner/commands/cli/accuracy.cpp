@@ -96,10 +96,9 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
 Json provenance(const Scenario& scenario, const Execution& how) {
   const RunRecord record = recordOf(scenario, how, commandLine());
   Json json = Json::object();
-  eachFieldOf({.id = {}, .record = record, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
-              [&](const RunField& field, const std::string& value) {
-                if (field.part != RunPart::result && !value.empty()) json[headingOf(field)] = value;
-              });
+  eachFieldOf({.record = record}, [&](const RunField& field, const std::string& value) {
+    if (field.part != RunPart::result && !value.empty()) json[headingOf(field)] = value;
+  });
   return json;
 }
 

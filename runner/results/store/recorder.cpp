@@ -197,7 +197,6 @@ RunResults Recorder::take(const World& world, bool failed) {
 
 RunEnd endOf(const World& world, RunStatus status, const std::string& failure, Want want) {
   RunEnd end{.status = status,
-             .stateHash = {},
              .steps = world.clock.step,
              .cells = world.cells.path.size(),
              .time = world.clock.time,

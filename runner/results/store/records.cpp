@@ -19,6 +19,21 @@ std::string valueText(const Member& member) {
   else return member;
 }
 
+bool isIdentity(RunPart part) { return part == RunPart::scene || part == RunPart::program; }
+bool isCondition(RunPart part) { return isIdentity(part) || part == RunPart::detail || part == RunPart::environment; }
+
+std::vector<Item> compare(const RunRecord& before, const RunRecord& now, bool (*takes)(RunPart)) {
+  std::vector<Item> items;
+  eachFieldOf({.record = before}, [&](const RunField& field, const std::string& value) {
+    if (takes(field.part)) items.push_back({field.name, field.label, value, {}});
+  });
+  auto item = items.begin();
+  eachFieldOf({.record = now}, [&](const RunField& field, const std::string& value) {
+    if (takes(field.part)) (item++)->now = value;
+  });
+  return items;
+}
+
 }  // namespace
 
 void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit) {
@@ -29,6 +44,14 @@ std::string headingOf(const RunField& field) {
   std::string label = field.label;
   label[0] = static_cast<char>(std::toupper(label[0]));
   return label;
+}
+
+std::vector<Item> compareIdentity(const RunRecord& before, const RunRecord& now) {
+  return compare(before, now, isIdentity);
+}
+
+std::vector<Item> compareConditions(const RunRecord& before, const RunRecord& now) {
+  return compare(before, now, isCondition);
 }
 
 RunPart partOf(const std::string& column) {

@@ -60,24 +60,24 @@ std::string runId(const RunRecord& record);
 /// How the run ended.
 struct RunEnd {
   RunStatus status = RunStatus::done;  // done, failed or killed
-  std::optional<Hash> stateHash;       // of the final state; required when done
+  std::optional<Hash> stateHash = {};  // of the final state; required when done
   std::uint64_t steps = 0;
   std::uint64_t cells = 0;    // alive at the end
   double time = 0;            // [time] simulated
-  std::string failure;        // what went wrong; "" unless failed
+  std::string failure = {};   // what went wrong; "" unless failed
   Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
 };
 
 /// A run as it stands in the file.
 struct StoredRun {
-  std::string id;
+  std::string id = {};
   RunRecord record;  // without documents: see Store::documents
   RunStatus status = RunStatus::running;
-  std::string started, ended;          // UTC; ended is "" while running
-  std::string stateHash;               // "" unless done
-  std::uint64_t steps = 0, cells = 0;  // 0 while running
-  double time = 0;                     // [time]
-  std::string failure;
+  std::string started = {}, ended = {};  // UTC; ended is "" while running
+  std::string stateHash = {};            // "" unless done
+  std::uint64_t steps = 0, cells = 0;    // 0 while running
+  double time = 0;                       // [time]
+  std::string failure = {};
   std::optional<std::uint64_t> condition = {};
 };
 
@@ -153,6 +153,16 @@ std::string headingOf(const RunField& field);
 RunPart partOf(const std::string& column);
 /// visit(const RunField&, its value for people; "" where there is none) for each field.
 void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit);
+
+/// One field of two records side by side.
+struct Item {
+  std::string name, label;  // of the column; for people
+  std::string before, now;
+};
+/// What makes a run_id: scenario, seed and what the program was built from.
+std::vector<Item> compareIdentity(const RunRecord& before, const RunRecord& now);
+/// That, and everything else that is known of how and where the two were run.
+std::vector<Item> compareConditions(const RunRecord& before, const RunRecord& now);
 
 /// The state of the organism at one moment, as far as it was measured.
 struct Sample {

@@ -94,7 +94,7 @@ void insertAll(Database& db, const std::string& id, const std::vector<Row>& rows
 
 void insertRun(Database& db, const std::string& id, const RunRecord& record, const std::string& started,
                const RunEnd* end) {
-  StoredRun run{.id = id, .record = record, .started = started, .ended = {}, .stateHash = {}, .failure = {}};
+  StoredRun run{.id = id, .record = record, .started = started};
   if (end) {
     run.status = end->status, run.ended = utcNow(), run.steps = end->steps, run.cells = end->cells;
     run.time = end->time, run.failure = end->failure;

@@ -6,7 +6,6 @@
 
 #include "scenario/scenario.h"
 #include "simulation/world.h"
-#include "store/provenance.h"
 #include "store/store.h"
 #include "system/json.h"
 

@@ -20,7 +20,6 @@
 #include "pictures/frame_file.h"
 #include "pictures/pictures.h"
 #include "simulation/checkpoint.h"
-#include "store/provenance.h"
 #include "store/recorder.h"
 #include "store/store.h"
 #include "system/console.h"

@@ -44,9 +44,7 @@ void drop(RunResults& results, const Study& study) {
 FailureKind kindOf(Want want) { return want == Want::memory ? FailureKind::memoryLimit : FailureKind::numerical; }
 
 /// Of a run that has nothing to show.
-RunEnd failedEnd(const std::string& why) {
-  return {.status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
-}
+RunEnd failedEnd(const std::string& why) { return {.status = RunStatus::failed, .failure = why}; }
 
 std::string reasonOf(FailureKind kind, const std::string& why) { return std::string(name(kind)) + ": " + why; }
 
