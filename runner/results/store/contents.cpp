@@ -1,10 +1,10 @@
-#include "store/contents.h"
-
+// A file's tables as they stand.
 #include <algorithm>
 #include <map>
 
 #include "database/record_table.h"
 #include "database/store_error.h"
+#include "store/store.h"
 
 namespace morula {
 namespace {
@@ -29,50 +29,57 @@ std::uint64_t lengthOf(Database& db, const std::string& table, const std::vector
   return static_cast<std::uint64_t>(db.integer("SELECT ifnull(sum(" + sum + "), 0) FROM " + sqlName(table)));
 }
 
-struct PlainColumn {
-  std::string name, type;
-  std::int64_t key = 0;  // its place in the table's key, from 1; 0: no part of it
-};
-
-std::vector<PlainColumn> plainColumnsOf(Database& db, const std::string& table) {
-  std::vector<PlainColumn> columns;
-  Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
-  for (s.start(table); s.next();)
-    if (PlainColumn c{s.line(0), s.line(1), s.integer(2)}; c.type != "BLOB") columns.push_back(std::move(c));
+std::vector<FileColumn> plainColumns(Database& db, const std::string& table) {
+  auto columns = fileColumns(db, table);
+  std::erase_if(columns, [](const FileColumn& c) { return c.type == "BLOB"; });
   return columns;
-}
-
-TableValue read(const Statement& s, int place, const std::string& type) {
-  if (s.isNull(place)) return {};
-  if (type == "INTEGER" || type == "INT") return s.integer(place);
-  if (type == "REAL") return s.real(place);
-  return s.text(place);
 }
 
 }  // namespace
 
-std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const SqlTable*>& known) {
+std::vector<FileColumn> fileColumns(Database& db, const std::string& table) {
+  std::vector<FileColumn> columns;
+  Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
+  for (s.start(table); s.next();) columns.push_back({s.line(0), s.line(1), s.integer(2)});
+  return columns;
+}
+
+std::string namesOf(const std::vector<FileColumn>& columns) {
+  std::string names;
+  for (const FileColumn& c : columns) names += (names.empty() ? "" : ", ") + sqlName(c.name);
+  return names;
+}
+
+TableValue valueAt(const Statement& row, int place, const std::string& type) {
+  if (row.isNull(place)) return {};
+  if (type == "INTEGER" || type == "INT") return row.integer(place);
+  if (type == "REAL") return row.real(place);
+  return row.text(place);
+}
+
+std::vector<TableContents> Store::contents(const std::vector<const SqlTable*>& known, const std::string& id) {
   std::vector<std::string> tables;
-  Statement names(db, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
+  Statement names(db_,
+                  "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
   while (names.next()) tables.push_back(names.text(0));
-  const auto pages = pagesOf(db);
+  const auto pages = pagesOf(db_);
 
   std::vector<TableContents> list;
   for (const std::string& table : tables) {
     TableContents& t = list.emplace_back();
-    const std::vector<std::string> columns = columnNames(db, table);
+    const std::vector<std::string> columns = columnNames(db_, table);
     t.table = table;
     for (const SqlTable* k : known)
       if (k->info.name == table) t.why = k->info.why;
-    const auto all = static_cast<std::uint64_t>(db.integer("SELECT count(*) FROM " + sqlName(table)));
+    const auto all = static_cast<std::uint64_t>(db_.integer("SELECT count(*) FROM " + sqlName(table)));
     t.rows = all;
     const auto measured = pages.find(table);
     t.estimated = measured == pages.end();
-    t.bytes = t.estimated ? lengthOf(db, table, columns) : measured->second;
+    t.bytes = t.estimated ? lengthOf(db_, table, columns) : measured->second;
     const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
     if (id.empty() || !ofRuns) continue;
-    Statement count(db, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"
-                                            : "SELECT count(*) FROM " + sqlName(table) + " WHERE run_id = ?");
+    Statement count(db_, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"
+                                             : "SELECT count(*) FROM " + sqlName(table) + " WHERE run_id = ?");
     count.start(id).next();
     t.rows = count.natural(0);
     if (t.rows == all) continue;
@@ -83,29 +90,25 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id, const
   return list;
 }
 
-std::vector<std::string> plainColumns(Database& db, const std::string& table) {
+std::vector<std::string> Store::columns(const std::string& table) {
   std::vector<std::string> names;
-  for (PlainColumn& c : plainColumnsOf(db, table)) names.push_back(std::move(c.name));
+  for (FileColumn& c : plainColumns(db_, table)) names.push_back(std::move(c.name));
   return names;
 }
 
-void eachRow(Database& db, const std::string& table, const std::string& run,
-             const std::function<void(const TableRow&)>& take) {
-  const auto columns = plainColumnsOf(db, table);
+void Store::eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take) {
+  const auto columns = plainColumns(db_, table);
   if (columns.empty()) return;
-  std::string names;
-  for (const PlainColumn& c : columns) names += (names.empty() ? "" : ", ") + sqlName(c.name);
   auto key = columns;
-  std::erase_if(key, [](const PlainColumn& c) { return c.key == 0; });
-  std::ranges::sort(key, {}, &PlainColumn::key);
-  std::string order;
-  for (const PlainColumn& c : key) order += (order.empty() ? " ORDER BY " : ", ") + sqlName(c.name);
-  const bool one = !run.empty() && std::ranges::find(columns, "run_id", &PlainColumn::name) != columns.end();
-  Statement s(db, "SELECT " + names + " FROM " + sqlName(table) + (one ? " WHERE run_id = ?" : "") + order);
-  if (one) s.start(run);
+  std::erase_if(key, [](const FileColumn& c) { return c.key == 0; });
+  std::ranges::sort(key, {}, &FileColumn::key);
+  const bool one = !id.empty() && std::ranges::find(columns, "run_id", &FileColumn::name) != columns.end();
+  Statement s(db_, "SELECT " + namesOf(columns) + " FROM " + sqlName(table) + (one ? " WHERE run_id = ?" : "") +
+                       (key.empty() ? "" : " ORDER BY " + namesOf(key)));
+  if (one) s.start(id);
   TableRow row(columns.size());
   while (s.next()) {
-    for (std::size_t i = 0; i < columns.size(); ++i) row[i] = read(s, static_cast<int>(i), columns[i].type);
+    for (std::size_t i = 0; i < columns.size(); ++i) row[i] = valueAt(s, static_cast<int>(i), columns[i].type);
     take(row);
   }
 }

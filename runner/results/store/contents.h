@@ -1,16 +1,14 @@
 #pragma once
-// What a file of results consists of: per table its rows, its room on the disk, and why it is there;
-// and the tables as they stand, to be written down elsewhere.
+// What a file of results consists of: per table its rows, its room on the disk, and why it is there; and the values of the
+// tables as they stand, to be written down elsewhere or compared.
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace morula {
+#include "database/database.h"
 
-class Database;
-struct SqlTable;
+namespace morula {
 
 struct TableContents {
   std::string table;
@@ -21,22 +19,20 @@ struct TableContents {
   std::string why;  // who reads it, and when it is stored
 };
 
-/// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone; "": of all runs. Throws
-/// StoreError.
-std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const SqlTable*>& known);
-
-class Database;
-
-/// A value as SQLite has it; the first is NULL.
+/// A value as SQLite has it; the first is NULL. Bytes (BLOB) are a text, too.
 using TableValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 using TableRow = std::vector<TableValue>;
 
-/// The columns of a table, apart from bytes (BLOB); none if there is no such table.
-std::vector<std::string> plainColumns(Database& db, const std::string& table);
-
-/// Calls `take` for each row, with the values of plainColumns, in the order of the table's key. `run`: rows with this run_id
-/// alone, if the table has that column; "": all. Throws StoreError for values of another type than the column's.
-void eachRow(Database& db, const std::string& table, const std::string& run,
-             const std::function<void(const TableRow&)>& take);
+/// A column as the file has it.
+struct FileColumn {
+  std::string name, type;
+  std::int64_t key = 0;  // its place in the table's key, from 1; 0: no part of it
+};
+/// In their order; none if there is no such table.
+std::vector<FileColumn> fileColumns(Database& db, const std::string& table);
+/// As SQL lists them.
+std::string namesOf(const std::vector<FileColumn>& columns);
+/// Throws StoreError for a value of another type than the column's.
+TableValue valueAt(const Statement& row, int place, const std::string& type);
 
 }  // namespace morula

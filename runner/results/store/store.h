@@ -11,6 +11,7 @@
 // One writer at a time: others wait (StoreOptions::patience), then get a StoreError.
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@ namespace morula {
 struct StoreOptions {
   std::chrono::milliseconds patience{30'000};  // how long to wait for another writer
 };
+
+struct SqlTable;
 
 class Store {
  public:
@@ -96,17 +99,20 @@ class Store {
   /// What shows that cells of a run that has ended are gone: a cell without its mother, a mother without both daughters, fewer
   /// leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
-  /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`, table by
-  /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
+  /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`: all tables that
+  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal means: the
+  /// same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out: `checkpoint`, which a
+  /// finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and bullet, which depend on what is
+  /// not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
-  /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
+  /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
-  /// A table's rows as they stand [store/contents.h]. `id`: of this run alone, "": of all.
-  std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
-  void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take) {
-    morula::eachRow(db_, table, id, take);
-  }
+  /// The columns of a table, apart from bytes (BLOB); none if there is no such table.
+  std::vector<std::string> columns(const std::string& table);
+  /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: rows with this run_id
+  /// alone, if the table has that column; "": all. Throws StoreError for values of another type than the column's.
+  void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take);
 
   /// Makes a file that holds this run alone. It must not be there yet.
   void copyRun(const std::string& id, const std::filesystem::path& file);

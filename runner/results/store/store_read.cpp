@@ -235,12 +235,4 @@ std::vector<ValueDifference> Store::lostCells(const StoredRun& run) {
   return lost;
 }
 
-std::vector<TableDifference> Store::compareResults(const std::string& id, Store& again, const std::string& idAgain) {
-  return compareTables(db_, id, again.db_, idAgain);
-}
-
-std::vector<TableContents> Store::contents(const std::vector<const SqlTable*>& known, const std::string& id) {
-  return contentsOf(db_, id, known);
-}
-
 }  // namespace morula

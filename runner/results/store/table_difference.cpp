@@ -1,22 +1,18 @@
-#include "store/table_difference.h"
-
-#include <charconv>
-#include <cstring>
+// Two stored runs, table by table.
+#include <bit>
 
 #include "base/hash.h"
+#include "base/number_text.h"
 #include "store/run_tables.h"
+#include "store/store.h"
 
 namespace morula {
 namespace {
 
-struct TypedColumn {
-  std::string name, type;  // TEXT, INTEGER, REAL or BLOB: the tables are STRICT
-};
-
 /// How rows of a table are found and ordered, and what of them is compared.
 struct Form {
   std::string table;
-  std::vector<TypedColumn> key, values;
+  std::vector<FileColumn> key, values;
   std::string where = "run_id = ?";
 };
 
@@ -34,47 +30,30 @@ Form formOf(Database& db, const std::string& table) {
   const auto isIn = [](const std::string& list, const std::string& word) {
     return (' ' + list + ' ').find(' ' + word + ' ') != std::string::npos;
   };
-  Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
-  for (s.start(table); s.next();) {
-    const TypedColumn column{s.text(0), s.text(1)};
+  for (const FileColumn& column : fileColumns(db, table)) {
     if (column.name == "run_id") continue;
-    const bool isKey = natural ? isIn(natural, column.name) : s.integer(2) > 0;
+    const bool isKey = natural ? isIn(natural, column.name) : column.key > 0;
     if (isKey) form.key.push_back(column);
-    else if (s.integer(2) > 0) continue;  // the number that stands in for a key
+    else if (column.key > 0) continue;  // the number that stands in for a key
     else if (table != "run" || isDecided(column.name)) form.values.push_back(column);
   }
   if (table == "check_result") form.where += " AND kind NOT IN ('golden', 'bullet')";
   return form;
 }
 
-struct Value {
-  enum class Kind { null, integer, real, bytes, blob } kind = Kind::null;
-  std::int64_t integer = 0;
-  double real = 0;
-  std::string bytes;
-};
-
-bool same(const Value& a, const Value& b) {
-  return a.kind == b.kind && a.integer == b.integer && a.bytes == b.bytes &&
-         std::memcmp(&a.real, &b.real, sizeof a.real) == 0;
+bool same(const TableValue& a, const TableValue& b) {
+  const auto *x = std::get_if<double>(&a), *y = std::get_if<double>(&b);
+  return x && y ? std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y) : a == b;
 }
 
-/// In SQLite's order.
-int compare(const Value& a, const Value& b) {
-  const auto order = [](const auto& x, const auto& y) { return x < y ? -1 : y < x ? 1 : 0; };
-  if (a.kind != b.kind) return order(a.kind, b.kind);
-  if (a.kind == Value::Kind::real) return order(a.real, b.real);
-  return a.kind >= Value::Kind::bytes ? order(a.bytes, b.bytes) : order(a.integer, b.integer);
-}
-
-std::string valueText(const Value& v) {
-  if (v.kind == Value::Kind::null) return "nothing";
-  if (v.kind == Value::Kind::bytes) return "'" + v.bytes + "'";
-  if (v.kind == Value::Kind::blob)
-    return std::to_string(v.bytes.size()) + " bytes with the hash " + Hasher().add(v.bytes).digest().text();
-  if (v.kind == Value::Kind::integer) return std::to_string(v.integer);
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, v.real).ptr};
+std::string valueText(const TableValue& value, const std::string& type) {
+  if (const auto* text = std::get_if<std::string>(&value))
+    return type != "BLOB"
+               ? "'" + *text + "'"
+               : std::to_string(text->size()) + " bytes with the hash " + Hasher().add(*text).digest().text();
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return exactText(*real);
+  return "nothing";
 }
 
 /// The rows of one run in one table, in the order of its key.
@@ -88,46 +67,42 @@ class Rows {
   bool ended() const { return ended_; }
   void advance() {
     ended_ = !statement_.next();
-    row_.clear();
     if (ended_) return;
     ++count_;
     int place = 0;
-    for (const auto* columns : {&form_.key, &form_.values})
-      for (const TypedColumn& c : *columns) row_.push_back(read(place++, c.type));
+    const auto read = [&](const std::vector<FileColumn>& columns) {
+      TableRow row;
+      for (const FileColumn& c : columns) row.push_back(valueAt(statement_, place++, c.type));
+      return row;
+    };
+    key_ = read(form_.key), values_ = read(form_.values);
   }
   std::uint64_t count() const { return count_; }
-  const std::vector<Value>& values() const { return row_; }
+  const TableRow& key() const { return key_; }
+  const TableRow& values() const { return values_; }
 
  private:
   static std::string query(const Form& form) {
-    std::string columns, keys;
-    for (const auto* list : {&form.key, &form.values})
-      for (const TypedColumn& c : *list) columns += (columns.empty() ? "" : ", ") + sqlName(c.name);
-    for (const TypedColumn& c : form.key) keys += (keys.empty() ? " ORDER BY " : ", ") + sqlName(c.name);
-    return "SELECT " + columns + " FROM " + sqlName(form.table) + " WHERE " + form.where + keys;
-  }
-
-  Value read(int place, const std::string& type) const {
-    Value v;
-    if (statement_.isNull(place)) return v;
-    if (type == "REAL") v.kind = Value::Kind::real, v.real = statement_.real(place);
-    else if (type == "INTEGER") v.kind = Value::Kind::integer, v.integer = statement_.integer(place);
-    else v.kind = type == "BLOB" ? Value::Kind::blob : Value::Kind::bytes, v.bytes = statement_.text(place);
-    return v;
+    auto columns = form.key;
+    columns.insert(columns.end(), form.values.begin(), form.values.end());
+    return "SELECT " + namesOf(columns) + " FROM " + sqlName(form.table) + " WHERE " + form.where +
+           (form.key.empty() ? "" : " ORDER BY " + namesOf(form.key));
   }
 
   const Form& form_;
   Statement statement_;
   bool ended_ = false;
   std::uint64_t count_ = 0;
-  std::vector<Value> row_;  // the key's values first
+  TableRow key_, values_;
 };
 
-std::string rowText(const Form& form, const std::vector<Value>& row) {
+std::string keyText(const Form& form, const TableRow& key) {
   std::string words;
-  for (std::size_t i = 0; i < form.key.size(); ++i)
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    const auto* text = std::get_if<std::string>(&key[i]);
     words += (i ? ", " : "") + form.key[i].name + ' ' +
-             (row[i].kind == Value::Kind::bytes && !row[i].bytes.empty() ? row[i].bytes : valueText(row[i]));
+             (text && !text->empty() ? *text : valueText(key[i], form.key[i].type));
+  }
   return words;
 }
 
@@ -135,20 +110,22 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
                              const std::string& idAgain) {
   Rows a(stored, form, id), b(again, form, idAgain);
   TableDifference found{.table = form.table, .first = {}};
-  const auto note = [&](const std::vector<Value>& row, const std::string& column, const std::string& was,
-                        const std::string& is) {
+  const auto note = [&](const TableRow& key, const std::string& column, const std::string& was, const std::string& is) {
     ++found.differing;
-    if (!found.first) found.first = ValueDifference{form.table, rowText(form, row), column, was, is};
+    if (!found.first) found.first = ValueDifference{form.table, keyText(form, key), column, was, is};
   };
   while (!a.ended() || !b.ended()) {
-    int order = a.ended() ? 1 : b.ended() ? -1 : 0;
-    for (std::size_t i = 0; i < form.key.size() && order == 0; ++i) order = compare(a.values()[i], b.values()[i]);
-    if (order < 0) note(a.values(), "", "a row", "no such row"), a.advance();
-    else if (order > 0) note(b.values(), "", "no such row", "a row"), b.advance();
-    else {
-      for (std::size_t i = form.key.size(); i < a.values().size(); ++i) {
+    if (b.ended() || (!a.ended() && a.key() < b.key())) {
+      note(a.key(), "", "a row", "no such row");
+      a.advance();
+    } else if (a.ended() || b.key() < a.key()) {
+      note(b.key(), "", "no such row", "a row");
+      b.advance();
+    } else {
+      for (std::size_t i = 0; i < a.values().size(); ++i) {
         if (same(a.values()[i], b.values()[i])) continue;
-        note(a.values(), form.values[i - form.key.size()].name, valueText(a.values()[i]), valueText(b.values()[i]));
+        const auto& [column, type, place] = form.values[i];
+        note(a.key(), column, valueText(a.values()[i], type), valueText(b.values()[i], type));
         break;
       }
       a.advance(), b.advance();
@@ -160,12 +137,11 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
 
 }  // namespace
 
-std::vector<TableDifference> compareTables(Database& stored, const std::string& id, Database& again,
-                                           const std::string& idAgain) {
+std::vector<TableDifference> Store::compareResults(const std::string& id, Store& again, const std::string& idAgain) {
   std::vector<TableDifference> tables;
   for (const SqlTable* t : runTables())
     if (t->info.name == std::string_view("run") || isResult(t->info.part))
-      tables.push_back(compareTable(formOf(again, t->info.name), stored, id, again, idAgain));
+      tables.push_back(compareTable(formOf(again.db_, t->info.name), db_, id, again.db_, idAgain));
   return tables;
 }
 

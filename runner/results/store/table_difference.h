@@ -7,8 +7,6 @@
 
 namespace morula {
 
-class Database;
-
 /// One value that is not what it should be. Numbers are written so that they read back with the same bits.
 struct ValueDifference {
   std::string table;
@@ -23,12 +21,5 @@ struct TableDifference {
   std::uint64_t differing = 0;           // rows that differ or that only one of the two has
   std::optional<ValueDifference> first;  // in the order of the table's key
 };
-
-/// Compares all tables that results are made of, in the order of the schema, by their keys; of `run` what the
-/// computation decides. Equal means: the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is
-/// no number as NULL). Left out: `checkpoint`, which a finished run does not have, `bullet_sample`, and of
-/// `check_result` the kinds golden and bullet, which depend on what is not stored. Throws StoreError.
-std::vector<TableDifference> compareTables(Database& stored, const std::string& id, Database& again,
-                                           const std::string& idAgain);
 
 }  // namespace morula
