@@ -6,8 +6,6 @@
 #include "database/store_error.h"
 #include "example_run.h"
 #include "store/schema.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 using namespace std::chrono_literals;
@@ -56,13 +54,7 @@ TEST_CASE("a file of another version") {
   }
 }
 
-TEST_CASE("a damaged file") {
-  TemporaryFolder folder;
-  const auto file = folder / "damaged.db";
-  {
-    Store store = Store::openForWriting(file);
-    store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
-  }
+TEST_CASE_METHOD(FinishedRun, "a damaged file") {
   std::string bytes = readText(file);
   for (std::size_t i = 4096; i < bytes.size(); ++i) bytes[i] = '\x5a';  // all but the first page
   writeText(file, bytes);
@@ -101,14 +93,8 @@ TEST_CASE("a directory that cannot be written to") {
                       ContainsSubstring("cannot be made in") && ContainsSubstring("writable"));
 }
 
-TEST_CASE("a file that cannot be written to can be read") {
+TEST_CASE_METHOD(FinishedRun, "a file that cannot be written to can be read") {
   if (geteuid() == 0) return;  // the administrator may write everywhere
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  {
-    Store store = Store::openForWriting(file);
-    store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
-  }
   chmod(file.c_str(), 0444);
   REQUIRE(Store::openForReading(file).runs().size() == 1);
   REQUIRE_THROWS_WITH(Store::openForWriting(file), ContainsSubstring("not writable"));

@@ -2,19 +2,14 @@
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 
 namespace {
 
-std::int64_t countRows(const std::filesystem::path& file, const std::string& from) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
-  return db.integer("SELECT count(*) FROM " + from);
-}
-
 Checkpoint checkpointAt(std::uint64_t step) { return {step, 0.25, 64, "state at " + std::to_string(step)}; }
+
+RunEnd killedAt(std::uint64_t step) { return {.status = RunStatus::killed, .steps = step}; }
 
 /// Samples and hashes only, as of a run that goes on.
 RunResults recordsUpTo(std::uint64_t step) {
@@ -36,25 +31,18 @@ FrameSource frames(std::size_t n, int* asked = nullptr) {
 
 }  // namespace
 
-TEST_CASE("a run goes on from its last checkpoint, with what was recorded up to it, once") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  std::string id;
-  {
-    Store store = Store::openForWriting(file);
-    id = store.begin(exampleRecord());
-    store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
-    CHECK(countRows(file, "sample") == 1);
-    CHECK(countRows(file, "step_hash") == 1);
-    int asked = 0;
-    store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(3, &asked));
-    CHECK(asked == 2);  // the first one is there
-  }                     // as if killed
-  CHECK(countRows(file, "checkpoint") == 1);
-  CHECK(countRows(file, "sample") == 2);
-  CHECK(countRows(file, "step_hash") == 2);
+TEST_CASE_METHOD(BegunRun, "a run goes on from its last checkpoint, with what was recorded up to it, once") {
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
+  CHECK(count("sample") == 1);
+  CHECK(count("step_hash") == 1);
+  int asked = 0;
+  store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(3, &asked));
+  CHECK(asked == 2);                    // the first one is there
+  store = Store::openForWriting(file);  // as if killed
+  CHECK(count("checkpoint") == 1);
+  CHECK(count("sample") == 2);
+  CHECK(count("step_hash") == 2);
 
-  Store store = Store::openForWriting(file);
   const auto resumed = store.resume(exampleRecord());
   REQUIRE(resumed);
   CHECK(resumed->id == id);
@@ -64,40 +52,30 @@ TEST_CASE("a run goes on from its last checkpoint, with what was recorded up to 
   CHECK(resumed->checkpoint.state == "state at 700");
   CHECK(resumed->frames == std::vector<std::string>{"frame 0", "frame 1", "frame 2"});
   CHECK(store.results(id).samples.size() == 2);
-  store.finish(id, exampleEnd(), exampleResults());
-  CHECK(countRows(file, "checkpoint") == 0);
-  CHECK(countRows(file, "checkpoint_frame") == 0);
-  CHECK(countRows(file, "sample") == 2);
+  finish();
+  CHECK(count("checkpoint") == 0);
+  CHECK(count("checkpoint_frame") == 0);
+  CHECK(count("sample") == 2);
   CHECK_FALSE(store.resume(exampleRecord()));
 }
 
-TEST_CASE("a killed run keeps its checkpoint, and its results are what there is") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
+TEST_CASE_METHOD(BegunRun, "a killed run keeps its checkpoint, and its results are what there is") {
   store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100));
-  RunEnd end = exampleEnd();
-  end.status = RunStatus::killed;
-  end.stateHash.reset();
   RunResults results = exampleResults();
   results.checks.clear();
-  store.finish(id, end, results);
+  store.finish(id, killedAt(700), results);
   CHECK(store.find(id).status == RunStatus::killed);
   CHECK(store.find(id).steps == 700);
-  CHECK(countRows(file, "cell") == 3);
-  CHECK(countRows(file, "document") == 2);
+  CHECK(count("cell") == 3);
+  CHECK(count("document") == 2);
   REQUIRE(store.resume(exampleRecord()));
   CHECK(store.find(id).status == RunStatus::running);
   CHECK(store.find(id).ended.empty());
 }
 
-TEST_CASE("without a checkpoint there is nothing to resume") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
+TEST_CASE_METHOD(ResultsFile, "without a checkpoint there is nothing to resume") {
   CHECK_FALSE(store.resume(exampleRecord()));
-  CHECK(countRows(file, "run") == 0);
+  CHECK(count("run") == 0);
   const std::string id = store.begin(exampleRecord());
   CHECK_FALSE(store.resume(exampleRecord()));
   store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(2));
@@ -106,62 +84,45 @@ TEST_CASE("without a checkpoint there is nothing to resume") {
   CHECK_FALSE(store.resume(other));
 }
 
-TEST_CASE("whoever begins anew loses no checkpoint until there is a later one") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
+TEST_CASE_METHOD(BegunRun, "whoever begins anew loses no checkpoint until there is a later one") {
   CHECK(store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(2)));
   store.begin(exampleRecord());
   CHECK(store.checkpointStep(id) == 700u);
   CHECK(store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1)));
   CHECK(store.checkpointStep(id) == 700u);
-  RunEnd end = exampleEnd();
-  end.status = RunStatus::killed;
-  end.stateHash.reset();
-  end.steps = 100;
-  store.finish(id, end, recordsUpTo(100));
+  store.finish(id, killedAt(100), recordsUpTo(100));
   CHECK(store.find(id).status == RunStatus::killed);
-  CHECK(countRows(file, "sample") == 2);
-  CHECK(countRows(file, "checkpoint_frame") == 2);
+  CHECK(count("sample") == 2);
+  CHECK(count("checkpoint_frame") == 2);
   store.begin(exampleRecord());
   CHECK(store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800), frames(3)));
   const auto resumed = store.resume(exampleRecord());
   REQUIRE(resumed);
   CHECK(resumed->checkpoint.step == 800);
   CHECK(resumed->frames.size() == 3);
-  store.finish(id, exampleEnd(), exampleResults());
+  finish();
   CHECK_FALSE(store.checkpointStep(id));
 }
 
-TEST_CASE("a finished run takes no checkpoint of an attempt to repeat it") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
+TEST_CASE_METHOD(FinishedRun, "a finished run takes no checkpoint of an attempt to repeat it") {
   store.begin(exampleRecord());
   CHECK_FALSE(store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100)));
-  CHECK(countRows(file, "checkpoint") == 0);
-  CHECK(countRows(file, "sample") == 2);
+  CHECK(count("checkpoint") == 0);
+  CHECK(count("sample") == 2);
   CHECK(store.find(id).status == RunStatus::done);
 }
 
-TEST_CASE("records that were made in another way are replaced as a whole") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
+TEST_CASE_METHOD(BegunRun, "records that were made in another way are replaced as a whole") {
   Checkpoint without = checkpointAt(700);
   without.hashEvery.reset();
   RunResults few = recordsUpTo(700);
   few.chain.clear();
   store.keepCheckpoint(id, without, few, frames(3));
   store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
-  CHECK(countRows(file, "checkpoint_frame") == 1);
+  CHECK(count("checkpoint_frame") == 1);
   store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800));
-  CHECK(countRows(file, "step_hash") == 2);
-  CHECK(countRows(file, "sample") == 2);
+  CHECK(count("step_hash") == 2);
+  CHECK(count("sample") == 2);
 }
 
 TEST_CASE("a value that SQLite cannot take is refused, not stored as nothing") {

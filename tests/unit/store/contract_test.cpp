@@ -3,11 +3,8 @@
 #include "database/store_error.h"
 #include "example_run.h"
 #include "store/schema.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
-using namespace std::chrono_literals;
 
 namespace {
 
@@ -16,31 +13,22 @@ std::string first(Database& db, const std::string& sql) {
   return s.next() ? s.text(0) : "(no row)";
 }
 
-struct Filled {
-  TemporaryFolder folder;
-  std::string id;
-  Database db;
-  Filled() : db((fill(), folder / "runs.db"), Database::Mode::existing, 1s) {}
-  void fill() {
-    Store store = Store::openForWriting(folder / "runs.db");
-    id = store.begin(exampleRecord());
-    store.finish(id, exampleEnd(), exampleResults());
-  }
+struct Filled : FinishedRun {
+  Database db = database();
 };
 
 }  // namespace
 
-TEST_CASE("the tables have the columns that others rely on") {
-  Filled f;
+TEST_CASE_METHOD(Filled, "the tables have the columns that others rely on") {
   const auto expectColumns = [&](const char* table, std::initializer_list<const char*> columns) {
     INFO(table);
     for (const char* column : columns) {
       INFO(column);
-      REQUIRE(f.db.integer(std::string("SELECT count(*) FROM pragma_table_info('") + table + "') WHERE name = '" +
-                           column + "'") == 1);
+      REQUIRE(db.integer(std::string("SELECT count(*) FROM pragma_table_info('") + table + "') WHERE name = '" +
+                         column + "'") == 1);
     }
-    REQUIRE(f.db.integer(std::string("SELECT strict FROM pragma_table_list('") + table + "')") == 1);
-    REQUIRE(f.db.integer(std::string("SELECT count(*) FROM ") + table) > 0);
+    REQUIRE(db.integer(std::string("SELECT strict FROM pragma_table_list('") + table + "')") == 1);
+    REQUIRE(db.integer(std::string("SELECT count(*) FROM ") + table) > 0);
   };
   expectColumns("run", {"run_id", "scenario", "seed", "status", "state_hash", "started", "ended"});
   expectColumns("cell", {"run_id", "path", "parent", "born", "ended", "fate", "state", "name"});
@@ -55,36 +43,33 @@ TEST_CASE("the tables have the columns that others rely on") {
   expectColumns("time_step", {"run_id", "step", "time", "time_step"});
 }
 
-TEST_CASE("the file says whose it is, and is written safely") {
-  Filled f;
-  REQUIRE(f.db.integer("PRAGMA application_id") == 0x4d726c61);
-  REQUIRE(f.db.integer("PRAGMA user_version") == schemaVersion);
-  REQUIRE(first(f.db, "PRAGMA journal_mode") == "delete");
-  REQUIRE(first(f.db, "PRAGMA integrity_check") == "ok");
-  REQUIRE(first(f.db, "PRAGMA foreign_key_check") == "(no row)");
-  configure(f.db);
-  REQUIRE(f.db.integer("PRAGMA synchronous") == 2);  // FULL
-  REQUIRE(f.db.integer("PRAGMA foreign_keys") == 1);
+TEST_CASE_METHOD(Filled, "the file says whose it is, and is written safely") {
+  REQUIRE(db.integer("PRAGMA application_id") == 0x4d726c61);
+  REQUIRE(db.integer("PRAGMA user_version") == schemaVersion);
+  REQUIRE(first(db, "PRAGMA journal_mode") == "delete");
+  REQUIRE(first(db, "PRAGMA integrity_check") == "ok");
+  REQUIRE(first(db, "PRAGMA foreign_key_check") == "(no row)");
+  configure(db);
+  REQUIRE(db.integer("PRAGMA synchronous") == 2);  // FULL
+  REQUIRE(db.integer("PRAGMA foreign_keys") == 1);
 }
 
-TEST_CASE("plain SQL reads what was stored") {
-  Filled f;
-  REQUIRE(first(f.db, "SELECT path FROM cell WHERE parent IS NULL").empty());
-  REQUIRE(first(f.db, "SELECT group_concat(path) FROM cell WHERE parent = ''") == "A,B");
-  REQUIRE(first(f.db, "SELECT fate || ' ' || state FROM cell WHERE path = ''") == "divided START a0");
-  REQUIRE(first(f.db, "SELECT (ended IS NULL AND ended_step IS NULL) || '' FROM cell WHERE fate = 'alive'") == "1");
-  REQUIRE(first(f.db, "SELECT name FROM cell WHERE path = 'A'") == "AB");
-  REQUIRE(first(f.db, "SELECT (released IS NULL) || '' FROM connection WHERE cause = ''") == "1");
-  REQUIRE(first(f.db, "SELECT hash FROM step_hash WHERE step = 512") == "ffffffffffffffff0000000000000000");
-  REQUIRE(first(f.db, "SELECT typeof(content) FROM document LIMIT 1") == "blob");
-  REQUIRE(first(f.db, "SELECT libraries FROM run").find("SQLite 3.") != std::string::npos);
+TEST_CASE_METHOD(Filled, "plain SQL reads what was stored") {
+  REQUIRE(first(db, "SELECT path FROM cell WHERE parent IS NULL").empty());
+  REQUIRE(first(db, "SELECT group_concat(path) FROM cell WHERE parent = ''") == "A,B");
+  REQUIRE(first(db, "SELECT fate || ' ' || state FROM cell WHERE path = ''") == "divided START a0");
+  REQUIRE(first(db, "SELECT (ended IS NULL AND ended_step IS NULL) || '' FROM cell WHERE fate = 'alive'") == "1");
+  REQUIRE(first(db, "SELECT name FROM cell WHERE path = 'A'") == "AB");
+  REQUIRE(first(db, "SELECT (released IS NULL) || '' FROM connection WHERE cause = ''") == "1");
+  REQUIRE(first(db, "SELECT hash FROM step_hash WHERE step = 512") == "ffffffffffffffff0000000000000000");
+  REQUIRE(first(db, "SELECT typeof(content) FROM document LIMIT 1") == "blob");
+  REQUIRE(first(db, "SELECT libraries FROM run").find("SQLite 3.") != std::string::npos);
   // The start was measured without a shell: not 0 % full, but nothing to fill.
-  REQUIRE(first(f.db, "SELECT (shell_fill IS NULL AND volume > 4) || '' FROM sample WHERE time = 0") == "1");
+  REQUIRE(first(db, "SELECT (shell_fill IS NULL AND volume > 4) || '' FROM sample WHERE time = 0") == "1");
 }
 
-TEST_CASE("a query keeps the values it was started with") {
-  Filled f;
-  Statement s(f.db, "SELECT ?");
+TEST_CASE_METHOD(Filled, "a query keeps the values it was started with") {
+  Statement s(db, "SELECT ?");
   std::string value = "long enough to live on the heap, not in the object";
   const std::string before = value;
   s.start(value);
@@ -93,20 +78,19 @@ TEST_CASE("a query keeps the values it was started with") {
   REQUIRE(s.text(0) == before);
 }
 
-TEST_CASE("the tables refuse what they are not made for") {
-  Filled f;
-  configure(f.db);
-  const std::string id = "'" + f.id + "'";
+TEST_CASE_METHOD(Filled, "the tables refuse what they are not made for") {
+  configure(db);
+  const std::string run = "'" + id + "'";
   const auto refuses = [&](const std::string& sql, const char* because) {
     INFO(sql);
-    REQUIRE_THROWS_WITH(f.db.execute(sql), ContainsSubstring(because));
+    REQUIRE_THROWS_WITH(db.execute(sql), ContainsSubstring(because));
   };
-  refuses("INSERT INTO time_step VALUES (" + id + ", 'soon', 0, 1)",
+  refuses("INSERT INTO time_step VALUES (" + run + ", 'soon', 0, 1)",
           "cannot store TEXT value in INTEGER column");  // STRICT
-  refuses("INSERT INTO time_step VALUES (" + id + ", 9, 'half', 1)", "cannot store TEXT value in REAL column");
+  refuses("INSERT INTO time_step VALUES (" + run + ", 9, 'half', 1)", "cannot store TEXT value in REAL column");
   refuses("INSERT INTO time_step VALUES ('nobody', 9, 0, 1)", "FOREIGN KEY");
-  refuses("INSERT INTO time_step VALUES (" + id + ", 0, 0, 1)", "UNIQUE");
-  refuses("INSERT INTO time_step VALUES (" + id + ", 9, NULL, 1)", "NOT NULL");  // what a NaN would become
+  refuses("INSERT INTO time_step VALUES (" + run + ", 0, 0, 1)", "UNIQUE");
+  refuses("INSERT INTO time_step VALUES (" + run + ", 9, NULL, 1)", "NOT NULL");  // what a NaN would become
   refuses("UPDATE run SET status = 'ready'", "CHECK");
   refuses("UPDATE cell SET fate = 'lost'", "CHECK");
   refuses("UPDATE check_result SET kind = 'guess'", "CHECK");

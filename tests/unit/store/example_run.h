@@ -1,22 +1,15 @@
 #pragma once
-// A run with something in every table, made by hand, and numbers that are easily lost on the way.
+// A run with something in every table, made by hand, and numbers that are easily lost on the way; and files that hold it.
 #include <limits>
 
-#include "store/records.h"
+#include "store/store.h"
+#include "temporary_folder.h"
 
 namespace morula {
 
 inline LineageEntry cell(const char* path, double born, std::uint64_t bornStep, Fate fate, StateId state,
                          double ended = 0, std::uint64_t endedStep = 0) {
-  LineageEntry e;
-  e.path = CellPath::parse(path);
-  e.born = born;
-  e.bornStep = bornStep;
-  e.fate = fate;
-  e.state = state;
-  e.ended = ended;
-  e.endedStep = endedStep;
-  return e;
+  return {CellPath::parse(path), born, ended, bornStep, endedStep, fate, state};
 }
 
 inline RunRecord exampleRecord() {
@@ -102,12 +95,29 @@ inline RunResults exampleResults() {
 }
 
 inline RunEnd exampleEnd() {
-  return {.status = RunStatus::done,
-          .stateHash = Hash{0xabc, 0xdef},
-          .steps = 700,
-          .cells = 1,
-          .time = 0.1 + 0.2,
-          .failure = {}};
+  return {.status = RunStatus::done, .stateHash = Hash{0xabc, 0xdef}, .steps = 700, .cells = 1, .time = 0.1 + 0.2};
 }
+
+/// A file of results in a folder of its own.
+struct ResultsFile {
+  TemporaryFolder folder;
+  std::filesystem::path file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+
+  /// To look into the file in plain SQL.
+  Database database() const { return Database(file, Database::Mode::existing, std::chrono::seconds(1)); }
+  std::int64_t count(const std::string& rows) const { return database().integer("SELECT count(*) FROM " + rows); }
+};
+
+/// In which the run is begun.
+struct BegunRun : ResultsFile {
+  std::string id = store.begin(exampleRecord());
+  void finish(const RunResults& results = exampleResults()) { store.finish(id, exampleEnd(), results); }
+};
+
+/// In which it is finished.
+struct FinishedRun : BegunRun {
+  FinishedRun() { finish(); }
+};
 
 }  // namespace morula

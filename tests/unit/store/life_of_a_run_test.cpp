@@ -6,17 +6,10 @@
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 
 namespace {
-
-std::int64_t count(const std::filesystem::path& file, const std::string& from) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
-  return db.integer("SELECT count(*) FROM " + from);
-}
 
 RunEnd endWith(std::uint64_t hash) {
   RunEnd end = exampleEnd();
@@ -53,34 +46,25 @@ TEST_CASE("a run's id changes with its scenario, seed and build") {
   REQUIRE(runId(other) != id);
 }
 
-TEST_CASE("a run is in the file before its first step") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
-  REQUIRE(count(file, "run WHERE status = 'running' AND ended IS NULL AND state_hash IS NULL") == 1);
+TEST_CASE_METHOD(BegunRun, "a run is in the file before its first step") {
+  REQUIRE(count("run WHERE status = 'running' AND ended IS NULL AND state_hash IS NULL") == 1);
   REQUIRE(store.find(id).status == RunStatus::running);
 
   SECTION("done") {
-    store.finish(id, exampleEnd(), exampleResults());
-    REQUIRE(count(file, "run WHERE status = 'done' AND ended IS NOT NULL") == 1);
+    finish();
+    REQUIRE(count("run WHERE status = 'done' AND ended IS NOT NULL") == 1);
   }
   SECTION("failed: what there is is kept, with the reason") {
-    store.finish(id,
-                 {.status = RunStatus::failed,
-                  .stateHash = {},
-                  .steps = 3,
-                  .cells = 2,
-                  .time = 0.5,
-                  .failure = "step 3, cell A: volume −1"},
-                 exampleResults());
+    store.finish(
+        id, {.status = RunStatus::failed, .steps = 3, .cells = 2, .time = 0.5, .failure = "step 3, cell A: volume −1"},
+        exampleResults());
     REQUIRE(store.find(id).status == RunStatus::failed);
     REQUIRE(store.find(id).failure == "step 3, cell A: volume −1");
     REQUIRE(store.find(id).stateHash.empty());
     REQUIRE(store.results(id).lineage.size() == 3);
   }
   SECTION("killed") {
-    store.finish(id, {.status = RunStatus::killed, .stateHash = {}, .failure = {}}, exampleResults());
+    store.finish(id, {.status = RunStatus::killed}, exampleResults());
     REQUIRE(store.find(id).status == RunStatus::killed);
   }
 }
@@ -112,8 +96,9 @@ TEST_CASE("a process that dies leaves a run that shows as running, and a whole f
   Store store = Store::openForReading(file);
   REQUIRE(store.runs().size() == 1);
   REQUIRE(store.runs()[0].status == RunStatus::running);
-  REQUIRE(count(file, "time_step") == 0);
-  REQUIRE(count(file, "pragma_integrity_check WHERE integrity_check = 'ok'") == 1);
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  REQUIRE(db.integer("SELECT count(*) FROM time_step") == 0);
+  REQUIRE(db.integer("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'") == 1);
 
   // And the run can be done again.
   Store again = Store::openForWriting(file);
@@ -123,12 +108,7 @@ TEST_CASE("a process that dies leaves a run that shows as running, and a whole f
   REQUIRE(again.runs()[0].status == RunStatus::done);
 }
 
-TEST_CASE("the same run twice is one run, verified") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
+TEST_CASE_METHOD(FinishedRun, "the same run twice is one run, verified") {
   RunRecord again = exampleRecord();
   again.threads = 5;
   REQUIRE(store.begin(again) == id);
@@ -136,18 +116,14 @@ TEST_CASE("the same run twice is one run, verified") {
   REQUIRE(store.results(id).lineage.size() == 3);
   RunResults fewer = exampleResults();
   fewer.samples.clear();
-  store.finish(id, exampleEnd(), fewer);
+  finish(fewer);
   REQUIRE(store.runs().size() == 1);
   REQUIRE(store.find(id).record.threads == 5);
   REQUIRE(store.results(id).samples.empty());
-  REQUIRE(count(file, "document") == 2);
+  REQUIRE(count("document") == 2);
 }
 
-TEST_CASE("the same run with another state hash is reported, and the first one kept") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
+TEST_CASE_METHOD(BegunRun, "the same run with another state hash is reported, and the first one kept") {
   store.finish(id, endWith(1), exampleResults());
   const std::string before = readText(file);
 
@@ -166,20 +142,14 @@ TEST_CASE("the same run with another state hash is reported, and the first one k
     }
   }
   SECTION("a failure where there was a result") {
-    REQUIRE_THROWS_AS(other.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, {}),
-                      NondeterminismError);
+    REQUIRE_THROWS_AS(other.finish(id, {.status = RunStatus::failed, .failure = "volume"}, {}), NondeterminismError);
   }
-  SECTION("half a run says nothing") {
-    other.finish(id, {.status = RunStatus::killed, .stateHash = {}, .failure = {}}, {});
-  }
+  SECTION("half a run says nothing") { other.finish(id, {.status = RunStatus::killed}, {}); }
   REQUIRE(readText(file) == before);
 }
 
-TEST_CASE("an attempt that did not finish is replaced, and says nothing against the next") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, exampleResults());
+TEST_CASE_METHOD(BegunRun, "an attempt that did not finish is replaced, and says nothing against the next") {
+  store.finish(id, {.status = RunStatus::failed, .failure = "volume"}, exampleResults());
   store.begin(exampleRecord());
   REQUIRE(store.find(id).status == RunStatus::running);
   REQUIRE(store.results(id).lineage.empty());
@@ -187,42 +157,28 @@ TEST_CASE("an attempt that did not finish is replaced, and says nothing against 
   REQUIRE(store.find(id).status == RunStatus::done);
 }
 
-TEST_CASE("a text that no run uses any more is forgotten") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
+TEST_CASE_METHOD(FinishedRun, "a text that no run uses any more is forgotten") {
   RunRecord again = exampleRecord();
   again.documents[0].content = "# the same scenario with a comment\nmorula: 1\n";
   store.begin(again);
-  store.finish(id, exampleEnd(), exampleResults());
+  finish();
   REQUIRE(store.documents(id) == again.documents);
-  REQUIRE(count(folder / "runs.db", "document") == 2);
+  REQUIRE(count("document") == 2);
 }
 
-TEST_CASE("runs with different seeds live side by side and share their documents") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  Store store = Store::openForWriting(file);
+TEST_CASE_METHOD(ResultsFile, "runs with different seeds live side by side and share their documents") {
   for (std::uint64_t seed : {1u, 2u, 3u}) {
     RunRecord record = exampleRecord();
     record.seed = seed;
-    const std::string id = store.begin(record);
-    store.finish(id, endWith(seed), exampleResults());
+    store.finish(store.begin(record), endWith(seed), exampleResults());
   }
   REQUIRE(store.runs().size() == 3);
-  REQUIRE(count(file, "document") == 2);
-  REQUIRE(count(file, "cell") == 9);
+  REQUIRE(count("document") == 2);
+  REQUIRE(count("cell") == 9);
 }
 
-TEST_CASE("checks replace earlier checks of their kind") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());  // one golden, one invariant
-  CheckResult better;
-  better.check = "bits";
-  better.kind = "golden";
+TEST_CASE_METHOD(FinishedRun, "checks replace earlier checks of their kind") {  // one golden, one invariant
+  const CheckResult better{.check = "bits", .kind = "golden"};
   store.addChecks(id, {better});
   const std::vector<CheckResult> checks = store.checks(id);
   REQUIRE(checks.size() == 2);
@@ -231,11 +187,8 @@ TEST_CASE("checks replace earlier checks of their kind") {
   REQUIRE_THROWS_AS(store.addChecks("nobody", {better}), StoreError);
 }
 
-TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, and go with the run") {
-  const TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
+TEST_CASE_METHOD(FinishedRun,
+                 "Bullet's cells are kept beside a run's own, replaced by later ones, and go with the run") {
   Sample sample;
   sample.world.time = 0.5;
   sample.cells.resize(1);
@@ -245,7 +198,7 @@ TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, a
   store.putBulletSamples(id, "b3", {sample});
   sample.cells[0]["volume"] = 4;
   store.putBulletSamples(id, "b1", {sample});
-  Database db(folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1));
+  Database db = database();
   Statement row(db, "SELECT time, path, baseline, volume, area FROM bullet_sample");
   REQUIRE(row.next());
   CHECK(row.real(0) == 0.5);
@@ -255,15 +208,11 @@ TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, a
   CHECK(row.real(4) == 7);
   CHECK(!row.next());
   store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
-  CHECK(db.integer("SELECT count(*) FROM bullet_sample") == 0);
+  CHECK(count("bullet_sample") == 0);
 }
 
-TEST_CASE("an end for want of memory says nothing against a run that is done") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
-  RunEnd poor{.status = RunStatus::failed, .stateHash = {}, .steps = 3, .failure = "there is no more memory"};
+TEST_CASE_METHOD(FinishedRun, "an end for want of memory says nothing against a run that is done") {
+  RunEnd poor{.status = RunStatus::failed, .steps = 3, .failure = "there is no more memory"};
   store.begin(exampleRecord());
   CHECK_THROWS_AS(store.finish(id, poor, {}), NondeterminismError);
   poor.want = Want::memory;

@@ -6,11 +6,10 @@
 
 #include "biology/full_tree.h"
 #include "catch.h"
+#include "example_run.h"
 #include "simulation/hash.h"
 #include "simulation/population.h"
 #include "simulation/world.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 
@@ -152,13 +151,9 @@ TEST_CASE("measures on demand are taken at every sample, and come back from the 
   CHECK(results.names.size() == 7);
   CHECK(results.names.at(CellPath::parse("AB")) == "nAB");
 
-  const TemporaryFolder folder;
-  RunRecord record;
-  record.scenario = "x", record.scenarioHash = std::string(32, '0');
-  auto store = Store::openForWriting(folder / "runs.db");
-  const auto id = store.begin(record);
-  store.finish(id, endOf(run.world, RunStatus::done), results);
-  const RunResults back = store.results(id);
+  BegunRun stored;
+  stored.store.finish(stored.id, endOf(run.world, RunStatus::done), results);
+  const RunResults back = stored.store.results(stored.id);
   CHECK(back.names == results.names);
   for (std::size_t i = 0; i < results.samples.size(); ++i) {
     const auto sorted = [](std::vector<TakenMeasure> all) {
@@ -240,14 +235,9 @@ TEST_CASE("a broken state is not measured, but what came before it is kept") {
   CHECK(end.failure == "why");
 }
 
-TEST_CASE("a recorded run can be stored") {
+TEST_CASE_METHOD(BegunRun, "a recorded run can be stored") {
   const bool mechanics = GENERATE(false, true);
   Run run(fourCells(mechanics), {.every = 0.125, .hashEvery = 1});
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  RunRecord record;
-  record.scenario = "four-cells";
-  const std::string id = store.begin(record);
   const RunResults results = run.recorder.take(run.world);
   store.finish(id, endOf(run.world, RunStatus::done), results);
   CHECK(store.find(id).stateHash == stateHash(run.world).text());
@@ -348,28 +338,18 @@ namespace {
 const RecordOptions much{
     .every = 0.001, .hashEvery = 1, .atCells = {2}, .measures = {"contact_duration"}, .meshes = 0.001};
 
-struct RunOnDisk {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  RunRecord record;
-  std::string id;
-  RunOnDisk() {
-    record.scenario = "four-cells";
-    id = store.begin(record);
+void requireSame(BegunRun& one, BegunRun& other) {
+  for (const TableDifference& t : one.store.compareResults(one.id, other.store, other.id)) {
+    CAPTURE(t.table);
+    CHECK(t.differing == 0);
+    if (t.table == "mesh_sample" || t.table == "cell_hash" || t.table == "measure") CHECK(t.rows > 100);
   }
-  void requireSameAs(RunOnDisk& other) {
-    for (const TableDifference& t : store.compareResults(id, other.store, other.id)) {
-      CAPTURE(t.table);
-      CHECK(t.differing == 0);
-      if (t.table == "mesh_sample" || t.table == "cell_hash" || t.table == "measure") CHECK(t.rows > 100);
-    }
-  }
-};
+}
 
 }  // namespace
 
 TEST_CASE("what is recorded goes to the store while the run goes on, and is the same there") {
-  RunOnDisk atOnce, poured;
+  BegunRun atOnce, poured;
   Run whole(fourCells(true), much);
   CHECK(whole.recorder.bytes() > 4e5);
   atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
@@ -387,36 +367,32 @@ TEST_CASE("what is recorded goes to the store while the run goes on, and is the 
   CHECK(most < 1.5e5);
   CHECK(poured.store.results(poured.id).samples.empty());  // until it ends
   poured.store.finish(poured.id, endOf(world, RunStatus::done), recorder.take(world));
-  poured.requireSameAs(atOnce);
+  requireSame(poured, atOnce);
 }
 
 TEST_CASE("a run that is stopped and goes on takes as much memory for its records, and leaves the same") {
-  RunOnDisk atOnce;
+  BegunRun atOnce;
   Run whole(fourCells(true), much);
   const double bytes = whole.recorder.bytes();
   atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
   for (const bool pours : {false, true}) {
-    RunOnDisk kept;
+    CAPTURE(pours);
+    BegunRun kept;
     World world = makeWorld(fourCells(true));
-    const auto sinkOf = [&](Store& store) {
-      return pours ? RecordSink([&](const RunResults& r) { store.record(kept.id, r); }) : nullptr;
-    };
-    Recorder first(much, sinkOf(kept.store), 1e5);
+    const RecordSink sink = pours ? [&](const RunResults& r) { kept.store.record(kept.id, r); } : RecordSink();
+    Recorder first(much, sink, 1e5);
     first.observe(world);
     for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, and more that is lost
       while (world.clock.time < until) step(world), first.observe(world);
       kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"}, first.records());
     }
-    Store again = Store::openForWriting(kept.folder / "runs.db");
-    REQUIRE(again.resume(kept.record));
-    Recorder second(much, sinkOf(again), 1e5);
-    again.eachRecord(kept.id, [&](const RunResults& records) { second.resume(world, records); });
+    kept.store = Store::openForWriting(kept.file);
+    REQUIRE(kept.store.resume(exampleRecord()));
+    Recorder second(much, sink, 1e5);
+    kept.store.eachRecord(kept.id, [&](const RunResults& records) { second.resume(world, records); });
     while (!finished(world)) step(world), second.observe(world);
     if (!pours) CHECK(second.bytes() == bytes);
-    again.finish(kept.id, endOf(world, RunStatus::done), second.take(world));
-    for (const TableDifference& t : again.compareResults(kept.id, atOnce.store, atOnce.id)) {
-      CAPTURE(t.table, pours);
-      CHECK(t.differing == 0);
-    }
+    kept.store.finish(kept.id, endOf(world, RunStatus::done), second.take(world));
+    requireSame(kept, atOnce);
   }
 }

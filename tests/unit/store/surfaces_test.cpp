@@ -9,11 +9,8 @@
 #include "scenes.h"
 #include "simulation/measures.h"
 #include "store/recorder.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
-using namespace std::chrono_literals;
 
 namespace {
 
@@ -192,16 +189,14 @@ TEST_CASE("steps in between may be taken at once, up to the next surfaces") {
   CHECK(recorder.stepsUntilDue(world) == stepsUntil(world.clock, 0.5));
 }
 
-TEST_CASE("what the database has of surfaces is what was given to it") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db");
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), withSurfaces());
+TEST_CASE_METHOD(BegunRun, "what the database has of surfaces is what was given to it") {
+  finish(withSurfaces());
   const RunResults read = store.results(id);
   CHECK(read.meshes == withSurfaces().meshes);
   CHECK(read.samples[0].surfaces.empty());
   CHECK(read.samples[1].surfaces == withSurfaces().samples[1].surfaces);
-  store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());  // in their place
+  store.begin(exampleRecord());
+  finish();  // in their place
   CHECK(store.results(id).meshes.empty());
   CHECK(store.results(id).samples[1].surfaces.empty());
 }
@@ -217,20 +212,17 @@ TEST_CASE("surfaces that cannot be are refused with their column") {
         {"UPDATE document SET content = x'000001000300' WHERE length(content) = 12", "three corners a face"},
         {"UPDATE document SET content = x'00' WHERE length(content) = 12", "three corners a face"}}) {
     INFO(change);
-    TemporaryFolder folder;
-    Store store = Store::openForWriting(folder / "runs.db");
-    const std::string id = store.begin(exampleRecord());
-    store.finish(id, exampleEnd(), withSurfaces());
-    Database(folder / "runs.db", Database::Mode::existing, 1s).execute(change);
-    REQUIRE_THROWS_WITH(store.results(id), ContainsSubstring(because));
+    BegunRun run;
+    run.finish(withSurfaces());
+    run.database().execute(change);
+    REQUIRE_THROWS_WITH(run.store.results(run.id), ContainsSubstring(because));
   }
 }
 
-TEST_CASE("replay finds a vertex that was changed, and says it in a line") {
-  TemporaryFolder folder;
-  Store store = Store::openForWriting(folder / "runs.db"), again = Store::temporary();
-  const std::string id = store.begin(exampleRecord()), idAgain = again.begin(exampleRecord());
-  store.finish(id, exampleEnd(), withSurfaces());
+TEST_CASE_METHOD(BegunRun, "replay finds a vertex that was changed, and says it in a line") {
+  Store again = Store::temporary();
+  const std::string idAgain = again.begin(exampleRecord());
+  finish(withSurfaces());
   RunResults changed = withSurfaces();
   changed.samples[1].surfaces[0].numbers[1][2] += 1;
   again.finish(idAgain, exampleEnd(), changed);

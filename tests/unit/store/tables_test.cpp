@@ -5,22 +5,11 @@
 #include "database/store_error.h"
 #include "example_run.h"
 #include "store/run_tables.h"
-#include "store/schema.h"
-#include "store/store.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 using namespace std::chrono_literals;
 
 namespace {
-
-/// A file with one run in it; its id.
-std::string fill(const std::filesystem::path& file) {
-  Store store = Store::openForWriting(file);
-  const std::string id = store.begin(exampleRecord());
-  store.finish(id, exampleEnd(), exampleResults());
-  return id;
-}
 
 /// "table.column TYPE", sorted.
 std::vector<std::string> columnsIn(const std::filesystem::path& file) {
@@ -48,26 +37,21 @@ TEST_CASE("each table says why it is there, and each column of it is told once")
   }
 }
 
-TEST_CASE(".schema explains the columns") {
-  const TemporaryFolder folder;
-  Database db((fill(folder / "runs.db"), folder / "runs.db"), Database::Mode::existing, 1s);
+TEST_CASE_METHOD(ResultsFile, ".schema explains the columns") {
+  Database db = database();
   Statement s(db, "SELECT sql FROM sqlite_schema WHERE name = 'run'");
   REQUIRE(s.next());
   CHECK_THAT(s.text(0), ContainsSubstring("\"fp_environment\" TEXT NOT NULL,  -- how the processor rounds"));
   CHECK_THAT(s.text(0), ContainsSubstring("\"time\" REAL,  -- simulated [time]"));
 }
 
-TEST_CASE("a file without a measure's column is read as if it had not been measured, and gets it with the next run") {
-  TemporaryFolder folder;
-  const auto file = folder / "runs.db";
-  const std::string id = fill(file);
+TEST_CASE_METHOD(
+    FinishedRun,
+    "a file without a measure's column is read as if it had not been measured, and gets it with the next run") {
   Store::openForWriting(folder / "new.db");
-  {
-    Database db(file, Database::Mode::existing, 1s);
-    for (const char* column :
-         {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z"})
-      db.execute(std::string("ALTER TABLE ") + column);
-  }
+  for (const char* column :
+       {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z"})
+    database().execute(std::string("ALTER TABLE ") + column);
   {
     const auto samples = Store::openForReading(file).results(id).samples;
     CHECK_FALSE(samples[1].world["shell_fill"]);
@@ -75,21 +59,20 @@ TEST_CASE("a file without a measure's column is read as if it had not been measu
     CHECK(samples[1].world["volume"] == exampleResults().samples[1].world["volume"]);
     CHECK(samples[1].cells[0]["neighbours"] == 1);
   }
-  Store store = Store::openForWriting(file);
-  store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
+  store = Store::openForWriting(file);
+  store.begin(exampleRecord());
+  finish();
   CHECK(store.results(id).samples[1].cells[0]["sphericity"] == 1);
   CHECK(columnsIn(file) == columnsIn(folder / "new.db"));
 }
 
-TEST_CASE("a value where there must be none, and none where there must be one, are refused") {
-  const TemporaryFolder folder;
-  const std::string id = fill(folder / "runs.db");
+TEST_CASE_METHOD(FinishedRun, "a value where there must be none, and none where there must be one, are refused") {
   const auto refuses = [&](const char* sql, const char* because) {
     CAPTURE(sql);
-    const auto file = folder / "changed.db";
-    std::filesystem::copy_file(folder / "runs.db", file, std::filesystem::copy_options::overwrite_existing);
-    Database(file, Database::Mode::existing, 1s).execute(sql);
-    CHECK_THROWS_WITH(Store::openForReading(file).results(id), ContainsSubstring(because));
+    const auto changed = folder / "changed.db";
+    std::filesystem::copy_file(file, changed, std::filesystem::copy_options::overwrite_existing);
+    Database(changed, Database::Mode::existing, 1s).execute(sql);
+    CHECK_THROWS_WITH(Store::openForReading(changed).results(id), ContainsSubstring(because));
   };
   refuses("UPDATE cell SET ended = NULL WHERE path = 'B'", "ended: 'NULL'");
   refuses("UPDATE cell SET ended_step = NULL WHERE path = 'B'", "ended_step: 'NULL'");
