@@ -123,9 +123,7 @@ double radiusOf(const GoldenData& data, const Values& end) {
 
 /// Three digits are enough to weigh a difference.
 std::string brief(double value) {
-  if (value >= 1000 && value < 1e15) return std::to_string(std::llround(value));
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+  return value >= 1000 && value < 1e15 ? std::to_string(std::llround(value)) : numberText(value, 3);
 }
 
 struct Largest {

@@ -15,32 +15,22 @@
 namespace morula {
 namespace {
 
+/// The text with these characters written otherwise.
+std::string escaped(const std::string& text, const std::map<char, std::string>& how) {
+  std::string all;
+  for (const char c : text) all += how.contains(c) ? how.at(c) : std::string(1, c);
+  return all;
+}
+
 /// What XML cannot hold, not even escaped, becomes visible.
 std::string xml(const std::string& text) {
-  std::string escaped;
-  for (const char c : printable(text)) {
-    if (c == '&') escaped += "&amp;";
-    else if (c == '<') escaped += "&lt;";
-    else if (c == '>') escaped += "&gt;";
-    else if (c == '"') escaped += "&quot;";
-    else if (c == '\n') escaped += "&#10;";
-    else escaped += c;
-  }
-  return escaped;
+  return escaped(printable(text), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\n', "&#10;"}});
 }
 
 /// What a workflow command would take for its own punctuation.
 std::string command(const std::string& text, bool property) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '%') escaped += "%25";
-    else if (c == '\r') escaped += "%0D";
-    else if (c == '\n') escaped += "%0A";
-    else if (property && c == ':') escaped += "%3A";
-    else if (property && c == ',') escaped += "%2C";
-    else escaped += c;
-  }
-  return escaped;
+  const std::string all = escaped(text, {{'%', "%25"}, {'\r', "%0D"}, {'\n', "%0A"}});
+  return property ? escaped(all, {{':', "%3A"}, {',', "%2C"}}) : all;
 }
 
 /// "golden/a.golden:12: differs": a file, a line and the rest. The line is "" where none is named.

@@ -60,11 +60,7 @@ std::map<std::string, Pairs> pairUp(const Golden& golden, const GoldenData& obse
 
 /// The result of a check with `items` items, among which these differences were found.
 CheckResult resultOf(const std::string& check, std::vector<Difference> differences, std::size_t items) {
-  CheckResult r;
-  r.check = check;
-  r.kind = "golden";
-  r.tolerance = "exact";
-  r.passed = differences.empty();
+  CheckResult r{.check = check, .kind = "golden", .passed = differences.empty()};
   if (r.passed) {
     r.expected = r.actual = std::to_string(items) + (items == 1 ? " item" : " items");
     return r;
@@ -128,15 +124,9 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
   std::vector<Difference> differences;
   const auto compare = [&](const char* field, const std::string& expected, const std::string& actual,
                            const char* what) {
+    const std::string text = ": expected '" + expected + "', actual '" + actual + "': " + what;
     if (expected != actual)
-      differences.push_back(
-          {golden.file,
-           0,
-           {},
-           field,
-           expected,
-           actual,
-           golden.file + ": " + field + ": expected '" + expected + "', actual '" + actual + "': " + what});
+      differences.push_back({golden.file, 0, {}, field, expected, actual, golden.file + ": " + field + text});
   };
   compare("scenario", golden.data.scenario, observed.scenario, "this is another scenario's golden");
   const auto keys = changedKeys(golden.data, observed);
@@ -197,24 +187,24 @@ struct RuleCheck {
   }
 };
 
+/// What is wrong with a rule itself, in its line.
+Difference ofRule(const Golden& golden, const ToleranceRule& rule, std::optional<std::uint64_t> step,
+                  const std::string& what) {
+  const std::string place = golden.file + ':' + std::to_string(rule.line);
+  return {place, step, {}, "tolerance", rule.pattern, "", place + ": " + what};
+}
+
 /// Notes a rule that applies beyond the chaos horizon, where a difference in the last place alone exceeds its
 /// tolerance, so that it tests nothing.
 void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t step,
                  std::map<int, Difference>& blind) {
   const auto horizon = horizonOf(golden, rule.tolerance.size());
   if (rule.tolerance.kind == Tolerance::Kind::exact || !horizon || step < *horizon) return;
-  const std::string place = golden.file + ':' + std::to_string(rule.line);
-  blind.try_emplace(
-      rule.line, Difference{place,
-                            step,
-                            {},
-                            "tolerance",
-                            rule.pattern,
-                            "",
-                            place + ": the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
-                                std::to_string(step) + ", but from step " + std::to_string(*horizon) +
-                                " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
-                                std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why"});
+  const std::string what = "the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
+                           std::to_string(step) + ", but from step " + std::to_string(*horizon) +
+                           " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
+                           std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why";
+  blind.try_emplace(rule.line, ofRule(golden, rule, step, what));
 }
 
 void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckResult>& results) {
@@ -238,18 +228,10 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
   }
 
   std::vector<Difference> idle;
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    const std::string place = golden.file + ':' + std::to_string(rules[i].line);
+  for (std::size_t i = 0; i < rules.size(); ++i)
     if (!matched[i])
-      idle.push_back(
-          {place,
-           {},
-           {},
-           "tolerance",
-           rules[i].pattern,
-           "",
-           place + ": the tolerance rule '" + rules[i].pattern + "' matches no value; remove or correct it"});
-  }
+      idle.push_back(ofRule(golden, rules[i], {},
+                            "the tolerance rule '" + rules[i].pattern + "' matches no value; remove or correct it"));
   for (auto& [line, difference] : blind) idle.push_back(std::move(difference));
   if (!rules.empty()) results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
   results.push_back(resultOf("completeness", std::move(unpaired), pairs.size()));
@@ -257,28 +239,19 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
     if (check.values > 0) results.push_back(std::move(check).result());
 }
 
-const CheckResult* find(const std::vector<CheckResult>& results, const std::string& check) {
-  for (const CheckResult& r : results)
-    if (r.check == check) return &r;
-  return nullptr;
-}
-
 /// Sets the class of each failed check. An earlier cause explains later ones: a changed scenario, then the state before
 /// the first step, then the lineage; other failures are changes of the computation.
 void classify(std::vector<CheckResult>& results) {
-  const bool costsAlone =
-      std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed || r.check == "costs"; });
-  const bool imagesAlone =
-      std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed || r.check == "images"; });
-  const auto failed = [&](const char* check) {
-    const CheckResult* r = find(results, check);
-    return r && !r->passed ? r : nullptr;
-  };
+  std::set<std::string> failed;
+  for (const CheckResult& r : results)
+    if (!r.passed) failed.insert(r.check);
+  const bool costsAlone = failed == std::set<std::string>{"costs"};
+  const bool imagesAlone = failed == std::set<std::string>{"images"};
   std::string cause = "COMPUTATION";
-  if (failed("lineage")) cause = "LINEAGE";
+  if (failed.contains("lineage")) cause = "LINEAGE";
   for (const CheckResult& r : results)
     if (!r.passed && r.firstStep == 0u && r.check != "lineage" && r.check != "completeness") cause = "SETUP";
-  if (failed("scenario")) cause = "INPUT_CHANGED";
+  if (failed.contains("scenario")) cause = "INPUT_CHANGED";
   for (CheckResult& r : results) {
     if (r.passed) continue;
     const bool aboutTheFile = r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");

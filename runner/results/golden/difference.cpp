@@ -1,8 +1,9 @@
 #include "golden/difference.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -14,12 +15,7 @@ namespace {
 
 constexpr std::size_t mostTold = 9;  // told one by one
 
-std::string hex(double value) {
-  char digits[16];
-  const auto end = std::to_chars(digits, digits + 16, std::bit_cast<std::uint64_t>(value), 16).ptr;
-  const std::string text(digits, end);
-  return "0x" + std::string(16 - text.size(), '0') + text;
-}
+std::string hex(double value) { return fmt::format("{:#018x}", std::bit_cast<std::uint64_t>(value)); }
 
 /// "cell AB", "the egg", "count divisions": what people call an item.
 std::string nameOf(const GoldenItem& item) {

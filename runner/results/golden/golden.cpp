@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "files/folders.h"
 #include "files/read_file.h"
+#include "files/text.h"
 #include "golden/item.h"
 #include "golden/number_text.h"
 
@@ -20,12 +21,9 @@ constexpr std::string_view goldenHeader = "morula golden 1";
 std::string digestOf(const Golden& golden) {
   const GoldenData& data = golden.data;
   Hasher hasher;
-  hasher.field("scenario")
-      .add(data.scenario)
-      .field("scenario_hash")
-      .add(data.scenarioHash)
-      .field("seed")
-      .add(data.seed);
+  hasher.field("scenario").add(data.scenario);
+  hasher.field("scenario_hash").add(data.scenarioHash);
+  hasher.field("seed").add(data.seed);
   for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
   for (const GoldenItem& item : golden.stated) hasher.add(write(item));
   for (const GoldenStatistic& statistic : golden.statistics) add(hasher, statistic);
@@ -145,34 +143,16 @@ std::string write(const GoldenStatistic& s) {
 }
 
 std::optional<GoldenStatistic> readStatistic(std::string_view line) {
-  GoldenStatistic s;
-  bool isGood = true;
-  const auto expect = [&](std::string_view word) { isGood &= takeWord(line) == word; };
-  const auto name = [&] {
-    const std::string word(takeWord(line));
-    isGood &= !word.empty();
-    return word;
-  };
-  const auto number = [&] {
-    const auto value = readReal(takeWord(line));
-    isGood &= value.has_value();
-    return value.value_or(0);
-  };
-  expect("statistic");
-  s.measure = name();
-  expect("against");
-  s.against = name();
-  expect("difference");
-  s.difference = number();
-  expect("low");
-  s.low = number();
-  expect("high");
-  s.high = number();
-  expect("runs");
-  const auto runs = readNatural(line);
-  if (!isGood || !runs || *runs < 2 || !(s.low <= s.high)) return std::nullopt;
-  s.runs = *runs;
-  return s;
+  const auto words = partsOf(line, ' ');
+  if (words.size() != 12 || line.ends_with(' ')) return std::nullopt;
+  const char* const names[] = {"statistic", "against", "difference", "low", "high", "runs"};
+  for (std::size_t i = 0; i < std::size(names); ++i)
+    if (words[2 * i] != names[i]) return std::nullopt;
+  const auto difference = readReal(words[5]), low = readReal(words[7]), high = readReal(words[9]);
+  const auto runs = readNatural(words[11]);
+  if (words[1].empty() || words[3].empty() || !difference || !low || !high || !(*low <= *high)) return std::nullopt;
+  if (!runs || *runs < 2) return std::nullopt;
+  return GoldenStatistic{words[1], words[3], *difference, *low, *high, *runs};
 }
 
 void add(Hasher& hasher, const GoldenStatistic& s) {

@@ -79,16 +79,17 @@ CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOp
 }
 
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture) {
-  GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
+  GoldenFacts facts;
+  facts.scenario = goldenName(scenario.file), facts.scenarioHash = scenario.meaning.text();
   // A golden holds only samples that the scenario asks for, not the first and last ones of every run.
   for (const RunResults* part : {&run.passed, &run.results}) {
     if (scenario.record.every)
-      for (const auto& sample : part->samples) context.samples.push_back(sample.world);
-    context.chain.insert(context.chain.end(), part->chain.begin(), part->chain.end());
+      for (const auto& sample : part->samples) facts.samples.push_back(sample.world);
+    facts.chain.insert(facts.chain.end(), part->chain.begin(), part->chain.end());
   }
   if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
-    context.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", GoldenImage::undrawn, {}});
-  GoldenData data = observeGolden(run.world, context);
+    facts.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", GoldenImage::undrawn, {}});
+  GoldenData data = observeGolden(run.world, std::move(facts));
   data.parameters = decidingValues(scenario);
   return data;
 }

@@ -1,38 +1,22 @@
 // A golden taken from a real run.
 #include "golden/observe.h"
 
-#include "biology/full_tree.h"
 #include "catch.h"
-#include "simulation/world.h"
+#include "scenes.h"
 
 using namespace morula;
 
 namespace {
 
-Scene twoDivisions(bool mechanics) {
-  Scene scene;
-  scene.name = "two-divisions";
-  scene.seed = 3;
-  scene.dna = parseDna(makeFullTreeDna(2), "test.dna");
-  scene.cycle.length = 0.125;
-  scene.stop.cycles = 3;
-  if (mechanics) {
-    scene.mechanics.emplace();
-    scene.mechanics->mesh = makeIcosphere(1);
-    scene.mechanics->physics.membrane.damping = 0.5;
-    scene.mechanics->physics.pressure.outside = 1;
-    scene.mechanics->physics.drag = 5;
-    scene.mechanics->contact.emplace();
-    scene.mechanics->connections.emplace();
-  }
-  return scene;
-}
-
 GoldenData observed(bool mechanics) {
-  World world = makeWorld(twoDivisions(mechanics));
+  Scene scene = mechanics ? scenes::life() : scenes::lineageOnly(scenes::eventful, 6);
+  scene.seed = 3;
+  World world = makeWorld(scene);
   while (!finished(world)) step(world);
-  return observeGolden(world,
-                       {"test/two-divisions", "0123456789abcdef0123456789abcdef", {measureWorld(world)}, {}, {}});
+  GoldenFacts facts;
+  facts.scenario = "test/life", facts.scenarioHash = "0123456789abcdef0123456789abcdef";
+  facts.samples = {measureWorld(world)};
+  return observeGolden(world, facts);
 }
 
 }  // namespace
@@ -53,6 +37,6 @@ TEST_CASE("a run agrees with the golden made of the same run") {
   CHECK(has("cell", "egg"));
   CHECK(has("cell", "AB"));
   CHECK(has("bits", "solver"));
-  CHECK(has("value", "final/AB/volume") == mechanics);
+  CHECK(has("value", "final/AAA/volume") == mechanics);
   CHECK(has("value", "final/organism/volume") == mechanics);
 }
