@@ -18,28 +18,27 @@ std::string pathOf(std::size_t rule) { return "division.rules[" + std::to_string
 
 class DivisionCheck {
  public:
-  DivisionCheck(const Scenario& scenario, Reading& reading, const Node& root)
-      : scene_(scenario.scene),
-        division_(scenario.scene.mechanics->division),
-        reading_(reading),
-        root_(root),
-        areSpheres_(!kindOf(scenario.scene.mechanics->physics.cell.model).hasMesh) {}
+  explicit DivisionCheck(const SceneCheck& check)
+      : check_(check),
+        division_(check.mechanics().division),
+        areSpheres_(!kindOf(check.physics().cell.model).hasMesh) {}
 
-  void check() {
+  void run() {
     const bool divides = canHold(substance::divide);
-    if (divides && areSpheres_) checkPlane(division_.otherwise, placeOf(root_, "division.plane"), "division.plane");
-    checkShare({}, placeOf(root_, "variation.share"), "variation.share");
+    if (divides && areSpheres_)
+      checkPlane(division_.otherwise, placeOf(check_.root, "division.plane"), "division.plane");
+    checkShare({}, placeOf(check_.root, "variation.share"), "variation.share");
     if (!divides) refuseUnused();
-    if (reading_.rules.size() != division_.rules.size()) return;  // some could not be read, which has been said
+    if (check_.reading.rules.size() != division_.rules.size()) return;  // some could not be read, which has been said
     for (std::size_t i = 0; i < division_.rules.size(); ++i) {
       const DivisionRule& rule = division_.rules[i];
-      const Place place = reading_.rules[i];
+      const Place place = check_.reading.rules[i];
       if (rule.plane && areSpheres_) checkPlane(*rule.plane, place, pathOf(i) + ".plane");
       if (rule.share) checkShare(rule.share, place, pathOf(i) + ".share");
       if (const PlaneChoice& plane = rule.plane ? *rule.plane : division_.otherwise;
           rule.tilt && plane.plane == DivisionPlane::random)
-        reading_.problems.add(place, pathOf(i) + ".tilt", "a random direction has nothing to be tilted from",
-                              "remove this, or give the rule an axis or another plane");
+        check_.reading.problems.add(place, pathOf(i) + ".tilt", "a random direction has nothing to be tilted from",
+                                    "remove this, or give the rule an axis or another plane");
       if (divides) checkCells(i, place);
     }
   }
@@ -47,40 +46,40 @@ class DivisionCheck {
  private:
   void checkPlane(const PlaneChoice& choice, const Place& place, const std::string& path) {
     if (kindOf(choice.plane).needsShape)
-      reading_.problems.add(place, path, "a sphere has no longest extent", "needs " + planesAllowed(true));
+      check_.reading.problems.add(place, path, "a sphere has no longest extent", "needs " + planesAllowed(true));
   }
 
   /// What variation leads out of what can be cut.
   void checkShare(const std::optional<double>& given, const Place& place, const std::string& path) {
-    const double share = given.value_or(0.5), most = largestDeviate * scene_.variation.share;
+    const double share = given.value_or(0.5), most = largestDeviate * check_.scene().variation.share;
     if (!(most > 0) || (share - most >= leastShare && share + most <= largestShare)) return;
-    reading_.problems.add(place, path,
-                          exactText(share) + " ± 3 times variation.share leaves " + exactText(leastShare) + " to " +
-                              exactText(largestShare) + ", which a cut can give",
-                          "needs a share nearer to 0.5, or a smaller variation.share");
+    check_.reading.problems.add(place, path,
+                                exactText(share) + " ± 3 times variation.share leaves " + exactText(leastShare) +
+                                    " to " + exactText(largestShare) + ", which a cut can give",
+                                "needs a share nearer to 0.5, or a smaller variation.share");
   }
 
   void refuseUnused() {
-    if (scene_.dna.substances.empty()) return;  // it could not be read, which has been said
-    const auto refuse = [&](const char* path) {
-      reading_.problems.add(placeOf(root_, path), path, "no gene produces 'divide', so no cell ever divides",
-                            "write a gene such as g1(divide|a0), or remove this");
-    };
-    if (!division_.rules.empty()) refuse("division.rules");
-    if (scene_.variation.share > 0) refuse("variation.share");
-    if (scene_.variation.tilt > 0) refuse("variation.tilt");
+    if (check_.scene().dna.substances.empty()) return;  // it could not be read, which has been said
+    const VariationParameters& variation = check_.scene().variation;
+    for (const auto& [path, isGiven] : {std::pair("division.rules", !division_.rules.empty()),
+                                        {"variation.share", variation.share > 0},
+                                        {"variation.tilt", variation.tilt > 0}})
+      if (isGiven)
+        check_.refuse(path, "no gene produces 'divide', so no cell ever divides",
+                      "write a gene such as g1(divide|a0), or remove this");
   }
 
   /// Whether a cell can hold this when it divides: its genes have just made all that it holds, but for what the
   /// simulator lets it sense, which neither it begins with nor a division gives it.
   bool canHold(const std::string& name) const {
-    const Dna& dna = scene_.dna;
+    const Dna& dna = check_.scene().dna;
     const auto id = findSubstance(dna, name);
     if (!id || name == substance::a || name == substance::b || name == substance::die) return false;
     if (std::ranges::find(dna.genes, *id, &Gene::product) != dna.genes.end()) return true;
     const bool isActing = std::ranges::find(substance::acting, name) != substance::acting.end();
     return !isActing && std::ranges::find(dna.start, *id) == dna.start.end() &&
-           std::ranges::none_of(reading_.substances, [&](const SubstanceUse& use) {
+           std::ranges::none_of(check_.reading.substances, [&](const SubstanceUse& use) {
              return use.path.starts_with("cells") && use.name == name;
            });
   }
@@ -91,17 +90,18 @@ class DivisionCheck {
     const std::string path = pathOf(i) + ".of";
     for (const std::string& pattern : rule.of) {
       const auto isMeant = [&](const std::string& s) { return fits(pattern, s); };
-      if (std::ranges::none_of(scene_.dna.substances, isMeant)) return;  // unknown, which has been said
-      if (std::ranges::any_of(scene_.dna.substances, [&](const std::string& s) { return isMeant(s) && canHold(s); }))
+      if (std::ranges::none_of(check_.scene().dna.substances, isMeant)) return;  // unknown, which has been said
+      if (std::ranges::any_of(check_.scene().dna.substances,
+                              [&](const std::string& s) { return isMeant(s) && canHold(s); }))
         continue;
-      reading_.problems.add(place, path, "no cell that divides holds '" + pattern + "': " + whyNever(pattern),
-                            "needs a substance that cells hold when they divide");
+      check_.reading.problems.add(place, path, "no cell that divides holds '" + pattern + "': " + whyNever(pattern),
+                                  "needs a substance that cells hold when they divide");
       return;
     }
     for (std::size_t before = 0; before < i; ++before)
       if (!division_.rules[before].of.empty() && takesAllOf(division_.rules[before], rule)) {
-        reading_.problems.add(place, path, pathOf(before) + " takes all its cells before it",
-                              "put this rule before that one, or remove it");
+        check_.reading.problems.add(place, path, pathOf(before) + " takes all its cells before it",
+                                    "put this rule before that one, or remove it");
         return;
       }
   }
@@ -119,10 +119,8 @@ class DivisionCheck {
     });
   }
 
-  const Scene& scene_;
+  const SceneCheck& check_;
   const DivisionParameters& division_;
-  Reading& reading_;
-  const Node& root_;
   const bool areSpheres_;
 };
 
@@ -149,47 +147,41 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
 }
 
 /// Where the value could not be read, that has been said.
-bool hasNoDrag(const MechanicsScene& m, const Node& root) {
-  if (m.physics.drag > 0) return false;
-  const Member* physics = root.find("physics");
-  const Member* drag = physics ? physics->value.find("drag") : nullptr;
+bool hasNoDrag(const SceneCheck& check) {
+  if (check.physics().drag > 0) return false;
+  const Node* drag = given(check.root, "physics.drag");
   Problems said("");
-  return !drag || readReal(drag->value, notNegative, "", "", said);
+  return !drag || readReal(*drag, notNegative, "", "", said);
 }
 
-void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsScene& m, const Node& root,
-                    const Refuse& refuse) {
+void checkChirality(const Chirality& chirality, bool mayBeNone, const SceneCheck& check, const Refuse& refuse) {
   if (chirality.angle == 0 && !mayBeNone) return refuse("an angle of 0 turns nothing", "remove it, or give an angle");
-  if (!kindOf(m.physics.cell.model).hasMesh) refuse("a sphere looks the same when it has turned", "remove this");
-  if (hasNoDrag(m, root))
+  if (!kindOf(check.physics().cell.model).hasMesh) refuse("a sphere looks the same when it has turned", "remove this");
+  if (hasNoDrag(check))
     refuse("the medium turns daughters by its drag, and physics.drag is 0", "needs physics.drag > 0");
 }
 
 }  // namespace
 
-void checkDivision(const Scenario& scenario, Reading& reading, const Node& root) {
-  DivisionCheck(scenario, reading, root).check();
-}
+void checkDivision(const SceneCheck& check) { DivisionCheck(check).run(); }
 
-void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root) {
-  const MechanicsScene& m = *scenario.scene.mechanics;
-  const DivisionParameters& division = m.division;
-  const auto at = [&](const Place& place, const std::string& path) {
-    return [&reading, place, path](const std::string& wrong, const std::string& right) {
-      reading.problems.add(place, path, wrong, right);
-    };
+void checkPlanes(const SceneCheck& check) {
+  const DivisionParameters& division = check.mechanics().division;
+  const auto at = [&](const std::string& path) -> Refuse {
+    return [&check, path](const std::string& wrong, const std::string& right) { check.refuse(path, wrong, right); };
   };
-  const auto ofAll = [&](const std::string& path) { return at(placeOf(root, path), path); };
-  checkPlane(division.otherwise, m, ofAll("division.plane"));
-  if (division.chirality) checkChirality(*division.chirality, false, m, root, ofAll("division.chirality"));
-  if (reading.rules.size() != division.rules.size()) return;  // some could not be read, which has been said
+  checkPlane(division.otherwise, check.mechanics(), at("division.plane"));
+  if (division.chirality) checkChirality(*division.chirality, false, check, at("division.chirality"));
+  if (check.reading.rules.size() != division.rules.size()) return;  // some could not be read, which has been said
   for (std::size_t i = 0; i < division.rules.size(); ++i) {
     const DivisionRule& rule = division.rules[i];
-    const std::string path = "division.rules[" + std::to_string(i) + "]";
-    if (rule.plane) checkPlane(*rule.plane, m, at(reading.rules[i], path + ".plane"));
-    if (rule.chirality)
-      checkChirality(*rule.chirality, division.chirality.has_value(), m, root,
-                     at(reading.rules[i], path + ".chirality"));
+    const auto of = [&](const char* key) -> Refuse {
+      return [&, path = pathOf(i) + key](const std::string& wrong, const std::string& right) {
+        check.reading.problems.add(check.reading.rules[i], path, wrong, right);
+      };
+    };
+    if (rule.plane) checkPlane(*rule.plane, check.mechanics(), of(".plane"));
+    if (rule.chirality) checkChirality(*rule.chirality, division.chirality.has_value(), check, of(".chirality"));
   }
 }
 

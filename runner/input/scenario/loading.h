@@ -28,9 +28,6 @@ void fitShell(Scenario& scenario);
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);
 
-/// How cells divide: rules that no cell follows, shares and tilts that cannot be.
-void checkDivision(const Scenario& scenario, Reading& reading, const Node& root);
-
 /// The place of a parameter's value, or of the innermost map that is given.
 Place placeOf(const Node& root, const std::string& path);
 

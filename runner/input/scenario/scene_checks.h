@@ -4,27 +4,47 @@
 
 namespace morula::scenario {
 
+/// What a check looks at, and says what is wrong with.
+struct SceneCheck {
+  const Scenario& scenario;
+  Reading& reading;
+  const Node& root;
+
+  const Scene& scene() const { return scenario.scene; }
+  /// Of a scenario that has them.
+  const MechanicsScene& mechanics() const { return *scenario.scene.mechanics; }
+  const PhysicsParameters& physics() const { return mechanics().physics; }
+
+  /// Says it of a parameter, at its place.
+  void refuse(const std::string& path, const std::string& wrong, const std::string& right) const {
+    reading.problems.add(placeOf(root, path), path, wrong, right);
+  }
+};
+
 /// Senses that no gene reads, that lack a part of the scene, or that start cells hold already.
-void checkSenses(const Scenario& scenario, Reading& reading, const Node& root);
+void checkSenses(const SceneCheck& check);
 
 /// A size at division that cells without growth are to reach.
-void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& root);
+void checkDivisionSize(const SceneCheck& check);
 /// A size that nothing can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
 
 /// Connections that nothing could make, or with two forces.
-void checkConnections(const Scenario& scenario, Reading& reading, const Node& root);
+void checkConnections(const SceneCheck& check);
+
+/// How cells divide: rules that no cell follows, shares and tilts that cannot be.
+void checkDivision(const SceneCheck& check);
 
 /// That a scene has what its division planes and chirality go by.
-void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root);
+void checkPlanes(const SceneCheck& check);
 
 /// Adhesion: what sticks must give way, and the law must know how.
-void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root);
+void checkAdhesion(const SceneCheck& check);
 
 /// Cells that crawl where nothing bears them.
-void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root);
+void checkMotility(const SceneCheck& check);
 
 /// Quasi-static growth, with parts that act for a time or have no energy to come to rest at.
-void checkSettling(const Scenario& scenario, Reading& reading, const Node& root);
+void checkSettling(const SceneCheck& check);
 
 }  // namespace morula::scenario

@@ -66,29 +66,29 @@ bool canHold(const Scenario& scenario, const std::string& name) {
 
 }  // namespace
 
-void checkSenses(const Scenario& scenario, Reading& reading, const Node& root) {
-  const Dna& dna = scenario.scene.dna;
-  for (const SenseParameters& sense : scenario.scene.senses) {
+void checkSenses(const SceneCheck& check) {
+  const Dna& dna = check.scene().dna;
+  const auto& senses = check.scene().senses;
+  for (const SenseParameters& sense : senses) {
     const SenseKindRow& row = kindOf(sense.kind);
-    const std::string path = "senses." + sense.substance, kindPath = path + "." + row.name;
-    const auto [wrong, right] = findLack(row.needs, scenario.scene);
-    if (!wrong.empty()) reading.problems.add(placeOf(root, kindPath), kindPath, wrong, right);
+    const std::string path = "senses." + sense.substance;
+    const auto [wrong, right] = findLack(row.needs, check.scene());
+    if (!wrong.empty()) check.refuse(path + "." + row.name, wrong, right);
     if (dna.substances.empty() || isRead(dna, sense.substance)) continue;  // empty: it could not be read
-    reading.problems.add(placeOf(root, path), path, "no gene reads '" + sense.substance + "'",
-                         "write a gene that does, as g9(a1|a0, " + sense.substance + "), or remove this");
+    check.refuse(path, "no gene reads '" + sense.substance + "'",
+                 "write a gene that does, as g9(a1|a0, " + sense.substance + "), or remove this");
   }
-  for (const SubstanceUse& use : reading.substances)
+  for (const SubstanceUse& use : check.reading.substances)
     if (use.path.starts_with("cells") &&
-        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) != scenario.scene.senses.end())
-      reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
-                           "remove it, or take another name");
+        std::ranges::find(senses, use.name, &SenseParameters::substance) != senses.end())
+      check.reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
+                                 "remove it, or take another name");
 }
 
-void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& root) {
-  if (scenario.scene.cycle.divisionSize && !scenario.scene.mechanics->physics.growth)
-    reading.problems.add(placeOf(root, "division.size"), "division.size",
-                         "without physics.growth no cell grows to any size",
-                         "add 'growth: {}' to physics, or remove this");
+void checkDivisionSize(const SceneCheck& check) {
+  if (check.scene().cycle.divisionSize && !check.physics().growth)
+    check.refuse("division.size", "without physics.growth no cell grows to any size",
+                 "add 'growth: {}' to physics, or remove this");
 }
 
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root) {

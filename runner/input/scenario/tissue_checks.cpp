@@ -13,28 +13,26 @@ namespace morula::scenario {
 namespace {
 
 /// Cells that are to connect when they touch need contact; genes that are to connect them need to want it.
-void checkConnecting(const Scenario& scenario, Reading& reading, const Node& root) {
-  const MechanicsScene& mechanics = *scenario.scene.mechanics;
-  const Dna& dna = scenario.scene.dna;
-  const MakeConnections make = mechanics.connections->make;
+void checkConnecting(const SceneCheck& check) {
+  const Dna& dna = check.scene().dna;
+  const MakeConnections make = check.mechanics().connections->make;
   const bool byGene = make == MakeConnections::byGene || make == MakeConnections::both;
   if (make == MakeConnections::atDivision) return;
-  const Place place = placeOf(root, "connections.make");
-  if (!mechanics.contact)
-    reading.problems.add(place, "connections.make",
-                         std::string(byGene ? "genes connect cells" : "it is for cells") +
-                             " that touch, and without physics.contact none do",
-                         "add 'contact: {}' to physics, or set this to at-division");
+  if (!check.mechanics().contact)
+    check.refuse("connections.make",
+                 std::string(byGene ? "genes connect cells" : "it is for cells") +
+                     " that touch, and without physics.contact none do",
+                 "add 'contact: {}' to physics, or set this to at-division");
   if (!byGene) return;
   const auto connect = findSubstance(dna, substance::connect);
   const bool wanted = connect && (std::ranges::find(dna.start, *connect) != dna.start.end() ||
                                   std::ranges::find(dna.genes, *connect, &Gene::product) != dna.genes.end() ||
-                                  std::ranges::any_of(reading.substances, [](const SubstanceUse& use) {
+                                  std::ranges::any_of(check.reading.substances, [](const SubstanceUse& use) {
                                     return use.path.starts_with("cells") && use.name == substance::connect;
                                   }));
   if (!wanted && !dna.substances.empty())  // empty: it could not be read, which has been said
-    reading.problems.add(place, "connections.make", "no gene produces 'connect', so genes never connect cells",
-                         "write a gene such as g9(connect|a0), or set this to at-division");
+    check.refuse("connections.make", "no gene produces 'connect', so genes never connect cells",
+                 "write a gene such as g9(connect|a0), or set this to at-division");
 }
 
 // [1] Of the contact stiffness and of the membranes'. Heaps of 27 meshes and of 64 spheres bore as much; with 0.13 of the
@@ -43,35 +41,34 @@ constexpr double overContact = 0.1, overMembrane = 0.2;
 
 }  // namespace
 
-void checkConnections(const Scenario& scenario, Reading& reading, const Node& root) {
-  if (!scenario.scene.mechanics->connections) return;
-  checkConnecting(scenario, reading, root);
-  const ConnectionParameters& c = *scenario.scene.mechanics->connections;
+void checkConnections(const SceneCheck& check) {
+  if (!check.mechanics().connections) return;
+  checkConnecting(check);
+  const ConnectionParameters& c = *check.mechanics().connections;
   if (c.spring && c.strength)
-    reading.problems.add(placeOf(root, "connections.strength"), "connections.strength",
-                         "stands beside spring, and a connection is either", "give one of strength or spring");
+    check.refuse("connections.strength", "stands beside spring, and a connection is either",
+                 "give one of strength or spring");
   if (c.releaseTension && !c.spring)
-    reading.problems.add(placeOf(root, "connections.release-tension"), "connections.release-tension",
-                         "is the tension of a spring, and here every connection pulls with one strength",
-                         "add 'spring: {}' to connections, or use release-distance");
+    check.refuse("connections.release-tension",
+                 "is the tension of a spring, and here every connection pulls with one strength",
+                 "add 'spring: {}' to connections, or use release-distance");
 }
 
-void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root) {
-  const auto& contact = scenario.scene.mechanics->contact;
+void checkAdhesion(const SceneCheck& check) {
+  const auto& contact = check.mechanics().contact;
   if (!contact || !contact->adhesion) return;
   const std::string path = "physics.contact.adhesion";
-  const Place place = placeOf(root, path);
   if (contact->law == ContactLaw::thesis)
-    reading.problems.add(place, path, "is for physics.contact.law pair", "remove this, or give law: pair");
+    check.refuse(path, "is for physics.contact.law pair", "remove this, or give law: pair");
   double largest = contact->adhesion->strength;
   for (const AdhesionPair& pair : contact->adhesion->pairs) largest = std::max(largest, pair.strength);
   const auto bound = [&](double stiffness, double share, const std::string& whose, const char* what) {
     if (largest <= stiffness * share) return;
-    reading.problems.add(place, path, exactText(largest) + what + exactText(stiffness),
-                         "needs at most " + numberText(stiffness * share) + ", or a " + whose + " of at least " +
-                             numberText(largest / share));
+    check.refuse(path, exactText(largest) + what + exactText(stiffness),
+                 "needs at most " + numberText(stiffness * share) + ", or a " + whose + " of at least " +
+                     numberText(largest / share));
   };
-  const PhysicsParameters& physics = scenario.scene.mechanics->physics;
+  const PhysicsParameters& physics = check.physics();
   bound(contact->stiffness, overContact, "physics.contact.stiffness",
         " would draw cells into each other against a contact stiffness of ");
   if (kindOf(physics.cell.model).hasMembrane)
@@ -79,27 +76,25 @@ void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root)
           " would fold cells where they touch, with membranes of stiffness ");
 }
 
-void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root) {
-  if (physics.motility && physics.drag == 0)
-    reading.problems.add(placeOf(root, "physics.motility"), "physics.motility",
-                         "cells crawl against the drag of their medium, and here it is 0",
-                         "give a physics.drag > 0, or remove this");
+void checkMotility(const SceneCheck& check) {
+  if (check.physics().motility && check.physics().drag == 0)
+    check.refuse("physics.motility", "cells crawl against the drag of their medium, and here it is 0",
+                 "give a physics.drag > 0, or remove this");
 }
 
-void checkSettling(const Scenario& scenario, Reading& reading, const Node& root) {
-  const MechanicsScene& m = *scenario.scene.mechanics;
-  const auto refuse = [&](const std::string& path, const std::string& wrong, const std::string& right) {
-    reading.problems.add(placeOf(root, path), path, wrong, right);
-  };
+void checkSettling(const SceneCheck& check) {
+  const MechanicsScene& m = check.mechanics();
   if (!kindOf(m.physics.integrator).settles) {
-    if (given(root, "physics.settle"))
-      refuse("physics.settle",
-             "is for physics.integrator fire, and here it is " + std::string(nameOf(m.physics.integrator)),
-             "remove this, or give integrator: fire");
+    if (given(check.root, "physics.settle"))
+      check.refuse("physics.settle",
+                   "is for physics.integrator fire, and here it is " + std::string(nameOf(m.physics.integrator)),
+                   "remove this, or give integrator: fire");
     return;
   }
-  const std::string other = "remove this, or give another physics.integrator, such as velocity-verlet";
-  const auto cannot = [&](const char* path, const std::string& why) { refuse(path, "integrator fire " + why, other); };
+  const auto cannot = [&](const char* path, const std::string& why) {
+    check.refuse(path, "integrator fire " + why,
+                 "remove this, or give another physics.integrator, such as velocity-verlet");
+  };
   if (m.physics.timeStep) cannot("physics.time_step", "has no time step: it goes from one equilibrium to the next");
   if (m.physics.motility) cannot("physics.motility", "knows no time in which cells could crawl");
   if (m.division.chirality) cannot("division.chirality", "knows no time in which daughters could turn");
@@ -109,10 +104,10 @@ void checkSettling(const Scenario& scenario, Reading& reading, const Node& root)
     cannot("physics.contact.law", "needs contacts with an energy, which the thesis' law has not");
   if (kindOf(m.physics.cell.model).hasRestShape)
     cannot("physics.cell.model", "needs cells with an energy, and goals of shape matching move with them");
-  for (const StartCell& cell : scenario.scene.cells)
+  for (const StartCell& cell : check.scene().cells)
     if (norm(cell.velocity) > 0) cannot("cells", "knows no motion, and here is a velocity");
-  if (scenario.check.energy) cannot("check.energy", "lets energy go");
-  if (scenario.check.bullet) cannot("check.bullet", "has no time in which Bullet could be compared with it");
+  if (check.scenario.check.energy) cannot("check.energy", "lets energy go");
+  if (check.scenario.check.bullet) cannot("check.bullet", "has no time in which Bullet could be compared with it");
 }
 
 }  // namespace morula::scenario
