@@ -1,7 +1,6 @@
 // Every parameter of a scenario, each described once. To add one: a field in its struct, a line here.
 #include "scenario/parameter_table.h"
 
-#include "scenario/special_parameters.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {

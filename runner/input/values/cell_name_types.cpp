@@ -25,14 +25,6 @@ std::optional<std::string> readName(const Node& node, const std::string& path, c
   return {};
 }
 
-Parameter presented(std::string path, std::string allowed, std::string absent, std::string meaning) {
-  Parameter p;
-  p.path = std::move(path), p.allowed = std::move(allowed), p.absent = std::move(absent);
-  p.meaning = std::move(meaning);
-  p.decides = Decides::presentation;
-  return p;
-}
-
 /// "names.cells.AB", or for one from a file its line in it.
 std::string whereOf(const NameUse& use) { return use.inFile.empty() ? use.key : use.inFile; }
 
@@ -71,7 +63,7 @@ Parameter namesOfDaughters() {
   auto p = presented("names.daughters", "two names' endings, as [a, p], of which neither begins with the other",
                      "cells that have no name of their own have none",
                      "What a daughter A, and a daughter B, adds to her mother's name");
-  p.schema = {{"type", "array"}, {"items", nameSchema()}, {"minItems", 2}, {"maxItems", 2}};
+  p.schema = listSchema(nameSchema(), 2);
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     auto& problems = reading.problems;
     if (!expectEntries(node, path, allowed, problems)) return;
@@ -121,9 +113,7 @@ Parameter namesFile() {
                      "More names, one 'PATH NAME' a line, 'egg' for the egg's path; '#' begins a comment");
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
-    const auto file = readText(node, path, allowed, reading.problems);
-    if (file && file->empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
-    else if (file) reading.namesFile = {*file, node.place};
+    if (const auto file = readWords(node, path, allowed, reading.problems)) reading.namesFile = {*file, node.place};
   };
   p.write = [](const Scenario&) { return Json(); };  // what it holds stands in cells
   return p;

@@ -4,13 +4,9 @@
 namespace morula::scenario {
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field) {
-  auto p =
-      Parameter{.path = std::move(path),
-                .allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]",
-                .meaning = std::move(meaning),
-                .decides = Decides::presentation,
-                .schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}},
-                .absent = "not checked"};
+  Parameter p = presented(std::move(path), "two numbers ≥ 0, the least and the most, as [0.9, 1.1]", "not checked",
+                          std::move(meaning));
+  p.schema = listSchema(numberSchema(notNegative), 2);
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto bounds = readReals(node, 2, notNegative, path, allowed, reading.problems);
     if (!bounds) return;
@@ -28,12 +24,8 @@ Parameter optionalBounds(std::string path, std::string meaning, Field<std::optio
 }
 
 Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = "a list of texts, as [physics.time_step, springs]";
-  p.meaning = std::move(meaning);
-  p.absent = "the run must end well";
-  p.decides = Decides::presentation;
+  Parameter p = presented(std::move(path), "a list of texts, as [physics.time_step, springs]", "the run must end well",
+                          std::move(meaning));
   p.schema = {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 1}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (!expectEntries(node, path, allowed, reading.problems)) return;
@@ -51,12 +43,10 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
 }
 
 Parameter saneEnd() {
-  Parameter p;
-  p.path = "check.sane";
-  p.allowed = "false, beside because; true is what holds without it";
-  p.meaning = "false: this scene is about an end that is not sane, and the run passes all the same";
-  p.absent = "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
-  p.decides = Decides::presentation;
+  Parameter p =
+      presented("check.sane", "false, beside because; true is what holds without it",
+                "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight",
+                "false: this scene is about an end that is not sane, and the run passes all the same");
   p.schema = {{"type", "boolean"}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto value = readText(node, path, allowed, reading.problems);
@@ -69,12 +59,8 @@ Parameter saneEnd() {
 }
 
 Parameter becauseText() {
-  Parameter p;
-  p.path = "check.because";
-  p.allowed = "a text";
-  p.meaning = "Why the end is not sane: for who reads the results";
-  p.absent = "the end must be sane";
-  p.decides = Decides::presentation;
+  Parameter p = presented("check.because", "a text", "the end must be sane",
+                          "Why the end is not sane: for who reads the results");
   p.needs = "sane";
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

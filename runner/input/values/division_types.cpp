@@ -22,15 +22,12 @@ std::string spell(const DivisionPlaneKind& kind) {
   return std::string("{") + kind.name + (kind.takes == Takes::substance ? ": a0}" : ": [x, y, z]}");
 }
 
-Json axisSchema() { return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}; }
+Json axisSchema() { return listSchema({{"type", "number"}}, 3); }
 
 /// An axis alone, or one that turns.
 Json polaritySchema() {
   const auto turning = [](const char* key) {
-    return Json{{"type", "object"},
-                {"properties", {{"start", axisSchema()}, {key, {{"type", "string"}}}}},
-                {"required", {"start", key}},
-                {"additionalProperties", false}};
+    return mapSchema({{"start", axisSchema()}, {key, {{"type", "string"}}}}, {"start", key});
   };
   return {{"oneOf", Json::array({axisSchema(), turning("turns-towards"), turning("turns-away-from")})}};
 }
@@ -43,21 +40,10 @@ Json planeSchema() {
   Json words = Json::array(), forms = Json::array({nullptr});
   for (const DivisionPlaneKind& kind : divisionPlanes()) {
     if (kind.takes == Takes::nothing) words.push_back(kind.name);
-    else
-      forms.push_back({{"type", "object"},
-                       {"properties", {{kind.name, takenSchema(kind.takes)}}},
-                       {"required", {kind.name}},
-                       {"additionalProperties", false}});
+    else forms.push_back(onlySchema(kind.name, takenSchema(kind.takes)));
   }
   forms[0] = {{"enum", words}};
   return {{"oneOf", forms}};
-}
-
-std::optional<Vector> readAxis(const Node& node, const std::string& path, Problems& problems) {
-  const auto axis = readTriple(node, {}, path, "three numbers, not all 0, as [1, 0, 0]", problems);
-  if (!axis || *axis != Vector{}) return axis;
-  problems.add(node.place, path, "has length 0", "needs at least one number other than 0");
-  return {};
 }
 
 /// {start: [x, y, z], turns-towards: a0}, or turns-away-from.
@@ -150,12 +136,8 @@ class RuleReader {
     refuseUnknown(node_, path_, ruleKeys, reading_.problems);
     readCells(rule);
     readDirection(rule);
-    if (const auto* share = node_.find("share"))
-      rule.share =
-          readReal(share->value, shareRange, path_ + ".share", numberAllowed(shareRange, ""), reading_.problems);
-    if (const auto* tilt = node_.find("tilt"))
-      rule.tilt =
-          readReal(tilt->value, tiltRange, path_ + ".tilt", numberAllowed(tiltRange, "degree"), reading_.problems);
+    rule.share = readMember(node_, "share", shareRange, "", path_, reading_.problems);
+    rule.tilt = readMember(node_, "tilt", tiltRange, "degree", path_, reading_.problems);
     if (const auto* chirality = node_.find("chirality"))
       rule.chirality = readChirality(chirality->value, path_ + ".chirality", reading_.problems);
     const auto saysSomething = [](const Member& m) { return m.key != "of"; };
@@ -298,26 +280,15 @@ std::optional<Chirality> readChirality(const Node& node, const std::string& path
     return {};
   }
   refuseUnknown(node, path, {"angle", "time"}, problems);
-  Chirality chirality;
-  const auto read = [&](const char* key, const Range& range, const char* unit, double& value) {
-    const Member* member = nullptr;
-    for (const Member& one : node.members)
-      if (one.key == key) member = &one;
-    if (!member) return;
-    const auto given = readReal(member->value, range, path + "." + key, numberAllowed(range, unit), problems);
-    if (given) value = *given;
-  };
-  read("angle", chiralAngle, "degree", chirality.angle);
-  read("time", positive, "time", chirality.time);
-  return chirality;
+  const Chirality usual;
+  return Chirality{readMember(node, "angle", chiralAngle, "degree", path, problems).value_or(usual.angle),
+                   readMember(node, "time", positive, "time", path, problems).value_or(usual.time)};
 }
 
 Json writeChirality(const Chirality& c) { return {{"angle", c.angle}, {"time", c.time}}; }
 
 Json chiralitySchema() {
-  return {{"type", "object"},
-          {"properties", {{"angle", numberSchema(chiralAngle)}, {"time", numberSchema(positive)}}},
-          {"additionalProperties", false}};
+  return mapSchema({{"angle", numberSchema(chiralAngle)}, {"time", numberSchema(positive)}}, {});
 }
 
 }  // namespace morula::scenario

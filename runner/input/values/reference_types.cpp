@@ -104,14 +104,6 @@ class ReferenceReader {
 /// What always means the path, whatever names a scenario gives.
 std::string written(const CellPath& path) { return "/" + path.text(); }
 
-Parameter kept(std::string path, std::string allowed, std::string meaning) {
-  Parameter p;
-  p.path = std::move(path), p.allowed = std::move(allowed), p.meaning = std::move(meaning);
-  p.absent = "none";
-  p.decides = Decides::presentation;
-  return p;
-}
-
 Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading& reading) {
   if (!reading.reference) reading.reference.emplace();
   return ((*reading.reference).*part).emplace(node);
@@ -120,10 +112,10 @@ Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading
 }  // namespace
 
 Parameter referenceContacts() {
-  auto p = kept("check.reference.contacts", contactsAllowed,
+  auto p =
+      presented("check.reference.contacts", contactsAllowed, "none",
                 "Pairs that touch, with contact_jaccard and contact_f1: all contacts that their cells have among them");
-  const Json pair{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
-  p.schema = {{"type", "array"}, {"items", pair}, {"minItems", 1}};
+  p.schema = {{"type", "array"}, {"items", listSchema({{"type", "string"}}, 2)}, {"minItems", 1}};
   p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::contacts, node, reading); };
   p.write = [](const Scenario& s) {
     Json list = Json::array();
@@ -134,11 +126,9 @@ Parameter referenceContacts() {
 }
 
 Parameter referencePositions() {
-  auto p = kept("check.reference.positions", positionsAllowed,
-                "Centres of cells in any frame, with position_rmsd and position_shape_rmsd: at least three");
-  p.schema = {
-      {"type", "object"},
-      {"additionalProperties", {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
+  auto p = presented("check.reference.positions", positionsAllowed, "none",
+                     "Centres of cells in any frame, with position_rmsd and position_shape_rmsd: at least three");
+  p.schema = {{"type", "object"}, {"additionalProperties", listSchema({{"type", "number"}}, 3)}};
   p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::positions, node, reading); };
   p.write = [](const Scenario& s) {
     Json map = Json::object();
@@ -149,13 +139,11 @@ Parameter referencePositions() {
 }
 
 Parameter referenceFile() {
-  auto p = kept("check.reference.file", "a file, relative to the scenario's folder",
-                "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
+  auto p = presented("check.reference.file", "a file, relative to the scenario's folder", "none",
+                     "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
-    const auto file = readText(node, path, allowed, reading.problems);
-    if (file && file->empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
-    else if (file) keep(&ReferenceSource::file, node, reading);
+    if (readWords(node, path, allowed, reading.problems)) keep(&ReferenceSource::file, node, reading);
   };
   p.write = [](const Scenario&) { return Json(); };  // what it holds stands in the two others
   return p;

@@ -69,8 +69,8 @@ class SenseReader {
     refuseUnknown(node, path_, keysOf(row), problems());
     readOf(row, node);
     if (row.number.key) readNumber(row, node);
-    if (const Member* axis = row.takesAxis ? require(node, "axis", "a direction, as [1, 0, 0]") : nullptr)
-      readAxis(axis->value);
+    if (const Member* member = row.takesAxis ? require(node, "axis", "a direction, as [1, 0, 0]") : nullptr)
+      if (const auto axis = readAxis(member->value, path_ + ".axis", problems())) sense_.axis = *axis;
     if (!row.threshold) readThreshold(row, node);
   }
 
@@ -108,22 +108,12 @@ class SenseReader {
     sense_.number = readReal(member->value, positive, path_ + "." + row.number.key, allowed, problems());
   }
 
-  void readAxis(const Node& node) {
-    const auto axis = readTriple(node, {}, path_ + ".axis", "three numbers, not all 0, as [1, 0, 0]", problems());
-    if (!axis) return;
-    if (*axis == Vector{})
-      problems().add(node.place, path_ + ".axis", "has length 0", "needs at least one number other than 0");
-    else sense_.axis = *axis;
-  }
-
   void readThreshold(const SenseKindRow& row, const Node& node) {
     bool good = true;
-    for (const Bound& bound : bounds)
-      if (const Member* member = node.find(bound.key)) {
-        sense_.is.*bound.value =
-            readReal(member->value, {}, path_ + "." + bound.key, numberAllowed({}, row.unit), problems());
-        good = good && sense_.is.*bound.value;
-      }
+    for (const Bound& bound : bounds) {
+      sense_.is.*bound.value = readMember(node, bound.key, {}, row.unit, path_, problems());
+      good = good && (sense_.is.*bound.value || !node.find(bound.key));
+    }
     if (good) checkThreshold(row, node);
   }
 
@@ -202,7 +192,7 @@ Json schemaOf(const SenseKindRow& row) {
   if (row.number.key) keys[row.number.key] = numberSchema(positive);
   if (row.number.required) required.push_back(row.number.key);
   if (row.takesAxis) {
-    keys["axis"] = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+    keys["axis"] = listSchema({{"type", "number"}}, 3);
     required.push_back("axis");
   }
   if (!row.threshold)
@@ -210,10 +200,7 @@ Json schemaOf(const SenseKindRow& row) {
   Json condition{
       {"type", "object"}, {"description", row.meaning}, {"properties", keys}, {"additionalProperties", false}};
   if (!required.empty()) condition["required"] = required;
-  return {{"type", "object"},
-          {"properties", {{row.name, condition}}},
-          {"required", {row.name}},
-          {"additionalProperties", false}};
+  return onlySchema(row.name, condition);
 }
 
 const char* nameOf(SenseNeeds needs) {

@@ -9,9 +9,6 @@ namespace {
 constexpr const char* startForm = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";
 const std::vector<std::string> keys{"at", "velocity", "scale", "stretch", "mass", "substances"};
 
-// One cell among others may be out of all proportion.
-constexpr Range anyPositive{.low = 0, .openLow = true};
-
 /// Reads one cell of the list; `path` is "cells[2]".
 class CellReader {
  public:
@@ -26,8 +23,10 @@ class CellReader {
     triple("at", {}, "three numbers [length], as [0, 0, 0]", cell.at);
     triple("velocity", {}, "three numbers [length/time], as [0, 0, 0]", cell.velocity);
     triple("stretch", positive, "three numbers > 0, as [1, 1, 0.5]", cell.stretch);
-    if (const auto scale = number("scale", "")) cell.scale = *scale;
-    cell.mass = number("mass", "mass");
+    // One cell among others may be out of all proportion.
+    constexpr Range anyPositive{.low = 0, .openLow = true};
+    cell.scale = readMember(node_, "scale", anyPositive, "", path_, reading_.problems).value_or(cell.scale);
+    cell.mass = readMember(node_, "mass", anyPositive, "mass", path_, reading_.problems);
     if (const auto* member = node_.find("substances")) cell.substances = readSubstances(member->value);
     return cell;
   }
@@ -38,12 +37,6 @@ class CellReader {
     if (!member) return;
     const auto read = readTriple(member->value, range, path_ + "." + key, allowed, reading_.problems);
     if (read) value = *read;
-  }
-
-  std::optional<double> number(const char* key, const char* unit) {
-    const auto* member = node_.find(key);
-    if (!member) return {};
-    return readReal(member->value, anyPositive, path_ + "." + key, numberAllowed(positive, unit), reading_.problems);
   }
 
   std::vector<std::string> readSubstances(const Node& list) {
@@ -80,19 +73,14 @@ Json writeCell(const StartCell& cell) {
 }
 
 Json cellSchema() {
-  const auto triple = [](const Range& range) {
-    return Json{{"type", "array"}, {"items", numberSchema(range)}, {"minItems", 3}, {"maxItems", 3}};
-  };
-  return {{"type", "object"},
-          {"properties",
-           {{"at", triple({})},
-            {"velocity", triple({})},
-            {"scale", numberSchema(positive)},
-            {"stretch", triple(positive)},
-            {"mass", numberSchema(positive)},
-            {"substances", {{"type", "array"}, {"items", {{"type", "string"}}}, {"uniqueItems", true}}}}},
-          {"required", Json::array({"at"})},
-          {"additionalProperties", false}};
+  const auto triple = [](const Range& range) { return listSchema(numberSchema(range), 3); };
+  return mapSchema({{"at", triple({})},
+                    {"velocity", triple({})},
+                    {"scale", numberSchema(positive)},
+                    {"stretch", triple(positive)},
+                    {"mass", numberSchema(positive)},
+                    {"substances", {{"type", "array"}, {"items", {{"type", "string"}}}, {"uniqueItems", true}}}},
+                   {"at"});
 }
 
 }  // namespace

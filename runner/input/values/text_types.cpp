@@ -23,6 +23,14 @@ std::optional<std::string> readText(const Node& node, const std::string& path, c
   return {};
 }
 
+std::optional<std::string> readWords(const Node& node, const std::string& path, const std::string& allowed,
+                                     Problems& problems) {
+  auto value = readText(node, path, allowed, problems);
+  if (!value || !value->empty()) return value;
+  problems.add(node.place, path, "is empty", "needs " + allowed);
+  return {};
+}
+
 Parameter text(std::string path, std::string meaning, Field<std::string> field) {
   return ofField(
       {.path = std::move(path), .allowed = "a text", .meaning = std::move(meaning), .schema = {{"type", "string"}}},
@@ -48,12 +56,7 @@ Parameter optionalFile(std::string path, std::string meaning, Field<std::optiona
                   .meaning = std::move(meaning),
                   .schema = {{"type", "string"}, {"minLength", 1}},
                   .absent = "none"},
-                 field, [](const Node& node, auto& path, auto& allowed, Problems& problems) {
-                   auto value = readText(node, path, allowed, problems);
-                   if (!value || !value->empty()) return value;
-                   problems.add(node.place, path, "is empty", "needs " + allowed);
-                   return std::optional<std::string>();
-                 });
+                 field, readWords);
 }
 
 Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,

@@ -44,9 +44,7 @@ bool refuseCovered(const Pair& pair, const std::vector<Pair>& before, const Plac
   return true;
 }
 
-Json pairSchema() {
-  return {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 2}, {"maxItems", 2}};
-}
+Json pairSchema() { return listSchema({{"type", "string"}, {"minLength", 1}}, 2); }
 
 const std::string strengthAllowed = numberAllowed(notNegative, "force/length");
 
@@ -60,9 +58,8 @@ std::optional<AdhesionPair> readAdhesionPair(const Node& node, const std::string
   refuseUnknown(node, path, {"of", "strength"}, reading.problems);
   for (const char* key : {"of", "strength"})
     if (!node.find(key)) reading.problems.add(node.place, path + "." + key, "is missing", "needs " + form);
-  const Member *of = node.find("of"), *given = node.find("strength");
-  const auto strength =
-      given ? readReal(given->value, notNegative, path + ".strength", strengthAllowed, reading.problems) : std::nullopt;
+  const Member* of = node.find("of");
+  const auto strength = readMember(node, "strength", notNegative, "force/length", path, reading.problems);
   const auto pair = of ? readPair(of->value, path + ".of", reading) : std::nullopt;
   if (!pair || refuseCovered(*pair, before, of->value.place, path + ".of", reading.problems) || !strength) return {};
   before.push_back(*pair);
@@ -73,9 +70,8 @@ void readAdhesionMap(const Node& node, const std::string& path, const std::strin
                      AdhesionParameters& adhesion, Reading& reading) {
   refuseUnknown(node, path, {"default", "pairs"}, reading.problems);
   if (node.members.empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
-  if (const Member* member = node.find("default"))
-    if (const auto value = readReal(member->value, notNegative, path + ".default", strengthAllowed, reading.problems))
-      adhesion.strength = *value;
+  if (const auto value = readMember(node, "default", notNegative, "force/length", path, reading.problems))
+    adhesion.strength = *value;
   const Member* pairs = node.find("pairs");
   if (!pairs || !expectEntries(pairs->value, path + ".pairs", "a list of maps, as [{of: [red, red], strength: 2}]",
                                reading.problems))
@@ -100,20 +96,18 @@ Parameter adhesion() {
       "tenth of stiffness and a fifth of membrane.stiffness; not of law thesis";
   p.absent = "cells do not stick to each other";
   const Json strength = numberSchema(notNegative);
-  p.schema = {{"oneOf", Json::array({strength,
-                                     {{"type", "object"},
-                                      {"properties",
-                                       {{"default", strength},
-                                        {"pairs",
-                                         {{"type", "array"},
-                                          {"minItems", 1},
-                                          {"items",
-                                           {{"type", "object"},
-                                            {"properties", {{"of", pairSchema()}, {"strength", strength}}},
-                                            {"required", Json::array({"of", "strength"})},
-                                            {"additionalProperties", false}}}}}}},
-                                      {"minProperties", 1},
-                                      {"additionalProperties", false}}})}};
+  p.schema = {
+      {"oneOf",
+       Json::array({strength,
+                    {{"type", "object"},
+                     {"properties",
+                      {{"default", strength},
+                       {"pairs",
+                        {{"type", "array"},
+                         {"minItems", 1},
+                         {"items", mapSchema({{"of", pairSchema()}, {"strength", strength}}, {"of", "strength"})}}}}},
+                     {"minProperties", 1},
+                     {"additionalProperties", false}}})}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     AdhesionParameters adhesion;
     if (node.kind == Node::Kind::map) {
@@ -149,11 +143,7 @@ Parameter makeConnections() {
   });
   p.allowed += ", or {pairs: [[red, blue]]}";
   const Json list{{"type", "array"}, {"items", pairSchema()}, {"minItems", 1}};
-  p.schema = {{"oneOf", Json::array({p.schema,
-                                     {{"type", "object"},
-                                      {"properties", {{"pairs", list}}},
-                                      {"required", {"pairs"}},
-                                      {"additionalProperties", false}}})}};
+  p.schema = {{"oneOf", Json::array({p.schema, onlySchema("pairs", list)})}};
   p.read = [readWord = p.read, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (node.kind != Node::Kind::map) return readWord(s, node, reading);
     const Member* only = readOnly(node, path, {"pairs"}, allowed, reading.problems);

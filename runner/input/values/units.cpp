@@ -46,11 +46,7 @@ std::string shownTime(const Units& units, double time, int digits) {
 namespace scenario {
 
 Parameter unitName(std::string path, std::string meaning, Field<std::string> field) {
-  Parameter p;
-  p.path = std::move(path), p.meaning = std::move(meaning);
-  p.allowed = nameAllowed;
-  p.absent = "the scene's own";
-  p.decides = Decides::presentation;
+  Parameter p = presented(std::move(path), nameAllowed, "the scene's own", std::move(meaning));
   p.schema = {{"type", "string"}, {"minLength", 1}, {"maxLength", 40}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto value = readText(node, path, allowed, reading.problems);

@@ -87,6 +87,19 @@ Json numberSchema(const Range& range) {
   return schema;
 }
 
+Json listSchema(const Json& items, int count) {
+  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json mapSchema(const Json& members, const std::vector<std::string>& required) {
+  Json schema{{"type", "object"}, {"properties", members}};
+  if (!required.empty()) schema["required"] = required;
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+Json onlySchema(const std::string& key, const Json& value) { return mapSchema({{key, value}}, {key}); }
+
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems) {
   if (!expectPlain(node, path, allowed, problems)) return {};
@@ -99,6 +112,13 @@ std::optional<double> readReal(const Node& node, const Range& range, const std::
                  "needs " + allowed + (range.openLow ? ", " : ", 0 or ") + ordinaryNumbers.text());
   else return number.value;
   return {};
+}
+
+std::optional<double> readMember(const Node& map, const std::string& key, const Range& range, const std::string& unit,
+                                 const std::string& path, Problems& problems) {
+  const Member* member = map.find(key);
+  if (!member) return {};
+  return readReal(member->value, range, path + "." + key, numberAllowed(range, unit), problems);
 }
 
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
@@ -118,6 +138,21 @@ std::optional<Vector> readTriple(const Node& node, const Range& range, const std
                                  const std::string& allowed, Problems& problems) {
   const auto v = readReals(node, 3, range, path, allowed, problems);
   return v ? std::optional(Vector{v->at(0), v->at(1), v->at(2)}) : std::nullopt;
+}
+
+std::optional<Vector> readAxis(const Node& node, const std::string& path, Problems& problems) {
+  const auto axis = readTriple(node, {}, path, "three numbers, not all 0, as [1, 0, 0]", problems);
+  if (!axis || *axis != Vector{}) return axis;
+  problems.add(node.place, path, "has length 0", "needs at least one number other than 0");
+  return {};
+}
+
+Parameter presented(std::string path, std::string allowed, std::string absent, std::string meaning) {
+  return {.path = std::move(path),
+          .allowed = std::move(allowed),
+          .meaning = std::move(meaning),
+          .decides = Decides::presentation,
+          .absent = std::move(absent)};
 }
 
 Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field) {

@@ -69,6 +69,13 @@ Parameter choice(std::string path, Field<E> field) {
 }
 
 // Parameters that are one of a kind.
+Parameter dna();
+Parameter timeStep();
+Parameter shellSphere();
+Parameter shellEllipsoid();
+Parameter shellMesh();
+Parameter shellFill();
+Parameter divisionSize();
 Parameter divisionPlane();
 /// [degree] More than a turn is refused as a slip.
 constexpr Range chiralAngle{-360, 360};
@@ -99,6 +106,8 @@ Parameter recordMeasures();
 Parameter becauseText();
 
 // For the kinds themselves.
+/// Of one that is no part of what a scenario means; its schema and how it is read and written are still to come.
+Parameter presented(std::string path, std::string allowed, std::string absent, std::string meaning);
 /// Of a list of these measures, also of some cells alone where they are of cells.
 Json measuresSchema(const std::vector<AskedMeasure>& known);
 /// What readMeasure complained about.
@@ -116,8 +125,17 @@ void refuseUnknown(const Node& node, const std::string& path, const std::vector<
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
+/// Of a list of so many of these.
+Json listSchema(const Json& items, int count);
+/// Of a map of these members and no others, some of which must be there.
+Json mapSchema(const Json& members, const std::vector<std::string>& required);
+/// Of a map of this member alone.
+Json onlySchema(const std::string& key, const Json& value);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
+/// The number that a map has under this key, if it has one.
+std::optional<double> readMember(const Node& map, const std::string& key, const Range& range, const std::string& unit,
+                                 const std::string& path, Problems& problems);
 std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
                                          const std::string& allowed, Problems& problems);
 /// As many numbers as `count`.
@@ -126,9 +144,15 @@ std::optional<std::vector<double>> readReals(const Node& node, std::size_t count
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
                                  const std::string& allowed, Problems& problems);
 
+/// Three numbers, not all 0.
+std::optional<Vector> readAxis(const Node& node, const std::string& path, Problems& problems);
+
 /// Texts may be quoted, and may look like numbers.
 std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
                                     Problems& problems);
+/// A text that is not empty.
+std::optional<std::string> readWords(const Node& node, const std::string& path, const std::string& allowed,
+                                     Problems& problems);
 
 /// A substance, or the beginning of some and '*'; that the DNA knows one is checked later.
 std::optional<std::string> readPattern(const Node& node, const std::string& path, Reading& reading);

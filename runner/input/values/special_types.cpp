@@ -1,6 +1,4 @@
 // Parameters that are one of a kind: DNA, the time step, the shell's spellings, the size at division.
-#include "scenario/special_parameters.h"
-
 #include "values/value_types.h"
 
 namespace morula::scenario {
@@ -13,11 +11,8 @@ Parameter dna() {
       "The organism's genes in the thesis' syntax: START: a0 and lines g1(a1|a0, A); a line with a range, as "
       "g{n}(a{n+1}|a{n}) for n in 0..4, is one gene for each number";
   p.required = true;
-  p.schema = {{"oneOf", Json::array({{{"type", "string"}},
-                                     {{"type", "object"},
-                                      {"properties", {{"file", {{"type", "string"}, {"minLength", 1}}}}},
-                                      {"required", {"file"}},
-                                      {"additionalProperties", false}}})}};
+  p.schema = {
+      {"oneOf", Json::array({{{"type", "string"}}, onlySchema("file", {{"type", "string"}, {"minLength", 1}})})}};
   p.read = [allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     reading.dna.place = node.place;
     if (node.kind == Node::Kind::map) {
@@ -64,22 +59,16 @@ Parameter divisionSize() {
   p.later = true;
   p.absent = "timer";
   Json forms = Json::array({{{"const", "timer"}}});
-  for (const char* rule : {"sizer", "adder"})
-    forms.push_back({{"type", "object"},
-                     {"properties", {{rule, numberSchema(positive)}}},
-                     {"required", {rule}},
-                     {"additionalProperties", false}});
+  for (const char* rule : {"sizer", "adder"}) forms.push_back(onlySchema(rule, numberSchema(positive)));
   p.schema = {{"oneOf", forms}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (node.kind == Node::Kind::scalar && node.text == "timer") return;
     if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
     const Member* given = readOnly(node, path, {"sizer", "adder"}, allowed, reading.problems);
     if (!given) return;
-    const auto size =
-        readReal(given->value, positive, path + "." + given->key, numberAllowed(positive, ""), reading.problems);
-    const bool sizer = given->key == "sizer";
-    if (size)
-      s.scene.cycle.divisionSize = DivisionSize{sizer ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder, *size};
+    const auto rule = given->key == "sizer" ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder;
+    if (const auto size = readMember(node, given->key, positive, "", path, reading.problems))
+      s.scene.cycle.divisionSize = DivisionSize{rule, *size};
   };
   p.write = [](const Scenario& s) {
     const auto& size = s.scene.cycle.divisionSize;
@@ -99,18 +88,13 @@ Parameter timeStep() {
       "halve; {auto: 0.5}: half as long ones, any share > 0 and ≤ 1";
   p.absent = "auto";
   const Range share{0, 1, true};
-  p.schema = {{"oneOf", Json::array({numberSchema(positive),
-                                     {{"const", "auto"}},
-                                     {{"type", "object"},
-                                      {"properties", {{"auto", numberSchema(share)}}},
-                                      {"required", {"auto"}},
-                                      {"additionalProperties", false}}})}};
+  p.schema = {
+      {"oneOf", Json::array({numberSchema(positive), {{"const", "auto"}}, onlySchema("auto", numberSchema(share))})}};
   p.read = [path = p.path, allowed = p.allowed, share](Scenario& s, const Node& node, Reading& reading) {
     auto& physics = s.scene.mechanics->physics;
     if (node.kind == Node::Kind::map) {
-      const auto* given = readOnly(node, path, {"auto"}, allowed, reading.problems);
-      if (!given) return;
-      if (const auto value = readReal(given->value, share, path + ".auto", numberAllowed(share, ""), reading.problems))
+      if (!readOnly(node, path, {"auto"}, allowed, reading.problems)) return;
+      if (const auto value = readMember(node, "auto", share, "", path, reading.problems))
         physics.timeStep = std::nullopt, physics.autoShare = *value;
     } else if (node.kind == Node::Kind::scalar && node.text == "auto") {
       physics.timeStep = std::nullopt, physics.autoShare = 1;
@@ -145,7 +129,7 @@ Parameter shellEllipsoid() {
   auto p = real("physics.shell.ellipsoid", "length", positive, "Semi-axes along x, y and z of an ellipsoid", nullptr);
   p.allowed = "three numbers > 0 [length], as [27, 15, 11]";
   p.absent = "see sphere";
-  p.schema = {{"type", "array"}, {"items", p.schema}, {"minItems", 3}, {"maxItems", 3}};
+  p.schema = listSchema(p.schema, 3);
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto axes = readTriple(node, positive, path, allowed, reading.problems);
     if (!axes) return;
