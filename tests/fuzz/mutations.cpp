@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "base/random.h"
 #include "fuzz/readers.h"
+#include "temporary_folder.h"
 
 using namespace morula;
 using namespace morula::fuzz;
@@ -68,7 +67,7 @@ bool isFine(const Reader& reader, const std::string& input, std::size_t& taken) 
     return true;
   } catch (const std::exception& error) { why = error.what(); }
   const std::string file = std::string("finding-") + reader.name;
-  std::ofstream(file, std::ios::binary) << input;
+  writeText(file, input);
   std::printf("%s: %s; the input is in %s\n", reader.name, why.c_str(), file.c_str());
   return false;
 }
@@ -80,10 +79,7 @@ std::vector<std::string> seedsOf(const Reader& reader) {
   if (std::filesystem::exists(folder))
     for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
   std::ranges::sort(files);
-  for (const auto& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    seeds.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
+  for (const auto& file : files) seeds.push_back(readText(file));
   return seeds;
 }
 
@@ -100,7 +96,7 @@ int main(int argc, char** argv) {
     bool isClean = true;
     for (const std::string& seed : seeds) isClean = isFine(reader, seed, taken) && isClean;
     for (std::size_t i = 0; argc > 3 && i < seeds.size(); ++i)
-      std::ofstream(std::filesystem::path(argv[3]) / std::to_string(i), std::ios::binary) << seeds[i];
+      writeText(std::filesystem::path(argv[3]) / std::to_string(i), seeds[i]);
     for (std::size_t i = 0; i < reader.times * count && isClean; ++i, ++read) {
       Chance draw(i);
       isClean = isFine(reader, mutated(seeds, draw), taken);

@@ -1,9 +1,7 @@
 #include "fuzz/readers.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "accuracy/accuracy.h"
 #include "analysis/margins.h"
@@ -37,11 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The small files with this ending below folders of the repository, in the order of their names.
 std::vector<std::string> filesIn(std::initializer_list<const char*> folders, std::string_view ending) {
   constexpr std::uintmax_t most = 20'000;  // [byte] what is larger is only slower
@@ -51,14 +44,14 @@ std::vector<std::string> filesIn(std::initializer_list<const char*> folders, std
       if (entry.path().string().ends_with(ending) && entry.file_size() < most) files.push_back(entry.path());
   std::ranges::sort(files);
   std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(contentOf(file));
+  for (const fs::path& file : files) texts.push_back(readText(file));
   return texts;
 }
 
 std::string text(std::string_view bytes) { return std::string(bytes); }
 
 const Scene& smallScene() {
-  static const Scene scene = readScenario(contentOf(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"),
+  static const Scene scene = readScenario(readText(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"),
                                           "small.yaml", "", {parseOverride("physics.mesh.icosphere=0")})
                                  .scene;
   return scene;
@@ -108,7 +101,7 @@ std::vector<std::string> taskFiles() {
   TaskOutcome outcome;
   outcome.task.id = "0123456789abcdef";
   outcome.record.scenario = "fuzz";
-  outcome.end = {.status = RunStatus::failed, .stateHash = {}, .failure = "numerical failure: too fast"};
+  outcome.end = {.status = RunStatus::failed, .failure = "numerical failure: too fast"};
   outcome.task.reason = outcome.end.failure;
   outcome.timing.started = outcome.timing.ended = "2008-06-17 12:00:00";
   return {emptyTaskFile(), taskFileBytes(std::move(outcome))};
@@ -123,7 +116,7 @@ std::vector<std::string> mergedStudies() {
     return std::map<std::string, double>{{"clone_radius", levels[0] + 0.5 * seed}};
   };
   writeStudy(study, folder / "study.db");
-  return {contentOf(folder / "study.db")};
+  return {readText(folder / "study.db")};
 }
 
 std::vector<std::string> pictures() {
@@ -142,7 +135,7 @@ std::vector<std::string> justEmpty() { return {"{}"}; }
 std::string fileOf(std::string_view bytes) {
   static const TemporaryFolder folder;
   const fs::path file = folder / "bytes";
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  writeText(file, text(bytes));
   return file;
 }
 
@@ -166,7 +159,7 @@ const Reader all[] = {
      5},
     {"override",
      [](std::string_view b) {
-       readScenario(contentOf(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"), "small.yaml", "",
+       readScenario(readText(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"), "small.yaml", "",
                     {parseOverride(text(b))});
      },
      [] {

@@ -1,7 +1,6 @@
 #pragma once
 // Everything that reads what others wrote, as functions of bytes: whatever the bytes are, a reader takes them or refuses them with
 // an error for people. Anything else (a BugError, another exception, a crash, a read out of bounds) is a finding.
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>

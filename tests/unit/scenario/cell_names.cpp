@@ -1,14 +1,12 @@
 // What cells are called: by hand for the worm's first cells, and as properties of all names.
 #include "helpers.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 using namespace morula::test;
 
 namespace {
 
-const std::string plain = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
-const std::string worm = plain +
+const std::string worm = small +
                          "names: {egg: P0, daughters: [a, p], cells: {A: AB, B: P1, BA: EMS, BB: P2, BAA: MS, "
                          "BAB: E}}\n";
 
@@ -33,19 +31,19 @@ TEST_CASE("a cell goes by her own name, or by her mother's and an ending") {
 }
 
 TEST_CASE("without a rule for it a cell has no name") {
-  const auto s = read(plain + "names: {cells: {A: AB}}\n");
+  const auto s = read(small + "names: {cells: {A: AB}}\n");
   CHECK(nameIn(s, "A") == "AB");
   CHECK_FALSE(nameIn(s, ""));
   CHECK_FALSE(nameIn(s, "B"));
   CHECK_FALSE(nameIn(s, "AA"));
-  CHECK_FALSE(nameIn(read(plain + "names: {cells: {A: AB}, daughters: [l, r]}\n"), "BA"));
-  CHECK(read(plain).names.empty());
-  CHECK_FALSE(read(plain).names.function());
+  CHECK_FALSE(nameIn(read(small + "names: {cells: {A: AB}, daughters: [l, r]}\n"), "BA"));
+  CHECK(read(small).names.empty());
+  CHECK_FALSE(read(small).names.function());
 }
 
 TEST_CASE("every path has a name of its own that leads back to it, however endings look") {
   for (const std::string endings : {"[a, p]", "[l, ra]", "[ab, aa]", "['0', '1']"}) {
-    const auto s = read(plain + "names: {egg: Z, cells: {BA: Q}, daughters: " + endings + "}\n");
+    const auto s = read(small + "names: {egg: Z, cells: {BA: Q}, daughters: " + endings + "}\n");
     std::vector<CellPath> level{CellPath()};
     for (int depth = 0; depth < 8; ++depth) {
       std::vector<CellPath> next;
@@ -98,7 +96,7 @@ TEST_CASE("names may stand in a file, and the resolved form then holds them") {
   const TemporaryFolder folder;
   const auto load = [&](const std::string& file, const std::string& names) {
     writeText(folder / "names.txt", file);
-    writeText(folder / "s.yaml", plain + "names: " + names + "\n");
+    writeText(folder / "s.yaml", small + "names: " + names + "\n");
     return loadScenario(folder / "s.yaml");
   };
   const std::string lines = "# the worm\r\n\n  egg\tP0 # unfertilised\nA AB\r\nB P1\nBA EMS";
@@ -111,14 +109,9 @@ TEST_CASE("names may stand in a file, and the resolved form then holds them") {
   CHECK(again.resolved == s.resolved);
   CHECK(again.names.given == s.names.given);
 
-  const auto complaint = [&](const std::string& file, const std::string& names) -> std::string {
-    try {
-      load(file, names);
-      return "";
-    } catch (const InputError& error) {
-      const std::string all = error.what();
-      return all.substr(all.rfind('/', all.find(':')) + 1);
-    }
+  const auto complaint = [&](const std::string& file, const std::string& names) {
+    const std::string all = refusalOf([&] { load(file, names); });
+    return all.substr(all.rfind('/', all.find(':')) + 1);
   };
   CHECK(complaint("C x\n", "{file: names.txt}") ==
         "names.txt:1:1: 'C' is not a cell's path; needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'");

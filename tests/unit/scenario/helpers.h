@@ -1,34 +1,31 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "base/error.h"
 #include "scenario/scenario.h"
+#include "temporary_folder.h"
 #include "unit/scenario/every_part.h"
 // Last, because of CHECK:
 #include "catch.h"
 
 namespace morula::test {
 
-inline std::string readWhole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+/// A lineage alone, and no more than must be said.
+inline const std::string small = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
 
 inline Scenario read(const std::string& text, const std::vector<Override>& overrides = {}) {
   return readScenario(text, "test.yaml", std::string(MORULA_SOURCE_DIR), overrides);
 }
 
-/// The messages that reading the text leads to; empty if it is a good scenario.
-inline std::string complaints(const std::string& text, const std::vector<Override>& overrides = {}) {
+/// What is said where `read` refuses; empty if it does not.
+template <class Read>
+std::string refusalOf(Read read) {
   try {
-    read(text, overrides);
+    read();
     return "";
   } catch (const InputError& error) { return error.what(); }
+}
+
+/// The messages that reading the text leads to; empty if it is a good scenario.
+inline std::string complaints(const std::string& text, const std::vector<Override>& overrides = {}) {
+  return refusalOf([&] { read(text, overrides); });
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -8,7 +8,7 @@ using namespace morula::test;
 
 TEST_CASE("scenarios/MEASURES.md is current") {
   // After a change: morula schema --measures --markdown > scenarios/MEASURES.md
-  CHECK(readWhole("scenarios/MEASURES.md") == measuresAsMarkdown());
+  CHECK(readText("scenarios/MEASURES.md") == measuresAsMarkdown());
 }
 
 TEST_CASE("The list of measures as JSON holds each row") {

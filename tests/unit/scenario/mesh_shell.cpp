@@ -21,10 +21,7 @@ Scenario readWith(const std::string& text, const std::string& obj = cube) {
 }
 
 std::string complaintsOf(const std::string& text, const std::string& obj = cube) {
-  try {
-    readWith(text, obj);
-    return "";
-  } catch (const InputError& error) { return error.what(); }
+  return refusalOf([&] { readWith(text, obj); });
 }
 
 const ConvexShell& shellOf(const Scenario& s) { return *s.scene.mechanics->physics.shell->mesh; }

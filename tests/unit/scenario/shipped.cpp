@@ -1,6 +1,4 @@
 // The scenarios that the project ships.
-#include <algorithm>
-
 #include "helpers.h"
 
 using namespace morula;

@@ -44,7 +44,6 @@ TEST_CASE("runs that see one unit share it, others have the scene's own") {
 
 TEST_CASE("units are read, with one of what is not said") {
   CHECK(read(everyPart).units == Units{"um", "min", 27, 4});
-  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
-  CHECK(read(text).units == Units{});
-  CHECK(read(text + "units: {time: h}\n").units == Units{"", "h", 1, 1});
+  CHECK(read(small).units == Units{});
+  CHECK(read(small + "units: {time: h}\n").units == Units{"", "h", 1, 1});
 }
