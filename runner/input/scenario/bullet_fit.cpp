@@ -14,57 +14,46 @@ bool acts(const std::string& substance, const MechanicsScene& mechanics) {
   return mechanics.physics.growth && (substance == substance::grow || substance == substance::shrink);
 }
 
-void checkGenes(const Scenario& scenario, std::vector<Incompatibility>& found) {
-  for (const Gene& gene : scenario.scene.dna.genes) {
-    const std::string& product = scenario.scene.dna.substances[gene.product];
-    if (acts(product, *scenario.scene.mechanics))
-      found.push_back({true, "gene " + gene.name + " makes cells " + product + ", which Bullet's do not",
-                       "remove the gene, or this"});
-  }
-}
-
-/// Bullet takes its time step as a float.
-void checkTimeStep(const PhysicsParameters& physics, std::vector<Incompatibility>& found) {
-  if (!physics.timeStep || static_cast<float>(*physics.timeStep) == *physics.timeStep) return;
-  found.push_back(
-      {false,
-       "physics.time_step " + exactText(*physics.timeStep) + " is no single-precision number, as Bullet needs it",
-       "use auto, or a power of two as " + exactText(powerOfTwoBelow(*physics.timeStep))});
-}
-
 }  // namespace
 
 std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, Baseline baseline) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  const PhysicsParameters& physics = mechanics.physics;
+  const auto& contact = mechanics.contact;
+  const bool isB3 = baseline == Baseline::b3;
   std::vector<Incompatibility> found;
-  checkGenes(scenario, found);
-  if (!kindOf(mechanics.physics.cell.model).hasMembrane)
-    found.push_back(
-        {true, "Bullet's cells are membranes around contents", "use physics.cell.model: shell, or remove this"});
-  if (baseline == Baseline::b3 && mechanics.physics.membrane.springs != Springs::equal)
-    found.push_back({false, "b3's springs are all as stiff", "set physics.membrane.springs to equal, or use b1"});
-  if (mechanics.connections)
-    found.push_back({true, "Bullet's cells cannot be connected", "remove connections, or this"});
-  if (mechanics.contact && mechanics.contact->friction > 0)
-    found.push_back({true, "Bullet has no Coulomb friction between soft bodies",
-                     "set physics.contact.friction to 0, or remove this"});
-  if (mechanics.contact && mechanics.contact->adhesion)
-    found.push_back(
-        {true, "Bullet's soft bodies do not stick to each other", "remove physics.contact.adhesion, or this"});
-  if (mechanics.physics.motility)
-    found.push_back({true, "Bullet's cells do not crawl", "remove physics.motility, or this"});
-  if (!plannedEnd(scenario.scene)) found.push_back({false, "the run's end is not known beforehand", "give stop.time"});
-  if (!scenario.check.fails.empty())
-    found.push_back({false, "a run that must stop has no end to compare", "remove check.fails, or this"});
-  if (mechanics.physics.precision == Precision::binary32)
-    found.push_back({false, "Bullet computes in double precision", "set physics.precision to double"});
-  checkTimeStep(mechanics.physics, found);
-  if (baseline == Baseline::b3 && mechanics.contact)
-    found.push_back({false, "b3 does not compute contact", "use b1, or remove physics.contact"});
-  if (baseline == Baseline::b3 && mechanics.physics.shell)
-    found.push_back({false, "b3 does not compute a shell", "use b1, or remove physics.shell"});
-  if (mechanics.physics.shell && mechanics.physics.shell->mesh)
-    found.push_back({false, "Bullet is not given a shell that is a mesh", "use an ellipsoid, or remove this"});
+  for (const Gene& gene : scenario.scene.dna.genes)
+    if (const std::string& product = scenario.scene.dna.substances[gene.product]; acts(product, mechanics))
+      found.push_back({true, "gene " + gene.name + " makes cells " + product + ", which Bullet's do not",
+                       "remove the gene, or this"});
+  const auto lacks = [&](bool is, const char* wrong, const char* right) {
+    if (is) found.push_back({true, wrong, right});
+  };
+  const auto differs = [&](bool is, const std::string& wrong, const std::string& right) {
+    if (is) found.push_back({false, wrong, right});
+  };
+  lacks(!kindOf(physics.cell.model).hasMembrane, "Bullet's cells are membranes around contents",
+        "use physics.cell.model: shell, or remove this");
+  differs(isB3 && physics.membrane.springs != Springs::equal, "b3's springs are all as stiff",
+          "set physics.membrane.springs to equal, or use b1");
+  lacks(mechanics.connections.has_value(), "Bullet's cells cannot be connected", "remove connections, or this");
+  lacks(contact && contact->friction > 0, "Bullet has no Coulomb friction between soft bodies",
+        "set physics.contact.friction to 0, or remove this");
+  lacks(contact && contact->adhesion, "Bullet's soft bodies do not stick to each other",
+        "remove physics.contact.adhesion, or this");
+  lacks(physics.motility.has_value(), "Bullet's cells do not crawl", "remove physics.motility, or this");
+  differs(!plannedEnd(scenario.scene), "the run's end is not known beforehand", "give stop.time");
+  differs(!scenario.check.fails.empty(), "a run that must stop has no end to compare", "remove check.fails, or this");
+  differs(physics.precision == Precision::binary32, "Bullet computes in double precision",
+          "set physics.precision to double");
+  if (const auto& dt = physics.timeStep)  // Bullet takes it as a float
+    differs(static_cast<float>(*dt) != *dt,
+            "physics.time_step " + exactText(*dt) + " is no single-precision number, as Bullet needs it",
+            "use auto, or a power of two as " + exactText(powerOfTwoBelow(*dt)));
+  differs(isB3 && contact, "b3 does not compute contact", "use b1, or remove physics.contact");
+  differs(isB3 && physics.shell, "b3 does not compute a shell", "use b1, or remove physics.shell");
+  differs(physics.shell && physics.shell->mesh, "Bullet is not given a shell that is a mesh",
+          "use an ellipsoid, or remove this");
   return found;
 }
 

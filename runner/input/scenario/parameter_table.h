@@ -28,6 +28,7 @@ struct Section {
   std::optional<Parameter> entries{};
   std::string details{};  // Markdown that stands below the section's meaning
 
+  bool existsIn(const Scenario& scenario) const { return !exists || exists(scenario); }
   std::string key() const { return path.substr(path.rfind('.') + 1); }
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
 };

@@ -20,9 +20,8 @@ std::vector<std::string> keysOf(const std::string& section) {
 
 /// Whether a key refines another of its section, or any, instead of standing for itself.
 bool refines(const std::string& section, const std::string& key) {
-  const auto parameters = parameterTable().parametersOf(section);
-  return std::any_of(parameters.begin(), parameters.end(),
-                     [&](const Parameter* p) { return p->key() == key && (!p->needs.empty() || p->beside); });
+  const auto* parameter = parameterTable().parameter(inside(section, key));
+  return parameter && (!parameter->needs.empty() || parameter->beside);
 }
 
 /// What an unknown key was probably meant to be: a key of this section, or one of another.
@@ -43,7 +42,8 @@ bool joins(const std::string& section, const std::string& key) {
 
 class TableReader {
  public:
-  TableReader(Scenario& scenario, Reading& reading) : scenario_(scenario), reading_(reading) {}
+  TableReader(const Node& root, Scenario& scenario, Reading& reading)
+      : root_(root), scenario_(scenario), reading_(reading) {}
 
   void read(const Section& section, const Node& node) {
     if (node.kind == Node::Kind::broken) return;
@@ -71,21 +71,19 @@ class TableReader {
       const auto* member = node.find(child->key());
       if (!member && child->required) missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
       if (!member) continue;
-      if (!child->needs.empty() && !given_(child->needs))
+      // Only top-level sections are ever needed by others.
+      if (!child->needs.empty() && !root_.find(child->needs))
         reading_.problems.add(member->place, child->path, "makes no sense without " + child->needs,
                               "add '" + child->needs + ": {}' or remove this");
       else if (child->needs.empty() || isThere(child->needs)) read(*child, member->value);
     }
   }
 
-  /// Only top-level sections are ever needed by others.
-  std::function<bool(const std::string&)> given_;
-
  private:
   /// False for a section that is given and could not be read, which has been said: nothing may be put into it.
   bool isThere(const std::string& path) const {
     const Section* section = parameterTable().section(path);
-    return section && (!section->exists || section->exists(scenario_));
+    return section && section->existsIn(scenario_);
   }
 
   void missing(const Node& node, const std::string& path, const std::string& right) {
@@ -119,6 +117,7 @@ class TableReader {
                             "give one of " + join(alternatives, " or "));
   }
 
+  const Node& root_;
   Scenario& scenario_;
   Reading& reading_;
 };
@@ -126,9 +125,7 @@ class TableReader {
 }  // namespace
 
 void readTable(const Node& root, Scenario& scenario, Reading& reading) {
-  TableReader reader(scenario, reading);
-  reader.given_ = [&](const std::string& path) { return root.find(path) != nullptr; };
-  reader.read(*parameterTable().section(""), root);
+  TableReader(root, scenario, reading).read(*parameterTable().section(""), root);
 }
 
 const Section* ParameterTable::section(std::string_view path) const {

@@ -4,33 +4,21 @@
 namespace morula::scenario {
 namespace {
 
-bool exists(const Section& section, const Scenario& scenario) { return !section.exists || section.exists(scenario); }
-
-Json resolveSection(const Section& section, const Scenario& scenario) {
-  if (section.entries) return section.entries->write(scenario);
-  Json map = Json::object();
-  for (const auto* parameter : parameterTable().parametersOf(section.path))
-    if (auto value = parameter->write(scenario); !value.is_null()) map[parameter->key()] = std::move(value);
-  for (const auto* child : parameterTable().sectionsOf(section.path))
-    if (exists(*child, scenario)) map[child->key()] = resolveSection(*child, scenario);
-  return map;
-}
-
-/// What decides results. What joined the format later counts only where it is used, so that a new parameter
-/// leaves the hashes of all scenarios as they are.
-Json meaningOf(const Section& section, const Scenario& scenario, const Scenario& defaults) {
+/// All of a section; or with `defaults` what decides results. What joined the format later then counts only where it is
+/// used, so that a new parameter leaves the hashes of all scenarios as they are.
+Json resolveSection(const Section& section, const Scenario& scenario, const Scenario* defaults) {
   if (section.entries) return section.entries->write(scenario);
   Json map = Json::object();
   for (const auto* parameter : parameterTable().parametersOf(section.path)) {
-    if (parameter->decides == Decides::presentation) continue;
+    if (defaults && parameter->decides == Decides::presentation) continue;
     auto value = parameter->write(scenario);
-    if (value.is_null() || (parameter->later && value == parameter->write(defaults))) continue;
+    if (value.is_null() || (defaults && parameter->later && value == parameter->write(*defaults))) continue;
     map[parameter->key()] = std::move(value);
   }
   for (const auto* child : parameterTable().sectionsOf(section.path)) {
-    if (child->decides == Decides::presentation || !exists(*child, scenario)) continue;
-    auto inner = meaningOf(*child, scenario, defaults);
-    if (!child->later || !inner.empty()) map[child->key()] = std::move(inner);
+    if (!child->existsIn(scenario) || (defaults && child->decides == Decides::presentation)) continue;
+    auto inner = resolveSection(*child, scenario, defaults);
+    if (!defaults || !child->later || !inner.empty()) map[child->key()] = std::move(inner);
   }
   return map;
 }
@@ -88,10 +76,11 @@ void write(const Json& value, const std::string& indent, std::string& out) {
 
 }  // namespace
 
-Json resolve(const Scenario& scenario) { return resolveSection(*parameterTable().section(""), scenario); }
+Json resolve(const Scenario& scenario) { return resolveSection(*parameterTable().section(""), scenario, nullptr); }
 
 Json resolveMeaning(const Scenario& scenario) {
-  return meaningOf(*parameterTable().section(""), scenario, allDefaults());
+  const Scenario defaults = allDefaults();
+  return resolveSection(*parameterTable().section(""), scenario, &defaults);
 }
 
 Hash hashMeaning(const Scenario& scenario) {

@@ -45,7 +45,6 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   if (!needs.empty()) schema["dependentRequired"] = std::move(needs);
   if (section.members == Section::Members::atLeastOne) schema["minProperties"] = 1;
   if (section.members == Section::Members::exactlyOne) {
-    schema["oneOf"] = Json::array();
     Json others = Json::array();
     for (const auto* p : table.parametersOf(section.path))
       if (p->needs.empty() && !p->joins && !p->beside) others.push_back({{"required", {p->key()}}});
