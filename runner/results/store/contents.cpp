@@ -37,6 +37,13 @@ std::vector<FileColumn> plainColumns(Database& db, const std::string& table) {
 
 }  // namespace
 
+std::vector<std::string> tableNames(Database& db) {
+  std::vector<std::string> names;
+  Statement s(db, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
+  while (s.next()) names.push_back(s.text(0));
+  return names;
+}
+
 std::vector<FileColumn> fileColumns(Database& db, const std::string& table) {
   std::vector<FileColumn> columns;
   Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
@@ -58,14 +65,10 @@ TableValue valueAt(const Statement& row, int place, const std::string& type) {
 }
 
 std::vector<TableContents> Store::contents(const std::vector<const SqlTable*>& known, const std::string& id) {
-  std::vector<std::string> tables;
-  Statement names(db_,
-                  "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
-  while (names.next()) tables.push_back(names.text(0));
   const auto pages = pagesOf(db_);
 
   std::vector<TableContents> list;
-  for (const std::string& table : tables) {
+  for (const std::string& table : tableNames(db_)) {
     TableContents& t = list.emplace_back();
     const std::vector<std::string> columns = columnNames(db_, table);
     t.table = table;

@@ -1,6 +1,6 @@
 #pragma once
-// What a file of results consists of: per table its rows, its room on the disk, and why it is there; and the values of the
-// tables as they stand, to be written down elsewhere or compared.
+// What a file of results consists of: per table its rows, its room on the disk, and why it is there; and values as they
+// stand in the tables, to be written down elsewhere or compared.
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -23,6 +23,8 @@ struct TableContents {
 using TableValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 using TableRow = std::vector<TableValue>;
 
+/// In the order in which they were made.
+std::vector<std::string> tableNames(Database& db);
 /// A column as the file has it.
 struct FileColumn {
   std::string name, type;

@@ -117,6 +117,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   MORULA_CHECK(end.status != RunStatus::running, "a finished run does not run");
   MORULA_CHECK(end.status != RunStatus::done || end.stateHash, "a run that is done has a state hash");
   Transaction transaction(db_);
+  const auto commit = [&] { transaction.commit(), attempts_.erase(attempt); };
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == RunStatus::done) {
       // Half a run says nothing against a whole one.
@@ -131,23 +132,18 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
         takeOver(id);
         insertResults(db_, id, results);
       }
-      transaction.commit();
-      attempts_.erase(attempt);
-      return;
+      return commit();
     }
     if (end.want != Want::nothing && checkpointStep(id)) {  // to be gone on from where there is more
       endRun(db_, id, end);
-      transaction.commit();
-      attempts_.erase(attempt);
-      return;
+      return commit();
     }
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);
   takeOver(id);
   insertResults(db_, id, results);
-  transaction.commit();
-  attempts_.erase(attempt);
+  commit();
 }
 
 void Store::addChecks(const std::string& id, const std::vector<CheckResult>& checks) {
@@ -170,10 +166,7 @@ void Store::putBulletSamples(const std::string& id, const std::string& baseline,
 void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   Statement(db_, "VACUUM INTO ?").run(file.string());
   Database copy(file, Database::Mode::existing, std::chrono::seconds(1));
-  std::vector<std::string> tables;
-  Statement names(copy, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%'");
-  while (names.next()) tables.push_back(names.text(0));
-  for (const std::string& table : tables) {
+  for (const std::string& table : tableNames(copy)) {
     const auto columns = columnNames(copy, table);
     const auto has = [&](const char* column) { return std::ranges::find(columns, column) != columns.end(); };
     if (has("run_id")) Statement(copy, "DELETE FROM " + sqlName(table) + " WHERE run_id <> ?").run(id);

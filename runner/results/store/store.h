@@ -100,18 +100,18 @@ class Store {
   /// leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`: all tables that
-  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal means: the
-  /// same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out: `checkpoint`, which a
-  /// finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and bullet, which depend on what is
-  /// not stored. Throws StoreError.
+  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal means:
+  /// the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out: `checkpoint`,
+  /// which a finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and bullet, which depend
+  /// on what is not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
   /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
   /// The columns of a table, apart from bytes (BLOB); none if there is no such table.
   std::vector<std::string> columns(const std::string& table);
-  /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: rows with this run_id
-  /// alone, if the table has that column; "": all. Throws StoreError for values of another type than the column's.
+  /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: rows with this
+  /// run_id alone, if the table has that column; "": all. Throws StoreError for values of another type than the column's.
   void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take);
 
   /// Makes a file that holds this run alone. It must not be there yet.

@@ -1,5 +1,5 @@
 #pragma once
-// A run with something in every table, made by hand, and numbers that are easily lost on the way; and files that hold it.
+// A run with something in every table, made by hand, and numbers that are easily lost on the way; files that hold it.
 #include <limits>
 
 #include "store/store.h"
