@@ -155,7 +155,7 @@ TEST_CASE("The work that parts two surfaces is the energy they held, and goes wi
     for (int k = 0; k <= steps; ++k) {  // [Simpson]
       Crowd crowd = faceToFace(mesh, 2, k * reach / steps);
       crowd.evaluateForces();
-      work += (k == 0 || k == steps ? 1 : k % 2 ? 4 : 2) * forceOn(crowd, 0).x * reach / steps / 3;
+      work += (k == 0 || k == steps ? 1 : k % 2 ? 4 : 2) * crowd.lab.forceOn(0).x * reach / steps / 3;
     }
     CAPTURE(name);
     CHECK(work == Approx(-contactEnergy(faceToFace(mesh, 2, 0))).epsilon(1e-4));
@@ -183,7 +183,7 @@ TEST_CASE("Surfaces that come near draw each other from R on, most at 0.38 R") {
   const auto pull = [&](double gap) {
     Crowd crowd = faceToFace(mesh, 1, gap * reach);
     crowd.evaluateForces();
-    return forceOn(crowd, 0).x;
+    return crowd.lab.forceOn(0).x;
   };
   CHECK(pull(1.01) == 0);
   CHECK(pull(0.38) > 1.1 * pull(0.2));
@@ -199,8 +199,6 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
   setAdhesionKinds(c, kinds);
   crowd.evaluateForces();
   const VertexNumber far = crowd.lab.bodies.lineCount() * blockLanes;
-  const int vertices = static_cast<int>(ball.vertices.size());
-  const auto slotOf = [&](VertexNumber g) { return g / blockLanes / vertices * blockLanes + g % blockLanes; };
   std::map<std::pair<VertexNumber, VertexNumber>, double> strength;
   for (const NeighbourSlice& slice : c.list.slices)
     for (int lane = 0; lane < blockLanes; ++lane)
@@ -215,7 +213,7 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
   std::set<double> works;
   for (const auto& [pair, s] : strength) {
     same = same && strength.at({pair.second, pair.first}) == s;
-    const int i = slotOf(pair.first), j = slotOf(pair.second);
+    const int i = crowd.slotOf(pair.first), j = crowd.slotOf(pair.second);
     const double work = kinds.work[kinds.ofSlot[i] * 2 + kinds.ofSlot[j]];
     works.insert(work);
     const double x = 1 / (c.radius[i] * c.radius[i]), y = 1 / (c.radius[j] * c.radius[j]);
@@ -254,16 +252,13 @@ TEST_CASE("The steepest adhesion counts against the time step; without adhesion 
 
 TEST_CASE("Two cells stick with the mean of their own factors") {
   const Mesh ball = makeIcosphere(2);
-  Body one = shakenBody(ball, 0, 0), other = one;
-  for (Point& x : other.position) x += Vector{2.05, 0, 0};
+  const Body one = ballAt(ball, {}), other = ballAt(ball, {2.05, 0, 0});
   const auto pullWith = [&](std::vector<double> factor) {
     Crowd crowd(limp(), sticky(2), ball, {one, other});
     AdhesionKinds kinds{std::vector<int>(8, 0), 1, {2}, std::move(factor)};
     setAdhesionKinds(crowd.contacts, kinds);
     crowd.evaluateForces();
-    Vector sum;
-    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) sum += crowd.lab.force(0, v);
-    return sum.x;
+    return crowd.lab.forceOn(0).x;
   };
   const double plain = pullWith({});
   CHECK(plain > 0.1);

@@ -14,15 +14,13 @@ std::vector<ContactArea> areas(const std::vector<Body>& cells, const Mesh& mesh)
   return measureContactAreas(crowd.contacts, crowd.lab.bodies);
 }
 
-Body at(const Mesh& mesh, const Vector& place) { return shakenBody(zoo::moved(mesh, place), 0, 0); }
-
 }  // namespace
 
 TEST_CASE("Balls side by side touch, balls apart do not") {
   const Mesh ball = makeIcosphere(2);
-  CHECK(areas({at(ball, {})}, ball).empty());
-  CHECK(areas({at(ball, {}), at(ball, {2.2, 0, 0})}, ball).empty());
-  const auto touching = areas({at(ball, {}), at(ball, {1.9, 0, 0})}, ball);
+  CHECK(areas({ballAt(ball, {})}, ball).empty());
+  CHECK(areas({ballAt(ball, {}), ballAt(ball, {2.2, 0, 0})}, ball).empty());
+  const auto touching = areas({ballAt(ball, {}), ballAt(ball, {1.9, 0, 0})}, ball);
   REQUIRE(touching.size() == 1);
   CHECK(touching[0].a == 0);
   CHECK(touching[0].b == 1);
@@ -35,12 +33,11 @@ TEST_CASE("Two balls cut flat that press each other touch over force over pressu
     for (double height : {0.8, 0.6, 0.4}) {  // of the plane over the centre
       // Little more than where pairs on the sharp rim overlap by themselves: that is not what bears the rest.
       const double overlap = 0.2 * reach;
-      Body left = at(ball, {}), right = at(ball, {2 * height, 0, 0});
+      Body left = ballAt(ball, {}), right = ballAt(ball, {2 * height, 0, 0});
       for (Point& x : left.position) x.x = std::min(x.x, height);
       for (Point& x : right.position) x.x = std::max(x.x, height) - overlap;
-      Crowd limpOnes(limp(), {}, ball, {left, right});
-      limpOnes.evaluateForces();
-      const double force = forceOn(limpOnes, 1).x, disc = std::numbers::pi * (1 - height * height);
+      const Crowd limpOnes = evaluated({limp(), {}, ball, {left, right}});
+      const double force = limpOnes.lab.forceOn(1).x, disc = std::numbers::pi * (1 - height * height);
       const double pressure = force / disc;
       const auto areaAt = [&](double share) {  // of that pressure
         for (Body* b : {&left, &right}) b->pressureConstant = share * pressure * measureVolume(b->position, ball.faces);
@@ -64,7 +61,7 @@ TEST_CASE("Two balls cut flat that press each other touch over force over pressu
 TEST_CASE("A row of balls touches pair by pair, in order, whatever the slots") {
   const Mesh ball = makeIcosphere(2);
   std::vector<Body> row;
-  for (int i = 0; i < 10; ++i) row.push_back(at(ball, {1.9 * i, 0, 0}));
+  for (int i = 0; i < 10; ++i) row.push_back(ballAt(ball, {1.9 * i, 0, 0}));
   const auto pairs = areas(row, ball);
   REQUIRE(pairs.size() == 9);
   for (int i = 0; i < 9; ++i) {

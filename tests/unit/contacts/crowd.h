@@ -1,7 +1,5 @@
 #pragma once
 // Cells that touch, without world: moved by hand, one evaluation at a time.
-#include <optional>
-
 #include "contacts/contacts.h"
 #include "unit/physics/lab.h"
 
@@ -19,31 +17,29 @@ struct Crowd {
   }
 
   void step(double timeStep) {
-    Bodies& b = lab.bodies;
-    advanceAndSnapshot(timeStep);
-    refreshList(contacts, b, 1);
-    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+    advanceAndSnapshot(timeStep, timeStep);
+    addForces();
     lab.endEvaluation(timeStep);
   }
 
   /// Leaves the forces of contact and bodies in the accelerations' place: lab.force(slot, v).
   void evaluateForces() {
-    Bodies& b = lab.bodies;
-    advanceAndSnapshot(0);
-    refreshList(contacts, b, 1);
-    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+    advanceAndSnapshot(0, 0);
+    addForces();
   }
 
   /// The same of contact alone; `sinceLast`: ContactKernels::takeSnapshot.
   void evaluateContacts(double sinceLast = 0) {
-    Bodies& b = lab.bodies;
     advanceAndSnapshot(0, sinceLast);
-    refreshList(contacts, b, 1);
-    b.acceleration.assign(b.acceleration.size(), 0);
-    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+    lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
+    addForces();
   }
 
-  void advanceAndSnapshot(double timeStep) { advanceAndSnapshot(timeStep, timeStep); }
+  void addForces() {
+    refreshList(contacts, lab.bodies, 1);
+    for (int i = 0; i < lab.bodies.blockCount(); ++i) addContactForces(contacts, lab.bodies, i, lawTimeStep);
+  }
+
   void advanceAndSnapshot(double timeStep, double sinceLast) {
     Bodies& b = lab.bodies;
     for (int i = 0; i < b.blockCount(); ++i) {
@@ -61,6 +57,12 @@ struct Crowd {
 
   double lawTimeStep = 0x1p-9;  // what the thesis' law is told
 };
+
+/// With the forces of contact and bodies where they are.
+inline Crowd evaluated(Crowd crowd) {
+  crowd.evaluateForces();
+  return crowd;
+}
 
 /// Mechanics of which only contact is left: a mesh without stiffness and gas.
 inline PhysicsParameters limp() {
@@ -100,21 +102,6 @@ inline Body turnedBody(const Mesh& mesh, std::uint32_t key, double size = 1, con
   for (Point& x : b.position)
     x = size / square * ((w * w - dot(q, q)) * x + 2 * dot(q, x) * q + 2 * w * cross(q, x)) + place;
   return b;
-}
-
-/// [force] On a cell as a whole.
-inline Vector forceOn(const Crowd& crowd, int slot) {
-  Vector sum;
-  for (int v = 0; v < crowd.lab.bodies.vertexCount(slot); ++v) sum += crowd.lab.force(slot, v);
-  return sum;
-}
-
-/// [force] The largest on any vertex.
-inline double largestForce(const Crowd& crowd) {
-  Worst largest;
-  for (int slot = 0; slot < crowd.lab.bodies.count; ++slot)
-    for (int v = 0; v < crowd.lab.bodies.vertexCount(slot); ++v) largest.see(norm(crowd.lab.force(slot, v)));
-  return largest;
 }
 
 /// The mesh's mean edge, from the mesh alone. [length]

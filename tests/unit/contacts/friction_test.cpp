@@ -10,9 +10,7 @@ namespace {
 double dissipated(const ContactParameters& law, const Mesh& mesh, const std::vector<Body>& cells) {
   ContactParameters without = law;
   without.damping = without.friction = 0;
-  Crowd with(limp(), law, mesh, cells), bare(limp(), without, mesh, cells);
-  with.evaluateForces();
-  bare.evaluateForces();
+  const Crowd with = evaluated({limp(), law, mesh, cells}), bare = evaluated({limp(), without, mesh, cells});
   double power = 0;
   for (int slot = 0; slot < with.lab.bodies.count; ++slot)
     for (int v = 0; v < with.lab.bodies.vertexCount(); ++v)
@@ -58,7 +56,7 @@ TEST_CASE("Damping and friction take energy from cells in a heap, and never give
 
 TEST_CASE("Damping acts against approach only; cells that are torn apart feel no more than a trace of pull") {
   const auto pushAt = [&](double approach) {
-    return forceOn(rubbing({ContactLaw::pair, 40, 0.5}, {-approach, 0, 0}), 1).x;
+    return rubbing({ContactLaw::pair, 40, 0.5}, {-approach, 0, 0}).lab.forceOn(1).x;
   };
   CHECK(pushAt(1) > 1.2 * pushAt(0));
   CHECK(pushAt(0) > 1.2 * pushAt(-1));
@@ -71,22 +69,20 @@ TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel 
     auto cells = heap(ball, 9, 1.6, 0);
     for (Body& cell : cells)
       for (Vector& u : cell.velocity) u = all;
-    Crowd with(limp(), {ContactLaw::pair, 40, 0, 0.5}, ball, cells),
-        without(limp(), {ContactLaw::pair, 40, 0}, ball, cells);
-    with.evaluateForces();
-    without.evaluateForces();
+    const Crowd with = evaluated({limp(), {ContactLaw::pair, 40, 0, 0.5}, ball, cells}),
+                without = evaluated({limp(), {ContactLaw::pair, 40, 0}, ball, cells});
     Worst difference;
     for (int slot = 0; slot < 9; ++slot)
       for (int v = 0; v < with.lab.bodies.vertexCount(); ++v)
         difference.see(norm(with.lab.force(slot, v) - without.lab.force(slot, v)));
-    CHECK(largestForce(without) > 1);
+    CHECK(largestForce(without.lab) > 1);
     CHECK(difference == 0);
   }
 }
 
 TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   const auto onRight = [&](double friction, double slip, std::uint32_t key = 0, double timeStep = 0x1p-30) {
-    return forceOn(rubbing({ContactLaw::pair, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep), 1);
+    return rubbing({ContactLaw::pair, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep).lab.forceOn(1);
   };
   double pressed = 0, rubbed = 0;  // how vertices stand to each other is chance: in the mean
   for (std::uint32_t key = 0; key < 40; ++key) {

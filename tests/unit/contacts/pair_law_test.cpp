@@ -58,8 +58,8 @@ TEST_CASE("Contact forces are those of the equations over all pairs of vertices,
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (int count : {2, 3, 9}) {
-        Crowd crowd(limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1));
-        crowd.evaluateForces();
+        const Crowd crowd =
+            evaluated({limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1)});
         double largest;
         const double error = errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
         CAPTURE(name, mesh.vertices.size(), count, largest);
@@ -88,10 +88,9 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
       const double size = key % 5 == 0 ? 0.6 : 1;  // the first one is much smaller now and then
       for (Point& x : cells[0].position) x = size * x;
       cells[0].restScale *= size;
-      Crowd crowd(limp(), law, mesh, cells);
-      crowd.evaluateForces();
+      const Crowd crowd = evaluated({limp(), law, mesh, cells});
       const PairOracle oracle(crowd.lab.bodies, law);
-      const double largest = largestForce(crowd);
+      const double largest = largestForce(crowd.lab);
       touching += largest > 0;
       for (int slot = 0; slot < crowd.lab.bodies.count; ++slot)
         for (int v = static_cast<int>(key) % every; v < crowd.lab.bodies.vertexCount(); v += every) {
@@ -109,8 +108,7 @@ TEST_CASE("In single precision forces are the same but for its rounding") {
   p.precision = Precision::binary32;
   const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
-    Crowd crowd(p, law, ball, heap(ball, 9, 1.6, 0.5));
-    crowd.evaluateForces();
+    const Crowd crowd = evaluated({p, law, ball, heap(ball, 9, 1.6, 0.5)});
     double largest;
     const double error = errorOf(crowd, PairOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
     CAPTURE(name, largest);
@@ -137,8 +135,7 @@ TEST_CASE("Energies that are measured are those of the equations, and their halv
 TEST_CASE("How deep the deepest overlap of each block is, is that of the equations") {
   for (const auto& [name, law] : cases) {
     const Mesh ball = makeIcosphere(1);
-    Crowd crowd(limp(), law, ball, heapOf(ball, 9, 1.6, 0.03, 3));
-    crowd.evaluateForces();
+    const Crowd crowd = evaluated({limp(), law, ball, heapOf(ball, 9, 1.6, 0.03, 3)});
     const PairOracle oracle(crowd.lab.bodies, law);
     CAPTURE(name);
     CHECK(crowd.lab.bodies.blockCount() == 2);
@@ -154,8 +151,8 @@ TEST_CASE("Any two cells keep momentum and angular momentum, with damping, frict
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (std::uint32_t key = 0; key < 10; ++key) {
-        Crowd crowd(limp(), law, mesh, heapOf(mesh, 2, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.05, key));
-        crowd.evaluateForces();
+        const Crowd crowd =
+            evaluated({limp(), law, mesh, heapOf(mesh, 2, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.05, key)});
         Vector momentum, angular;
         double size = 0, moment = 0;
         for (int slot : {0, 1})
@@ -175,11 +172,8 @@ TEST_CASE("Two balls that overlap are pushed apart along the line between them; 
   const Mesh ball = makeIcosphere(2);
   double before = 0;
   for (double distance : {2.5, 1.95, 1.9, 1.8}) {
-    Body left = shakenBody(ball, 0, 0), right = left;
-    for (Point& x : right.position) x += Vector{distance, 0, 0};
-    Crowd crowd(limp(), {}, ball, {left, right});
-    crowd.evaluateForces();
-    const Vector push = forceOn(crowd, 1);
+    const Crowd crowd = evaluated({limp(), {}, ball, {ballAt(ball, {}), ballAt(ball, {distance, 0, 0})}});
+    const Vector push = crowd.lab.forceOn(1);
     CAPTURE(distance);
     if (distance > 2) CHECK(norm(push) == 0);
     else CHECK(push.x > 1.5 * before);
@@ -192,8 +186,8 @@ TEST_CASE(
     "The force is continuous where pairs come into reach and where they begin to overlap, with damping and adhesion") {
   const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
-    Body left = shakenBody(ball, 0, 0), right = left;
-    for (Point& x : right.position) x += Vector{2.9, 0.1, 0.05};
+    const Body left = ballAt(ball, {});
+    Body right = ballAt(ball, {2.9, 0.1, 0.05});
     for (Vector& u : right.velocity) u = {-0.5, 0.2, 0};
     Crowd crowd(limp(), law, ball, {left, right});
     std::vector<Vector> before(2 * ball.vertices.size());
@@ -259,12 +253,11 @@ TEST_CASE("Vertices at one place, or with parallel normals, do not make a force 
   needle.position[0] = {0.3, 0.5, -0.1};
   for (const auto& [name, law] : cases) {
     CAPTURE(name);
-    Crowd same(limp(), law, ball, {one, one, one}), folded(limp(), law, ball, {one, one, one});
-    same.evaluateForces();
-    CHECK(largestForce(same) < 1e3);
+    CHECK(largestForce(evaluated({limp(), law, ball, {one, one, one}}).lab) < 1e3);
+    Crowd folded(limp(), law, ball, {one, one, one});
     for (int slot : {1, 2})
       for (int v = 0; v < folded.lab.bodies.vertexCount(); ++v) folded.lab.setPosition(slot, v, needle.position[v]);
     folded.evaluateContacts();  // gas of no volume has no pressure
-    CHECK(largestForce(folded) < 1e3);
+    CHECK(largestForce(folded.lab) < 1e3);
   }
 }

@@ -48,12 +48,23 @@ struct Expected {
   }
 };
 
-NeighbourList searched(ContactSearch search, Isa isa, const Crowd& crowd, int threads = 1) {
-  NeighbourList list = makeNeighbourList(search, isa);
+/// Searches once more, among where the cells are now.
+void renew(NeighbourList& list, const Crowd& crowd, int threads = 1) {
   list.skin = crowd.contacts.list.skin;
   list.reference = crowd.lab.bodies.position;
   buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, threads);
+}
+
+NeighbourList searched(ContactSearch search, Isa isa, const Crowd& crowd, int threads = 1) {
+  NeighbourList list = makeNeighbourList(search, isa);
+  renew(list, crowd, threads);
   return list;
+}
+
+std::vector<NeighbourList> oneOfEachSearch() {
+  std::vector<NeighbourList> lists;
+  for (ContactSearch search : valuesOf<ContactSearch>()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  return lists;
 }
 
 /// How many of all ways, instruction sets and numbers of threads differ from brute force.
@@ -196,10 +207,9 @@ TEST_CASE("Points at the edges of bins") {
 
 TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in any direction") {
   // Cells in one point each, in a chain: their boxes are points, too, and bins lie as chance will have it.
-  const Crowd probe(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
-  const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
-  std::vector<NeighbourList> lists;
-  for (ContactSearch search : valuesOf<ContactSearch>()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  Crowd crowd(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
+  const double reach = crowd.contacts.radius[0] * (1 + 1e-6) + crowd.contacts.list.skin;
+  std::vector<NeighbourList> lists = oneOfEachSearch();
   int wrong = 0;
   for (double hair : {-1e-12, 1e-12})
     for (std::uint32_t key = 0; key < 1000; ++key) {
@@ -214,12 +224,9 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
         const double along = i == 0 ? -20 - 3 * noise(1, key) : i * (1 + hair);
         for (Point& x : cells[i].position) x = along * reach * direction;
       }
-      Bodies bodies = probe.lab.bodies;
-      setBodies(bodies, cells);
+      setBodies(crowd.lab.bodies, cells);
       for (NeighbourList& list : lists) {
-        list.skin = probe.contacts.list.skin;
-        list.reference = bodies.position;
-        buildNeighbourList(list, bodies, probe.contacts.radius, 1);
+        renew(list, crowd);
         wrong += list.pairs != (hair < 0 ? 7u * 2 * 8 * 8 : 0);
       }
     }
@@ -233,15 +240,12 @@ TEST_CASE("Cells on the move: trees that are refitted stay right, and are not bu
   auto cells = heap(ball, 9, 1.8, 3);
   for (Body& b : cells) b.pressureConstant = 4 * b.mass;
   Crowd crowd(p, {}, ball, cells);
-  std::vector<NeighbourList> lists;
-  for (ContactSearch search : valuesOf<ContactSearch>()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  std::vector<NeighbourList> lists = oneOfEachSearch();
   int different = 0;
   for (int i = 0; i < 150; ++i) {
     crowd.step(0x1p-8);
     for (NeighbourList& list : lists) {
-      list.skin = crowd.contacts.list.skin;
-      list.reference = crowd.lab.bodies.position;
-      buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, 1);
+      renew(list, crowd);
       different += list.indices != lists[0].indices || list.pairs != lists[0].pairs;
     }
     const Lists brute = listsOf(lists[3], crowd.lab.bodies);
@@ -258,9 +262,7 @@ TEST_CASE("A list serves crowds that grow and shrink, and another mesh") {
     for (const Mesh& ball : {makeIcosphere(1), makeIcosphere(2), cube})
       for (int count : {9, 2, 17, 1}) {
         const Crowd crowd(limp(), {}, ball, heap(ball, count, 1.0, 0));
-        list.skin = crowd.contacts.list.skin;
-        list.reference = crowd.lab.bodies.position;
-        buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, 1);
+        renew(list, crowd);
         CAPTURE(nameOf(search), ball.vertices.size(), count);
         CHECK((listsOf(list, crowd.lab.bodies) == bruteForce(crowd)));
       }

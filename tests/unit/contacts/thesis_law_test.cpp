@@ -67,17 +67,14 @@ TEST_CASE("Its stiffness grows with the inverse square of the time step") {
     Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
     crowd.lawTimeStep = timeStep;
     crowd.evaluateForces();
-    Worst largest;
-    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) largest.see(norm(crowd.lab.force(0, v)));
-    return static_cast<double>(largest);
+    return largestForce(crowd.lab);
   };
   CHECK(push(dt / 2) == Approx(4 * push(dt)).epsilon(1e-12));
 }
 
 TEST_CASE("Nothing acts back on the other cell: it does not keep momentum, and that is why it is not the default") {
   const Mesh ball = makeIcosphere(1);
-  Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
-  crowd.evaluateForces();
+  const Crowd crowd = evaluated({limp(), thesis, ball, heap(ball, 2, 1.6, 0)});
   Vector sum;
   double size = 0;
   for (int slot : {0, 1})

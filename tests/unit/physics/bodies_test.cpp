@@ -51,10 +51,8 @@ TEST_CASE("A body with another number of vertices is a bug") {
 TEST_CASE("Lanes without a cell stay where they are") {
   const Mesh mesh = makeIcosphere(1);
   for (Isa isa : availableIsas()) {
-    Lab lab(softCell(), mesh, {shakenBody(mesh, 0.1, 1), shakenBody(mesh, 0.1, 1, 1), shakenBody(mesh, 0.1, 1, 2)},
-            isa);
-    lab.start();
-    for (int i = 0; i < 100; ++i) lab.step(0x1p-9);
+    const std::vector<Body> three{shakenBody(mesh, 0.1, 1), shakenBody(mesh, 0.1, 1, 1), shakenBody(mesh, 0.1, 1, 2)};
+    const Lab lab = stepped({softCell(), mesh, three, isa}, 100, 0x1p-9);
     Worst farthest;
     for (int lane = 3; lane < blockLanes; ++lane)
       for (int v = 0; v < lab.bodies.vertexCount(); ++v)

@@ -7,25 +7,17 @@
 
 using namespace morula;
 
-namespace {
-
-constexpr Integrator all[] = {Integrator::velocityVerlet,  Integrator::thesisVerlet, Integrator::explicitEuler,
-                              Integrator::symplecticEuler, Integrator::rungeKutta4,  Integrator::xpbd};
-
-}  // namespace
-
 TEST_CASE("A body at rest in itself flies straight on, at its speed, with every integrator") {
   const Mesh mesh = makeIcosphere(1);
   const Vector velocity{3, -2, 1};
-  for (Integrator integrator : all) {
+  for (Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::explicitEuler,
+                                Integrator::symplecticEuler, Integrator::rungeKutta4, Integrator::xpbd}) {
     PhysicsParameters p = softCell();
     p.integrator = integrator;
     p.pressure = {0, 0};
     Body body = shakenBody(mesh, 0, 0);
     for (Vector& u : body.velocity) u = velocity;
-    Lab lab(p, mesh, {body});
-    lab.start();
-    for (int i = 0; i < 4096; ++i) lab.step(0x1p-11);
+    const Lab lab = stepped({p, mesh, {body}}, 4096, 0x1p-11);
     Worst off;
     for (int v = 0; v < lab.bodies.vertexCount(); ++v)
       off.see(norm(lab.bodies.vertex(0, v) - (mesh.vertices[v] + 2.0 * velocity)));
@@ -83,9 +75,7 @@ TEST_CASE("A sphere at rest obeys Laplace's law, P = 2σ/R") {
   p.membrane = {10, 0.05, 1.26, Springs::equal};
   p.pressure = {8, 0};
   p.drag = 4;
-  Lab lab(p, makeIcosphere(3), bestIsa());
-  lab.start();
-  for (int i = 0; i < 6000; ++i) lab.step(0x1p-8);
+  const Lab lab = stepped({p, makeIcosphere(3), bestIsa()}, 6000, 0x1p-8);
   const Bodies& b = lab.bodies;
   double virial = 0;  // Σ f L over the edges
   for (int e = 0; e < b.mesh.edgeCount(); ++e) {

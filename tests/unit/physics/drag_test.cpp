@@ -11,8 +11,7 @@ TEST_CASE("Drag is −drag · m · v on each vertex") {
   const Mesh mesh = makeIcosphere(1);
   Body light = shakenBody(mesh, 0, 2), heavy = shakenBody(mesh, 0, 2, 1);
   heavy.mass = 42;
-  Lab lab(p, mesh, {light, heavy});
-  lab.evaluate();
+  const Lab lab = evaluated({p, mesh, {light, heavy}});
   Worst error;
   for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
     error.see(norm(lab.force(0, v) + (0.25 / 42) * light.velocity[v]));
@@ -28,9 +27,7 @@ TEST_CASE("A body that only drag acts on slows down exponentially, to second ord
   const auto errorWith = [&](int steps) {
     Body body = shakenBody(mesh, 0, 0);
     for (Vector& u : body.velocity) u = {3, -2, 1};
-    Lab lab(p, mesh, {body});
-    lab.start();
-    for (int i = 0; i < steps; ++i) lab.step(2.0 / steps);
+    const Lab lab = stepped({p, mesh, {body}}, steps, 2.0 / steps);
     const double share = lab.velocity(0, 7).x / 3;
     CHECK(norm(lab.velocity(0, 7) - share * Vector{3, -2, 1}) < 1e-12);
     // It has come as far as velocity over drag rate says.
@@ -41,12 +38,9 @@ TEST_CASE("A body that only drag acts on slows down exponentially, to second ord
 }
 
 TEST_CASE("Without drag nothing slows down") {
-  PhysicsParameters p = softCell();
   const Mesh mesh = makeIcosphere(1);
   Body body = shakenBody(mesh, 0, 0);
   for (Vector& u : body.velocity) u = {3, -2, 1};
-  Lab lab(p, mesh, {body});
-  lab.start();
-  for (int i = 0; i < 512; ++i) lab.step(0x1p-8);
+  const Lab lab = stepped({softCell(), mesh, {body}}, 512, 0x1p-8);
   CHECK(norm(lab.velocity(0, 7) - Vector{3, -2, 1}) < 1e-10);
 }

@@ -12,48 +12,31 @@ struct Variant {
 };
 
 std::vector<Variant> variants() {
-  const PhysicsParameters plain = softCell();
-  PhysicsParameters undamped = plain, thesis = plain, sphere = plain, ellipsoid = plain;
-  PhysicsParameters explicitEuler = plain, symplecticEuler = plain, rungeKutta = plain, kuttaInShell = plain;
-  PhysicsParameters xpbd = plain, xpbdInShell = plain, xpbdInEllipsoid = plain;
-  undamped.membrane.damping = 0;
-  thesis.integrator = Integrator::thesisVerlet;
-  thesis.drag = 0.1;
-  sphere.shell = ShellParameters{{1, 1, 1}};
-  sphere.drag = 0.2;
-  ellipsoid.shell = ShellParameters{{1.1, 1, 0.9}};
-  explicitEuler.integrator = Integrator::explicitEuler;
-  explicitEuler.shell = ShellParameters{{1.1, 1, 0.9}};
-  symplecticEuler.integrator = Integrator::symplecticEuler;
-  symplecticEuler.shell = ShellParameters{{1, 1, 1}};
-  rungeKutta.integrator = kuttaInShell.integrator = Integrator::rungeKutta4;
-  kuttaInShell.shell = ShellParameters{{1.1, 1, 0.9}};
-  kuttaInShell.drag = 0.2;
-  for (PhysicsParameters* p : {&xpbd, &xpbdInShell, &xpbdInEllipsoid}) p->integrator = Integrator::xpbd;
-  xpbdInShell.substeps = 3;
-  xpbdInShell.membrane.damping = 0;
-  xpbdInShell.shell = ShellParameters{{1, 1, 1}};
-  xpbdInEllipsoid.shell = ShellParameters{{1.1, 1, 0.9}};
-  xpbdInEllipsoid.drag = 0.2;
-  PhysicsParameters shapes = plain, dampedShapes = plain;
-  shapes.cell.model = dampedShapes.cell.model = CellModel::shapeMatching;
-  shapes.shapeMatching = {400, 0, 0};
-  dampedShapes.shapeMatching = {400, 0.5, 4};
-  dampedShapes.drag = 0.2;
-  return {{"plain", plain},
-          {"undamped", undamped},
-          {"thesis", thesis},
-          {"sphere", sphere},
-          {"ellipsoid", ellipsoid},
-          {"explicit Euler", explicitEuler},
-          {"symplectic Euler", symplecticEuler},
-          {"Runge-Kutta", rungeKutta},
-          {"Runge-Kutta in an ellipsoid", kuttaInShell},
-          {"XPBD", xpbd},
-          {"XPBD, undamped, in three sub-steps, in a sphere", xpbdInShell},
-          {"XPBD in an ellipsoid", xpbdInEllipsoid},
-          {"shape matching", shapes},
-          {"shape matching, linear, damped", dampedShapes}};
+  const ShellParameters sphere{{1, 1, 1}}, ellipsoid{{1.1, 1, 0.9}};
+  std::vector<Variant> list;
+  const auto add = [&](const char* name, auto change) {
+    list.push_back({name, softCell()});
+    change(list.back().parameters);
+  };
+  add("plain", [](auto&) {});
+  add("undamped", [](auto& p) { p.membrane.damping = 0; });
+  add("thesis", [](auto& p) { p.integrator = Integrator::thesisVerlet, p.drag = 0.1; });
+  add("sphere", [&](auto& p) { p.shell = sphere, p.drag = 0.2; });
+  add("ellipsoid", [&](auto& p) { p.shell = ellipsoid; });
+  add("explicit Euler", [&](auto& p) { p.integrator = Integrator::explicitEuler, p.shell = ellipsoid; });
+  add("symplectic Euler", [&](auto& p) { p.integrator = Integrator::symplecticEuler, p.shell = sphere; });
+  add("Runge-Kutta", [](auto& p) { p.integrator = Integrator::rungeKutta4; });
+  add("Runge-Kutta in an ellipsoid",
+      [&](auto& p) { p.integrator = Integrator::rungeKutta4, p.shell = ellipsoid, p.drag = 0.2; });
+  add("XPBD", [](auto& p) { p.integrator = Integrator::xpbd; });
+  add("XPBD, undamped, in three sub-steps, in a sphere",
+      [&](auto& p) { p.integrator = Integrator::xpbd, p.substeps = 3, p.membrane.damping = 0, p.shell = sphere; });
+  add("XPBD in an ellipsoid", [&](auto& p) { p.integrator = Integrator::xpbd, p.shell = ellipsoid, p.drag = 0.2; });
+  add("shape matching", [](auto& p) { p.cell.model = CellModel::shapeMatching, p.shapeMatching = {400, 0, 0}; });
+  add("shape matching, linear, damped", [](auto& p) {
+    p.cell.model = CellModel::shapeMatching, p.shapeMatching = {400, 0.5, 4}, p.drag = 0.2;
+  });
+  return list;
 }
 
 std::vector<Body> crowd(const Mesh& mesh, int count) {

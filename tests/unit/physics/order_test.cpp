@@ -14,10 +14,7 @@ std::vector<Point> released(Integrator integrator, int steps, double drag) {
   p.pressure = {8, 0};
   p.drag = drag;
   const Mesh mesh = zoo::scaled(makeIcosphere(1), {1.2, 1, 0.9});
-  Lab lab(p, mesh);
-  lab.start();
-  for (int i = 0; i < steps; ++i) lab.step(1.0 / steps);
-  return lab.positions();
+  return stepped({p, mesh}, steps, 1.0 / steps).positions();
 }
 
 /// Root mean square over the vertices.
@@ -28,7 +25,7 @@ double distance(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 
 /// log2 of the error's fall from each halving of the step to the next.
-std::vector<double> observedOrders(Integrator integrator, double drag, int steps = 128) {
+std::vector<double> observedOrders(Integrator integrator, double drag, int steps) {
   const auto reference = released(Integrator::rungeKutta4, 1 << 13, drag);
   std::vector<double> orders;
   double coarse = distance(released(integrator, steps, drag), reference);
@@ -43,27 +40,21 @@ std::vector<double> observedOrders(Integrator integrator, double drag, int steps
 
 }  // namespace
 
-TEST_CASE("Velocity Verlet is second order, with damping and drag too") {
-  for (double drag : {0.0, 0.5})
-    for (double order : observedOrders(Integrator::velocityVerlet, drag)) CHECK(order == Approx(2).margin(0.2));
-}
-
-TEST_CASE("The thesis' Verlet is first order") {
-  for (double drag : {0.0, 0.5})
-    for (double order : observedOrders(Integrator::thesisVerlet, drag)) CHECK(order == Approx(1).margin(0.2));
-}
-
-TEST_CASE("Both Euler methods are first order, Runge-Kutta is of fourth order") {
-  for (double drag : {0.0, 0.5}) {
-    for (double order : observedOrders(Integrator::explicitEuler, drag, 2048)) CHECK(order == Approx(1).margin(0.2));
-    for (double order : observedOrders(Integrator::symplecticEuler, drag, 512)) CHECK(order == Approx(1).margin(0.2));
-    for (double order : observedOrders(Integrator::rungeKutta4, drag)) CHECK(order == Approx(4).margin(0.2));
-  }
-}
-
-TEST_CASE("Position-based dynamics are of first order") {
-  for (double drag : {0.0, 0.5})
-    for (double order : observedOrders(Integrator::xpbd, drag, 512)) CHECK(order == Approx(1).margin(0.2));
+TEST_CASE("Each integrator has its order, with damping, and with and without drag") {
+  struct Case {
+    Integrator integrator;
+    double order;
+    int steps;
+  };
+  for (const auto& [integrator, order, steps] :
+       {Case{Integrator::velocityVerlet, 2, 128}, Case{Integrator::thesisVerlet, 1, 128},
+        Case{Integrator::explicitEuler, 1, 2048}, Case{Integrator::symplecticEuler, 1, 512},
+        Case{Integrator::rungeKutta4, 4, 128}, Case{Integrator::xpbd, 1, 512}})
+    for (double drag : {0.0, 0.5})
+      for (double observed : observedOrders(integrator, drag, steps)) {
+        CAPTURE(static_cast<int>(integrator), drag);
+        CHECK(observed == Approx(order).margin(0.2));
+      }
 }
 
 TEST_CASE("Velocity Verlet and Runge-Kutta go to one and the same place") {

@@ -30,17 +30,15 @@ double slopeOfVolume(std::vector<Point> x, const Mesh& mesh, int v, double Point
 TEST_CASE("Pressure is that of an ideal gas") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     INFO(name);
-    Lab lab(gasOnly(), mesh);
-    lab.evaluate();
-    CHECK(lab.bodies.pressure[0] == Approx(4 / measureVolume(mesh.vertices, mesh.faces) - 0.7).epsilon(1e-12));
+    const Lab lab = evaluated({gasOnly(), mesh});
+    CHECK(lab.bodies.pressure[0] == Approx(4 / zoo::volumeOf(mesh) - 0.7).epsilon(1e-12));
   }
 }
 
 TEST_CASE("The pressure force on each vertex is P dV/dx") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     INFO(name);
-    Lab lab(gasOnly(), mesh);
-    lab.evaluate();
+    const Lab lab = evaluated({gasOnly(), mesh});
     const double pressure = lab.bodies.pressure[0];
     Worst largest, error;
     for (int v = 0; v < lab.bodies.vertexCount(); v += 1 + lab.bodies.vertexCount() / 50) {
@@ -57,8 +55,7 @@ TEST_CASE("The pressure force on each vertex is P dV/dx") {
 
 TEST_CASE("Each face of a vertex gives it a third of the pressure on that face") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(1), 0.2, 5);
-  Lab lab(gasOnly(), mesh);
-  lab.evaluate();
+  const Lab lab = evaluated({gasOnly(), mesh});
   std::vector<Vector> expected(mesh.vertices.size());
   for (const auto& [a, b, c] : mesh.faces) {
     const Vector area = 0.5 * cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
@@ -70,8 +67,7 @@ TEST_CASE("Each face of a vertex gives it a third of the pressure on that face")
 TEST_CASE("The pressure forces of a closed mesh sum to rounding, and so do their moments") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     INFO(name);
-    Lab lab(gasOnly(), mesh);
-    lab.evaluate();
+    const Lab lab = evaluated({gasOnly(), mesh});
     Vector sum, moment;
     double size = 0;
     const Point centre = measureCentroid(mesh.vertices);

@@ -1,10 +1,30 @@
 #pragma once
 // What is known in closed form of a sphere or an ellipsoid.
-#include <cmath>
-
-#include "physics/parameters.h"
+#include "lab.h"
 
 namespace morula {
+
+/// Spheres and ellipsoids, small and large.
+inline std::vector<ShellParameters> roundShells(Held holds) {
+  return {{{1, 1, 1}, {}, holds}, {{2.5, 2.5, 2.5}, {}, holds}, {{1.25, 1, 0.8}, {}, holds}, {{27, 15, 11}, {}, holds}};
+}
+
+inline PhysicsParameters inShell(const ShellParameters& shell) {
+  PhysicsParameters p = softCell();
+  p.shell = shell;
+  return p;
+}
+
+/// Where the shell bears what presses on it: at a vertex, or below it.
+inline Point borneAt(const Bodies& b, int v) {
+  return b.parameters.shell->holds == Held::surface ? b.read(b.held, 0, v) : b.vertex(0, v);
+}
+
+/// What the shell held at a vertex in the last drift: the same without the share of the sag that is borne as well.
+inline Point heldAt(const Bodies& b, int v) {
+  const double borne = b.parameters.shell->holds == Held::surface ? 2e-3 : 0;
+  return (borneAt(b, v) - borne * b.vertex(0, v)) / (1 - borne);
+}
 
 /// 1 on the shell.
 inline double quadric(const Point& x, const ShellParameters& shell) {

@@ -75,8 +75,7 @@ TEST_CASE("Goals are the rest shape under the rotation that a singular value dec
       const double gap = s[1] + (products.determinant() < 0 ? -s[2] : s[2]);  // where it is 0 there is no nearest one
       if (gap < 1e-3 * s[0]) continue;
       (products.determinant() < 0 ? mirrored : proper)++;
-      Lab lab(matched(), mesh, {mapped(mesh, map, {3, -2, 5})});
-      lab.evaluate();
+      const Lab lab = evaluated({matched(), mesh, {mapped(mesh, map, {3, -2, 5})}});
       const Matrix3 rotation = rotationBySvd(products);
       for (int v = 0; v < lab.bodies.vertexCount(); ++v)
         off.see((goalOf(lab, 0, v) - rotation * toEigen(mesh.vertices[v])).norm() * gap / s[0]);
@@ -93,8 +92,7 @@ TEST_CASE("Needles, points and half turns have goals too, of the rest shape's si
   const Matrix3 needle = Eigen::Vector3d(0, 0, 4).asDiagonal(), point = Matrix3::Zero();
   for (const double linear : {0.0, 0.5})
     for (const Matrix3& map : {halfTurn, mirror, needle, point}) {
-      Lab lab(matched(linear, 1), mesh, {mapped(mesh, map)});
-      lab.evaluate();
+      const Lab lab = evaluated({matched(linear, 1), mesh, {mapped(mesh, map)}});
       for (int v = 0; v < 8; ++v) {
         const double size = goalOf(lab, 0, v).norm();
         CHECK(size > 0.4 * norm(mesh.vertices[v]));
@@ -132,8 +130,7 @@ TEST_CASE("Forces sum to zero and to no torque, whatever the shape, β and dampi
           body.position[v] += 0.1 * noiseVector(v, key);
           body.velocity[v] = noiseVector(v, key + 100);
         }
-        Lab lab(matched(linear, 5), mesh, {body});
-        lab.evaluate();
+        const Lab lab = evaluated({matched(linear, 5), mesh, {body}});
         const Point centre = measureCentre(lab.bodies, 0);
         Vector sum, torque;
         double size = 0;
@@ -152,8 +149,7 @@ TEST_CASE("Damping takes neither flight nor spin") {
   Body body = mapped(mesh, Matrix3::Identity());
   for (std::size_t v = 0; v < body.velocity.size(); ++v)
     body.velocity[v] = Vector{1, 2, 3} + cross(Vector{0.5, -0.2, 0.7}, body.position[v]);
-  Lab lab(matched(0, 100), mesh, {body});
-  lab.evaluate();
+  Lab lab = evaluated({matched(0, 100), mesh, {body}});
   for (int v = 0; v < 8; ++v) CHECK(norm(lab.force(0, v)) < 1e-12);
   lab.setVelocity(0, 3, {1, 2, 4});
   lab.evaluate();
@@ -211,8 +207,7 @@ TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every
           p.integrator = integrator;
           p.drag = drag;
           Body body = shakenBody(mesh, 1e-3, 0);
-          Lab lab(p, mesh, {body}, bestIsa());
-          lab.evaluate();
+          const Lab lab = evaluated({p, mesh, {body}, bestIsa()});
           const StabilityLimits limits = measureLimits(lab.bodies, 0);
           CHECK(limits.pressure == INFINITY);
           const auto growth = [&](double timeStep, int steps) {

@@ -1,7 +1,7 @@
 // A shell that is a convex mesh holds every vertex, and bears what presses on it.
 #include "base/isa.h"
 #include "catch.h"
-#include "lab.h"
+#include "round_shell.h"
 
 using namespace morula;
 
@@ -38,19 +38,13 @@ double reachOf(const Point& x, const ShellParameters& shell) {
   return reach;
 }
 
-PhysicsParameters inside(const ShellParameters& shell) {
-  PhysicsParameters p = softCell();
-  p.shell = shell;
-  return p;
-}
-
 }  // namespace
 
 TEST_CASE("Every vertex is within every plane after every step, with every integrator") {
   const Mesh mesh = zoo::scaled(makeIcosphere(2), {0.95, 0.95, 0.95});  // pressed into the tetrahedron
   for (const ShellParameters& shell : {cube(), tetrahedron()})
     for (const auto& [integrator, word, meaning] : choices<Integrator>) {
-      PhysicsParameters p = inside(shell);
+      PhysicsParameters p = inShell(shell);
       p.integrator = integrator;
       p.drag = 1;
       p.pressure.constant = 100;
@@ -75,7 +69,7 @@ TEST_CASE("Every vertex is within every plane after every step, with every integ
 
 TEST_CASE("In a cube a vertex outside comes to its nearest point, and keeps what leads along it") {
   const Mesh mesh = makeIcosphere(0);
-  PhysicsParameters p = inside(cube());
+  PhysicsParameters p = inShell(cube());
   p.membrane = {0, 0, 1};
   Body body = shakenBody(mesh, 0, 0);
   const auto set = [&](int v, const Point& x, const Vector& u) { body.position[v] = x, body.velocity[v] = u; };
@@ -113,13 +107,11 @@ TEST_CASE("Many planes around a sphere hold a cell as the sphere does: to 0.005 
   round.holds = Held::vertices;  // as planes do
   std::vector<Lab> labs;
   for (const ShellParameters& shell : {round, almostSphere()}) {
-    PhysicsParameters p = inside(shell);
+    PhysicsParameters p = inShell(shell);
     p.pressure.constant = 400;
     p.drag = 4;
     p.membrane.damping = 0.5;
-    labs.emplace_back(p, mesh);
-    labs.back().start();
-    for (int i = 0; i < 2048; ++i) labs.back().step(0x1p-9);
+    labs.push_back(stepped({p, mesh}, 2048, 0x1p-9));
   }
   // Half a distance of neighbouring directions, 0.09, from where it touches a plane stands out by 0.09²/2.
   for (int v = 0; v < labs[0].bodies.vertexCount(); ++v) {
@@ -133,7 +125,7 @@ TEST_CASE("Many planes around a sphere hold a cell as the sphere does: to 0.005 
 TEST_CASE("All instruction sets give the same bits in planes, with meshes and with balls") {
   for (const bool balls : {false, true})
     for (const ShellParameters& shell : {cube(), tetrahedron()}) {
-      PhysicsParameters p = inside(shell);
+      PhysicsParameters p = inShell(shell);
       if (balls) p.cell = {.radius = 0.3, .mass = 1, .model = CellModel::sphere};
       p.pressure.constant = 40;
       const Mesh mesh = zoo::scaled(makeIcosphere(1), {0.95, 0.95, 0.95});
@@ -146,11 +138,7 @@ TEST_CASE("All instruction sets give the same bits in planes, with meshes and wi
         cells.push_back(cell);
       }
       std::vector<Lab> labs;
-      for (const Isa isa : availableIsas()) {
-        labs.emplace_back(p, mesh, cells, isa);
-        labs.back().start();
-        for (int i = 0; i < 100; ++i) labs.back().step(0x1p-8);
-      }
+      for (const Isa isa : availableIsas()) labs.push_back(stepped({p, mesh, cells, isa}, 100, 0x1p-8));
       int touching = 0;
       for (int slot = 0; slot < 9; ++slot)
         for (const Point& x : labs[0].positions(slot)) touching += reachOf(x, shell) > (balls ? 0.5 : 1 - 1e-12);
@@ -165,12 +153,11 @@ TEST_CASE("All instruction sets give the same bits in planes, with meshes and wi
 }
 
 TEST_CASE("A ball touches a plane with its surface") {
-  PhysicsParameters p = inside(cube());
+  PhysicsParameters p = inShell(cube());
   p.cell = {.radius = 0.25, .mass = 1, .model = CellModel::sphere};
   Body ball{.position = {{0.9, 0.1, -2}}, .velocity = {{1, 2, -3}}};
   ball.mass = 1;
-  Lab lab(p, makeIcosphere(0), {ball});
-  lab.evaluate();
+  const Lab lab = evaluated({p, makeIcosphere(0), {ball}});
   CHECK(lab.bodies.vertex(0, 0) == Point{0.75, 0.1, -0.75});
   CHECK(lab.velocity(0, 0) == Vector{0, 2, 0});
 }
@@ -184,10 +171,10 @@ TEST_CASE("A cell turned with its shell moves as before, turned") {
   Mesh turnedMesh = mesh;
   for (Point& x : turnedMesh.vertices) x = turned(x);
   Body body = shakenBody(mesh, 0, 5);
-  Lab as(inside(shell), mesh, {body});
+  Lab as(inShell(shell), mesh, {body});
   for (Point& x : body.position) x = turned(x);
   for (Vector& u : body.velocity) u = turned(u);
-  Lab after(inside(shellOf(planes)), turnedMesh, {body});
+  Lab after(inShell(shellOf(planes)), turnedMesh, {body});
   Worst difference;
   int touching = 0;
   for (int i = 0; i < 100; ++i) {

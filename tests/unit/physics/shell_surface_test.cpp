@@ -4,25 +4,12 @@
 #include <numbers>
 
 #include "catch.h"
-#include "lab.h"
 #include "physics/integrator.h"
 #include "round_shell.h"
 
 using namespace morula;
 
 namespace {
-
-PhysicsParameters inSurfaceShell(double a, double b, double c) {
-  PhysicsParameters p = softCell();
-  p.shell = ShellParameters{{a, b, c}, {}, Held::surface};
-  return p;
-}
-
-/// What the shell held at a vertex in the last drift: Bodies::held without the share of the sag that is borne as well.
-Point heldAt(const Bodies& b, int v) {
-  constexpr double borne = 2e-3;
-  return (b.read(b.held, 0, v) - borne * b.vertex(0, v)) / (1 - borne);
-}
 
 /// δ ŝ of each vertex of a closed mesh by its definition: how far the shell bends away along the edges of the ring.
 std::vector<Vector> sagsOf(const Mesh& mesh, const ShellParameters& shell) {
@@ -43,47 +30,14 @@ std::vector<Vector> sagsOf(const Mesh& mesh, const ShellParameters& shell) {
   return sags;
 }
 
-const std::vector<ShellParameters> surfaceShells{{{1, 1, 1}, {}, Held::surface},
-                                                 {{2.5, 2.5, 2.5}, {}, Held::surface},
-                                                 {{1.25, 1, 0.8}, {}, Held::surface},
-                                                 {{27, 15, 11}, {}, Held::surface}};
-
 }  // namespace
 
-TEST_CASE("Every point of the surface is inside to 1e-12 after every step, however hard it is pushed") {
-  for (const ShellParameters& shell : surfaceShells) {
-    const double* a = shell.semiAxes;
-    PhysicsParameters p = inSurfaceShell(a[0], a[1], a[2]);
-    p.pressure.constant = 100 * a[0] * a[1] * a[2];
-    const Mesh mesh = zoo::scaled(makeIcosphere(2), {0.95 * a[0], 0.95 * a[1], 0.95 * a[2]});
-    for (Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet}) {
-      p.integrator = integrator;
-      Body body = shakenBody(mesh, 0, 20 * a[0]);
-      body.pressureConstant = p.pressure.constant;
-      Lab lab(p, mesh, {body});
-      lab.start();
-      Worst farthest;
-      int touching = 0;
-      for (int i = 0; i < 500; ++i) {
-        lab.step(0x1p-11);
-        for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
-          const double reach = quadric(heldAt(lab.bodies, v), shell);
-          farthest.see(reach);
-          touching += reach > 1 - 1e-12;
-        }
-      }
-      CHECK(farthest <= 1 + 1e-12);
-      CHECK(touching > 100);
-    }
-  }
-}
-
 TEST_CASE("What is outside is put on the shell, almost at its nearest point, and takes its vertex with it") {
-  for (const ShellParameters& shell : surfaceShells) {
+  for (const ShellParameters& shell : roundShells(Held::surface)) {
     const double* a = shell.semiAxes;
     const Mesh mesh = makeIcosphere(2);
     for (double excess : {0.01, 0.02, 0.04}) {
-      Lab lab(inSurfaceShell(a[0], a[1], a[2]), mesh, {shakenBody(mesh, 0, 0)});
+      Lab lab(inShell(shell), mesh, {shakenBody(mesh, 0, 0)});
       Mesh before = mesh;
       for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
         const Point onShell{a[0] * mesh.vertices[v].x, a[1] * mesh.vertices[v].y, a[2] * mesh.vertices[v].z};
@@ -137,90 +91,14 @@ TEST_CASE("A mesh in a sphere that it fills sags by l²/8R, and holds the sphere
   }
 }
 
-TEST_CASE("A surface on the shell slides: its outward velocity is lost and the rest is kept") {
-  for (const ShellParameters& shell : surfaceShells) {
-    const double* a = shell.semiAxes;
-    PhysicsParameters p = inSurfaceShell(a[0], a[1], a[2]);
-    p.membrane = {0, 0, 1};
-    const Mesh mesh = makeIcosphere(2);
-    Body body = shakenBody(mesh, 0, 1);
-    for (Point& x : body.position) x = {1.1 * a[0] * x.x, 1.1 * a[1] * x.y, 1.1 * a[2] * x.z};
-    Lab lab(p, mesh, {body});
-    lab.evaluate();
-    Worst error, outwardForce;
-    int kept = 0, lost = 0;
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
-      const Vector n = outward(heldAt(lab.bodies, v), shell), u = body.velocity[v];
-      error.see(norm(lab.velocity(0, v) - (u - std::max(0.0, dot(u, n)) * n)));
-      ++(dot(u, n) > 0 ? lost : kept);
-    }
-    lab.endEvaluation();
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v)
-      outwardForce.see(dot(lab.force(0, v), outward(lab.bodies.read(lab.bodies.held, 0, v), shell)));
-    CHECK(error < 1e-14);
-    CHECK(outwardForce < 1e-14);
-    CHECK(kept > 20);
-    CHECK(lost > 20);
-  }
-}
-
-TEST_CASE("The shell bears the outward force on a surface and leaves the rest") {
-  for (const ShellParameters& shell : surfaceShells) {
-    const double* a = shell.semiAxes;
-    PhysicsParameters p = inSurfaceShell(a[0], a[1], a[2]);
-    p.membrane = {0, 0, 1};
-    const Mesh mesh = makeIcosphere(2);
-    Body body = shakenBody(zoo::scaled(mesh, {1.1 * a[0], 1.1 * a[1], 1.1 * a[2]}), 0, 0);
-    Lab held(p, mesh, {body});
-    p.shell.reset();
-    Lab free(p, mesh, {body});
-    // Forces of two kinds, set by hand: half of the vertices are pushed out, half in.
-    Worst error;
-    int borne = 0;
-    held.evaluate();
-    free.evaluate();
-    for (Lab* lab : {&held, &free})
-      for (int v = 0; v < lab->bodies.vertexCount(); ++v) {
-        Bodies& b = lab->bodies;
-        b.write(b.acceleration, 0, v, noiseVector(static_cast<std::uint32_t>(v), 5));
-      }
-    held.endEvaluation();
-    free.endEvaluation();
-    for (int v = 0; v < held.bodies.vertexCount(); ++v) {
-      const Vector n = outward(held.bodies.read(held.bodies.held, 0, v), shell), f = free.force(0, v);
-      error.see(norm(held.force(0, v) - (f - std::max(0.0, dot(f, n)) * n)) / norm(f));
-      borne += dot(f, n) > 0;
-    }
-    CHECK(error < 1e-14);
-    CHECK(borne > 40);
-    CHECK(borne < 120);
-  }
-}
-
-TEST_CASE("A surface that has hit the shell has no outward velocity for drag and damping to see") {
-  PhysicsParameters p = inSurfaceShell(1, 1, 1);
-  p.membrane = {0, 0, 1};
-  p.drag = 2;
-  const Mesh mesh = makeIcosphere(2);
-  Body body = shakenBody(zoo::scaled(mesh, {1.1, 1.1, 1.1}), 0, 0);
-  for (std::size_t v = 0; v < body.position.size(); ++v) body.velocity[v] = 3.0 * mesh.vertices[v];
-  Lab lab(p, mesh, {body});
-  lab.evaluate();
-  Worst force;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) force.see(norm(lab.force(0, v)));
-  CHECK(force < 1e-14);
-}
-
 TEST_CASE("A vertex shot along the shell follows it and keeps its speed") {
-  PhysicsParameters p = inSurfaceShell(1, 1, 1);
+  PhysicsParameters p = inShell({{1, 1, 1}, {}, Held::surface});
   p.membrane = {0, 0, 1};
   const Mesh mesh = makeIcosphere(1);
   Body body = shakenBody(zoo::scaled(mesh, {1.1, 1.1, 1.1}), 0, 0);
   const Vector along = cross(mesh.vertices[5], Vector{0, 0, 1});
   body.velocity[5] = along / norm(along);
-  Lab lab(p, mesh, {body});
-  lab.start();
-  for (int i = 0; i < 256; ++i) lab.step(0x1p-10);
+  const Lab lab = stepped({p, mesh, {body}}, 256, 0x1p-10);
   const Point y = heldAt(lab.bodies, 5), x = lab.bodies.vertex(0, 5);
   CHECK(norm(y) <= 1 + 1e-13);  // as its edges get longer there is more and more room for it
   CHECK(norm(y) > 0.999);
@@ -228,48 +106,44 @@ TEST_CASE("A vertex shot along the shell follows it and keeps its speed") {
   CHECK(dot(x, mesh.vertices[5]) / norm(x) / norm(mesh.vertices[5]) == Approx(std::cos(0.25 / norm(x))).margin(2e-3));
 }
 
+namespace {
+
+/// A cell of the ball's volume, at rest in a sphere that is 0.03 larger.
+PhysicsParameters pressed() {
+  PhysicsParameters p = inShell({{1.03, 1.03, 1.03}, {}, Held::surface});
+  p.membrane = {10, 0.02, 1.26, Springs::equal};
+  p.pressure = {800, 166};
+  p.drag = 8;
+  return p;
+}
+
+}  // namespace
+
 TEST_CASE("A cell pressed together by a sphere has the sphere's volume, to third order in the mesh's edges") {
   // k_p/V − P_0 = 8.779 of the ball of radius 1.03; held vertices would give 34.1, 14.9 and 10.3.
+  const double exact = 800 / (4 * std::numbers::pi / 3 * 1.03 * 1.03 * 1.03) - 166;
   double before = 0;
   for (int level : {1, 2, 3}) {
-    PhysicsParameters p = inSurfaceShell(1.03, 1.03, 1.03);
-    p.membrane = {10, 0.02, 1.26, Springs::equal};
-    p.pressure = {800, 166};
-    p.drag = 8;
-    Mesh mesh = makeIcosphere(level);
-    const double scale = std::cbrt(4 * std::numbers::pi / 3 / measureVolume(mesh.vertices, mesh.faces));
-    mesh = zoo::scaled(mesh, {scale, scale, scale});
-    Lab lab(p, mesh);
-    lab.start();
-    for (int i = 0; i < 2048 >> (level == 1); ++i) lab.step(level == 3 ? 0x1p-9 : 0x1p-8);
-    const double exact = 800 / (4 * std::numbers::pi / 3 * 1.03 * 1.03 * 1.03) - 166;
+    const Lab lab = stepped({pressed(), scaleToRadius(makeIcosphere(level), 1)}, 2048 >> (level == 1),
+                            level == 3 ? 0x1p-9 : 0x1p-8);
     const double off = lab.bodies.pressure[0] / exact - 1;
     CHECK(off > 0);
     CHECK(off < (level == 1 ? 0.1 : level == 2 ? 0.01 : 0.0015));
     if (before > 0) CHECK(std::log2(before / off) > 2.8);
     before = off;
-    Worst fastest;
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v) fastest.see(norm(lab.velocity(0, v)));
-    CHECK(fastest < 1e-9);  // rest is rest
+    CHECK(fastestVertex(lab.bodies) < 1e-9);  // rest is rest
   }
 }
 
 TEST_CASE("All integrators, instruction sets and precisions hold surfaces") {
   const auto press = [](Integrator integrator, Isa isa, Precision precision) {
-    PhysicsParameters p = inSurfaceShell(1.03, 1.03, 1.03);
-    p.membrane = {10, 0.02, 1.26, Springs::equal};
-    p.pressure = {800, 166};
-    p.drag = 8;
+    PhysicsParameters p = pressed();
     p.integrator = integrator;
     p.precision = precision;
-    Mesh mesh = makeIcosphere(2);
-    const double scale = std::cbrt(4 * std::numbers::pi / 3 / measureVolume(mesh.vertices, mesh.faces));
-    Lab lab(p, zoo::scaled(mesh, {scale, scale, scale}), isa);
-    lab.start();
     const bool slow = kindOf(integrator).solvesForces || kindOf(integrator).needsDrag;
     const double timeStep = slow ? 0x1p-11 : 0x1p-8;
-    for (int i = 0; i < 4 / timeStep; ++i) lab.step(timeStep);
-    return lab.bodies.pressure[0];
+    return stepped({p, scaleToRadius(makeIcosphere(2), 1), isa}, static_cast<int>(4 / timeStep), timeStep)
+        .bodies.pressure[0];
   };
   const double verlet = press(Integrator::velocityVerlet, Isa::scalar, Precision::binary64);
   CHECK(verlet == Approx(8.8529).epsilon(1e-4));

@@ -33,12 +33,6 @@ long double springEnergy(const std::vector<Point>& x, const Mesh& rest, double s
   return energy;
 }
 
-double largestForce(const Lab& lab) {
-  Worst largest;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) largest.see(norm(lab.force(0, v)));
-  return largest;
-}
-
 const std::vector<zoo::Animal>& meshes() {
   static const std::vector<zoo::Animal> some{{"icosahedron", makeIcosphere(0)},
                                              {"icosphere 2", makeIcosphere(2)},
@@ -56,8 +50,7 @@ TEST_CASE("The spring force is −dE/dx by central differences, of equal springs
       CAPTURE(name, static_cast<int>(springs));
       Body body = shakenBody(mesh, 0.1, 0);
       body.restScale = 0.8;
-      Lab lab(springsOnly(0, springs), mesh, {body});
-      lab.evaluate();
+      const Lab lab = evaluated({springsOnly(0, springs), mesh, {body}});
       const auto energyAt = [&, &mesh = mesh](const std::vector<Point>& x) {
         return springEnergy(x, mesh, 0.8, 40, lab.bodies.mesh.springWeights);
       };
@@ -80,9 +73,7 @@ TEST_CASE("The spring force is −dE/dx by central differences, of equal springs
 
 TEST_CASE("A mesh at its rest lengths feels no springs") {
   for (const auto& [name, mesh, handles] : meshes()) {
-    Lab lab(springsOnly(0.5), mesh);
-    lab.evaluate();
-    CHECK(largestForce(lab) < 1e-13);
+    CHECK(largestForce(evaluated({springsOnly(0.5), mesh})) < 1e-13);
   }
 }
 
@@ -90,8 +81,7 @@ TEST_CASE("Springs, damped or not, give no net force and no net moment") {
   for (const auto& [name, mesh, handles] : meshes()) {
     INFO(name);
     const Body body = shakenBody(mesh, 0.2, 3);
-    Lab lab(springsOnly(0.5), mesh, {body});
-    lab.evaluate();
+    const Lab lab = evaluated({springsOnly(0.5), mesh, {body}});
     Vector sum, moment;
     double size = 0;
     for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
@@ -108,8 +98,7 @@ TEST_CASE("Damping works along the edge, against the change of its length") {
   const Mesh mesh = zoo::tetrahedron();
   Body body{mesh.vertices, std::vector<Vector>(4), 1, 1, 0};
   body.velocity[0] = {1, 2, 3};
-  Lab lab(springsOnly(0.5), mesh, {body});
-  lab.evaluate();
+  const Lab lab = evaluated({springsOnly(0.5), mesh, {body}});
   Vector onMoving;
   for (int v = 1; v < 4; ++v) {
     const Vector edge = mesh.vertices[v] - mesh.vertices[0], along = edge / norm(edge);
@@ -125,16 +114,12 @@ TEST_CASE("Damping does not brake a body that moves or turns as one piece") {
   Body body = shakenBody(mesh, 0, 0);
   for (std::size_t v = 0; v < body.position.size(); ++v)
     body.velocity[v] = Vector{5, -3, 2} + cross({0.3, 0.2, -0.9}, body.position[v]);
-  Lab lab(springsOnly(10), mesh, {body});
-  lab.evaluate();
-  CHECK(largestForce(lab) < 1e-12);
+  CHECK(largestForce(evaluated({springsOnly(10), mesh, {body}})) < 1e-12);
 }
 
 TEST_CASE("Two vertices at one place do not make the force infinite") {
   const Mesh mesh = makeIcosphere(0);
   Body body = shakenBody(mesh, 0, 1);
   body.position[1] = body.position[makeConnectivity(mesh).ringVertex[makeConnectivity(mesh).ringStart[1]]];
-  Lab lab(springsOnly(0.5), mesh, {body});
-  lab.evaluate();
-  CHECK(largestForce(lab) < 1000);
+  CHECK(largestForce(evaluated({springsOnly(0.5), mesh, {body}})) < 1000);
 }

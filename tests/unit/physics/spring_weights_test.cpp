@@ -12,31 +12,18 @@ namespace {
 
 const double root3 = std::sqrt(3.0);
 
-Mesh ballOfVolume(int level, double radius) {
-  Mesh mesh = makeIcosphere(level);
-  const double scale = radius * std::cbrt(4 * std::numbers::pi / 3 / measureVolume(mesh.vertices, mesh.faces));
-  return zoo::scaled(mesh, {scale, scale, scale});
-}
-
-PhysicsParameters taut(Springs springs) {
+/// At rest.
+double pressureOfFreeCell(int level, Springs springs, Integrator integrator = Integrator::velocityVerlet,
+                          Isa isa = Isa::scalar, Precision precision = Precision::binary64) {
   PhysicsParameters p;
   p.membrane = {10, 0.02, 1.26, springs};
   p.pressure = {800, 166};
   p.drag = 8;
-  return p;
-}
-
-/// At rest.
-double pressureOfFreeCell(int level, Springs springs, Integrator integrator = Integrator::velocityVerlet,
-                          Isa isa = Isa::scalar, Precision precision = Precision::binary64) {
-  PhysicsParameters p = taut(springs);
   p.integrator = integrator;
   p.precision = precision;
-  Lab lab(p, ballOfVolume(level, 1), isa);
-  lab.start();
   const double timeStep = kindOf(integrator).solvesForces ? 0x1p-11 : 0x1p-5 / (1 << level);
-  for (int i = 0; i < 4 / timeStep; ++i) lab.step(timeStep);
-  return lab.bodies.pressure[0];
+  return stepped({p, scaleToRadius(makeIcosphere(level), 1), isa}, static_cast<int>(4 / timeStep), timeStep)
+      .bodies.pressure[0];
 }
 
 }  // namespace

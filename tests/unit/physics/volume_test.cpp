@@ -6,22 +6,20 @@
 
 using namespace morula;
 
+namespace {
+
+double volumeOf(const Mesh& mesh) { return evaluated({softCell(), mesh}).bodies.volume[0]; }
+
+}  // namespace
+
 TEST_CASE("The rings give the volume that the faces give, for every mesh") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     INFO(name);
-    Lab lab(softCell(), mesh);
-    lab.evaluate();
-    const double expected = measureVolume(mesh.vertices, mesh.faces);
-    CHECK(lab.bodies.volume[0] == Approx(expected).epsilon(1e-13));
+    CHECK(volumeOf(mesh) == Approx(zoo::volumeOf(mesh)).epsilon(1e-13));
   }
 }
 
 TEST_CASE("The rings give closed forms of volumes") {
-  const auto volumeOf = [](const Mesh& m) {
-    Lab lab(softCell(), m);
-    lab.evaluate();
-    return lab.bodies.volume[0];
-  };
   CHECK(volumeOf(zoo::box({1, 2, 3}, {2, 4, 7})) == Approx(8).epsilon(1e-14));
   CHECK(volumeOf(zoo::tetrahedron()) == Approx(8.0 / 3).epsilon(1e-14));
   CHECK(volumeOf(zoo::inverted(zoo::tetrahedron())) == Approx(-8.0 / 3).epsilon(1e-14));
@@ -39,9 +37,7 @@ TEST_CASE("The rings give closed forms of volumes") {
 
 TEST_CASE("Where a cell lies and how it moves does not change its volume") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.2, 3);
-  Lab here(softCell(), mesh, {shakenBody(mesh, 0, 0)}),
-      there(softCell(), mesh, {shakenBody(zoo::moved(mesh, {512, -1024, 256}), 0, 7)});
-  here.evaluate();
-  there.evaluate();
+  const Lab here = evaluated({softCell(), mesh, {shakenBody(mesh, 0, 0)}}),
+            there = evaluated({softCell(), mesh, {shakenBody(zoo::moved(mesh, {512, -1024, 256}), 0, 7)}});
   CHECK(there.bodies.volume[0] == Approx(here.bodies.volume[0]).epsilon(1e-11));
 }
