@@ -10,11 +10,7 @@ using namespace morula;
 namespace {
 
 /// Semi-axes 3, 2 and 1 along x, y and z, and somewhere.
-std::vector<Point> brickVertices() {
-  std::vector<Point> x = makeIcosphere(2).vertices;
-  for (Point& p : x) p = Point{3 * p.x, 2 * p.y, p.z} + Vector{5, -1, 2};
-  return x;
-}
+std::vector<Point> brickVertices() { return zoo::moved(zoo::scaled(makeIcosphere(2), {3, 2, 1}), {5, -1, 2}).vertices; }
 
 KnownCell daughter(const std::vector<Point>& vertices, const Vector& motherAxis) {
   KnownCell cell("AB", vertices);

@@ -2,10 +2,10 @@
 #include "division/coarsen.h"
 
 #include "catch.h"
+#include "cuts.h"
 #include "division/cut.h"
 #include "division/principal_axis.h"
 #include "mesh_oracles.h"
-#include "through_mean.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
@@ -49,8 +49,6 @@ std::vector<Body> bodies() {
   return all;
 }
 
-Vector totalMomentum(const Body& b) { return b.mass * measureCentroid(b.velocity); }
-
 }  // namespace
 
 TEST_CASE("Round, pressed and freshly cut cells keep volume, area, mass, gas, centre and momentum") {
@@ -65,7 +63,7 @@ TEST_CASE("Round, pressed and freshly cut cells keep volume, area, mass, gas, ce
     volume.see(std::abs(measureVolume(after.position, fewer) / measureVolume(before.position, faces) - 1));
     area.see(std::abs(measureArea(after.position, fewer) / measureArea(before.position, faces) - 1));
     centre.see(norm(measureCentroid(after.position) - measureCentroid(before.position)));
-    push.see(norm(totalMomentum(after) - totalMomentum(before)) / norm(totalMomentum(before)));
+    push.see(norm(momentumOf(after) - momentumOf(before)) / norm(momentumOf(before)));
     CHECK(after.mass == before.mass);
     CHECK(after.pressureConstant == before.pressureConstant);
     CHECK(after.restScale == before.restScale);

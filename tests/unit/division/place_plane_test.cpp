@@ -3,8 +3,8 @@
 
 #include "base/maths.h"
 #include "catch.h"
+#include "cuts.h"
 #include "division/halves.h"
-#include "folds.h"
 
 using namespace morula;
 
@@ -34,12 +34,6 @@ CutResult cutAt(const Body& mother, const Mesh& mesh, const Vector& normal, doub
 double shareOf(const CutResult& cut, const Mesh& mesh) {
   const double a = measureVolume(cut.daughters.a.position, mesh.faces);
   return a / (a + measureVolume(cut.daughters.b.position, mesh.faces));
-}
-
-Vector momentumOf(const Body& b) {
-  Vector sum{};
-  for (const Vector& u : b.velocity) sum += u;
-  return (b.mass / static_cast<double>(b.velocity.size())) * sum;
 }
 
 }  // namespace

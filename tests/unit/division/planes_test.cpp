@@ -14,30 +14,18 @@ using namespace morula;
 namespace {
 
 /// A cell with semi-axes 3, 2 and 1 along x, y and z about a point.
-Mesh brick(const Point& at = {}) {
-  Mesh mesh = makeIcosphere(1);
-  for (Point& x : mesh.vertices) x = Point{3 * x.x, 2 * x.y, x.z} + at;
-  return mesh;
-}
+Mesh brick(const Vector& at = {}) { return zoo::moved(zoo::scaled(makeIcosphere(1), {3, 2, 1}), at); }
 
 KnownCell other(const Point& at, const char* held) {
-  Mesh mesh = makeIcosphere(1);
-  for (Point& x : mesh.vertices) x += at;
-  KnownCell cell("B", mesh);
+  KnownCell cell("B", zoo::moved(makeIcosphere(1), at));
   cell.held = held;
   return cell;
 }
 
-PlaneChoice substancePlane(DivisionPlane plane, const char* substance) {
+PlaneChoice choose(DivisionPlane plane, const char* substance = "") {
   PlaneChoice choice;
   choice.plane = plane;
   choice.substance = substance;
-  return choice;
-}
-
-PlaneChoice plain(DivisionPlane plane) {
-  PlaneChoice choice;
-  choice.plane = plane;
   return choice;
 }
 
@@ -58,19 +46,19 @@ TEST_CASE("towards, away-from: the sum of the directions to those that hold it, 
   KnownCell cell("A", brick());
   cell.touched = {{&up, 3}, {&right, 4}, {&stranger, 100}};
   const Vector expected{0, 0.8, 0.6};  // however far they are
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::towards, "skin"), cell) - expected) < 1e-14);
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::towards, "sk*"), cell) - expected) < 1e-14);
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::awayFrom, "skin"), cell) + expected) < 1e-14);
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::towards, "a2"), cell) - Vector{0, 1, 0}) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::towards, "skin"), cell) - expected) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::towards, "sk*"), cell) - expected) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::awayFrom, "skin"), cell) + expected) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::towards, "a2"), cell) - Vector{0, 1, 0}) < 1e-14);
 }
 
 TEST_CASE("across: in the contact's plane, along the largest extent there") {
   const KnownCell above = other({0, 0, 4}, "skin"), right = other({9, 0, 0}, "skin");
   KnownCell cell("A", brick());
   cell.touched = {{&above, 3}};
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::across, "skin"), cell) - Vector{1, 0, 0}) < 1e-6);
+  CHECK(norm(normalOf(choose(DivisionPlane::across, "skin"), cell) - Vector{1, 0, 0}) < 1e-6);
   cell.touched = {{&right, 3}};
-  CHECK(norm(normalOf(substancePlane(DivisionPlane::across, "skin"), cell) - Vector{0, 1, 0}) < 1e-6);
+  CHECK(norm(normalOf(choose(DivisionPlane::across, "skin"), cell) - Vector{0, 1, 0}) < 1e-6);
 }
 
 TEST_CASE("towards, away-from, across: without such a contact, or with contacts all around, as longest") {
@@ -78,16 +66,16 @@ TEST_CASE("towards, away-from, across: without such a contact, or with contacts 
                   stranger = other({0, 9, 0}, "skinny");
   for (const DivisionPlane plane : {DivisionPlane::towards, DivisionPlane::awayFrom, DivisionPlane::across}) {
     KnownCell cell("A", brick());
-    CHECK(norm(normalOf(substancePlane(plane, "skin"), cell) - longest) < 1e-6);
+    CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
     cell.touched = {{&stranger, 1}};  // a substance is its whole name
-    CHECK(norm(normalOf(substancePlane(plane, "skin"), cell) - longest) < 1e-6);
+    CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
     cell.touched = {{&up, 2}, {&down, 2 * (1 + 1e-12)}};
-    CHECK(norm(normalOf(substancePlane(plane, "skin"), cell) - longest) < 1e-6);
+    CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
   }
 }
 
 TEST_CASE("polarity: the egg has the given one, daughters what their ancestor left") {
-  PlaneChoice choice = plain(DivisionPlane::polarity);
+  PlaneChoice choice = choose(DivisionPlane::polarity);
   choice.axis = {0, 3, 4};
   KnownCell egg("", brick());
   const Cut first = makePlanePolicy(choice, 1)->findCut(egg);
@@ -102,7 +90,7 @@ TEST_CASE("polarity: the egg has the given one, daughters what their ancestor le
 }
 
 TEST_CASE("polarity: it turns to the contact, or away from it, and stays so; without a contact it stays") {
-  PlaneChoice choice = substancePlane(DivisionPlane::polarity, "ems");
+  PlaneChoice choice = choose(DivisionPlane::polarity, "ems");
   const KnownCell above = other({0, 0, 4}, "ems"), stranger = other({0, 9, 0}, "ab");
   KnownCell cell("A", brick());
   cell.polarity = Vector{0, 1, 0};
@@ -123,53 +111,53 @@ TEST_CASE("shell-axis: the longest semi-axis; of equal ones the first") {
                                              {{2, 2, 1}, {1, 0, 0}}, {{1, 2, 2}, {0, 1, 0}}, {{2, 1, 2}, {1, 0, 0}}};
   for (const auto& [semiAxes, axis] : cases) {
     cell.semiAxes = semiAxes;
-    CHECK(normalOf(plain(DivisionPlane::shellAxis), cell) == axis);
+    CHECK(normalOf(choose(DivisionPlane::shellAxis), cell) == axis);
   }
 }
 
 TEST_CASE("perpendicular: away from the organism's centre, or along the shell's normal, with A outside") {
   KnownCell cell("A", brick({3, 4, 0}));
-  CHECK(norm(normalOf(plain(DivisionPlane::perpendicular), cell) - Vector{0.6, 0.8, 0}) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - Vector{0.6, 0.8, 0}) < 1e-14);
   cell.middle = {3, 0, 0};
-  CHECK(norm(normalOf(plain(DivisionPlane::perpendicular), cell) - Vector{0, 1, 0}) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - Vector{0, 1, 0}) < 1e-14);
   // (3/2², 4/1², 0) = (0.75, 4, 0); the organism's centre does not matter then.
   cell.semiAxes = Vector{2, 1, 1};
   const Vector slope{0.75, 4, 0};
-  CHECK(norm(normalOf(plain(DivisionPlane::perpendicular), cell) - slope / norm(slope)) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - slope / norm(slope)) < 1e-14);
 }
 
 TEST_CASE("perpendicular in a shell that is a mesh: along the normal of its nearest face, except in the middle") {
   KnownCell cell("A", brick({3, 4, 0})), middle("A", brick({0, 0, 0}));
   cell.middle = cell.physical()->getShape().centre;  // which does not matter then
   cell.faceNormal = middle.faceNormal = Vector{0, 0.6, -0.8};
-  CHECK(normalOf(plain(DivisionPlane::perpendicular), cell) == Vector{0, 0.6, -0.8});
-  CHECK(normalOf(plain(DivisionPlane::perpendicular), middle) == normalOf(plain(DivisionPlane::longest), middle));
+  CHECK(normalOf(choose(DivisionPlane::perpendicular), cell) == Vector{0, 0.6, -0.8});
+  CHECK(normalOf(choose(DivisionPlane::perpendicular), middle) == normalOf(choose(DivisionPlane::longest), middle));
 }
 
 TEST_CASE("parallel: along the surface, the largest extent there") {
   KnownCell above("A", brick({0, 0, 9})), right("A", brick({9, 0, 0}));
-  CHECK(norm(normalOf(plain(DivisionPlane::parallel), above) - Vector{1, 0, 0}) < 1e-6);
-  CHECK(norm(normalOf(plain(DivisionPlane::parallel), right) - Vector{0, 1, 0}) < 1e-6);
+  CHECK(norm(normalOf(choose(DivisionPlane::parallel), above) - Vector{1, 0, 0}) < 1e-6);
+  CHECK(norm(normalOf(choose(DivisionPlane::parallel), right) - Vector{0, 1, 0}) < 1e-6);
 }
 
 TEST_CASE("perpendicular, parallel: a cell in the middle has no outside, whatever rounding says") {
   for (const DivisionPlane plane : {DivisionPlane::perpendicular, DivisionPlane::parallel})
     for (const Vector& off : {Vector{}, Vector{0, 0, 1e-15}, Vector{0, -0.01, 0}}) {
       KnownCell cell("", brick(off));
-      CHECK(norm(normalOf(plain(plane), cell) - longest) < 1e-6);
+      CHECK(norm(normalOf(choose(plane), cell) - longest) < 1e-6);
       cell.semiAxes = Vector{9, 5, 5};
-      CHECK(norm(normalOf(plain(plane), cell) - longest) < 1e-6);
+      CHECK(norm(normalOf(choose(plane), cell) - longest) < 1e-6);
     }
 }
 
 TEST_CASE("tension: along the strongest pull, also where pulls to opposite sides add up to none") {
   const KnownCell up = other({0, 0, 4}, ""), down = other({0, 0, -7}, ""), right = other({0, 5, 0}, "");
   KnownCell cell("A", brick());
-  CHECK(norm(normalOf(plain(DivisionPlane::tension), cell) - longest) < 1e-6);
+  CHECK(norm(normalOf(choose(DivisionPlane::tension), cell) - longest) < 1e-6);
   cell.holdsOnTo = {&right};
-  CHECK(norm(normalOf(plain(DivisionPlane::tension), cell) - Vector{0, 1, 0}) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::tension), cell) - Vector{0, 1, 0}) < 1e-14);
   cell.holdsOnTo = {&up, &down, &right};
-  CHECK(norm(normalOf(plain(DivisionPlane::tension), cell) - Vector{0, 0, 1}) < 1e-14);
+  CHECK(norm(normalOf(choose(DivisionPlane::tension), cell) - Vector{0, 0, 1}) < 1e-14);
 }
 
 // What a plane sees turns, so it turns: all of them in one scene that has no symmetry.
@@ -203,7 +191,7 @@ TEST_CASE("planes turn and are mirrored with what they go by, and the order of n
   for (const DivisionPlaneKind& kind : divisionPlanes()) {
     if (kind.usesSeed || kind.needsLongShell) continue;
     INFO(kind.name);
-    PlaneChoice choice = substancePlane(kind.plane, "skin");
+    PlaneChoice choice = choose(kind.plane, "skin");
     choice.axis = {0.48, 0.6, 0.64};
     const Vector before = normalIn(choice, same, false, false);
     CHECK(norm(cross(normalIn(choice, turn, false, false), turn(before))) < 1e-3);

@@ -1,9 +1,7 @@
 // Where cells divide.
 #include "division/policy.h"
 
-#include <limits>
 #include <set>
-#include <string>
 
 #include "catch.h"
 #include "known_cell.h"
@@ -13,15 +11,11 @@ using namespace morula;
 
 namespace {
 
-Body needle() {
-  Body b = shakenBody(makeIcosphere(1), 0, 0);
-  for (Point& x : b.position) x.y *= 3;
-  return b;
-}
+const Mesh needle = zoo::scaled(makeIcosphere(1), {1, 3, 1});
 
 /// In a shell, for planes that need one.
 KnownCell inShell(const char* name) {
-  KnownCell cell(name, needle().position, makeIcosphere(1).faces);
+  KnownCell cell(name, needle);
   cell.semiAxes = Vector{1, 3, 2};
   return cell;
 }
@@ -84,7 +78,7 @@ TEST_CASE("Each way to choose a plane has a row, a name of its own and a policy"
     CHECK(names.insert(kind.name).second);
     const DivisionParameters p{kind.plane, {0, 2, 0}};
     CHECK(norm(normalOf(p, 1, "AB")) == Approx(1).epsilon(1e-13));
-    CHECK(makeDivisionPolicy(p, 1)->findCut(inShell("AB")).point == measureCentroid(needle().position));
+    CHECK(makeDivisionPolicy(p, 1)->findCut(inShell("AB")).point == measureCentroid(needle.vertices));
     CHECK((normalOf(p, 1, "AB") == normalOf(p, 2, "AB")) != kind.usesSeed);
   }
 }

@@ -13,34 +13,9 @@ using namespace morula;
 namespace {
 
 /// From 0 to the corner (a, b, c).
-Mesh box(double a, double b, double c) {
-  Mesh mesh;
-  for (int i = 0; i < 8; ++i) mesh.vertices.push_back({a * (i & 1), b * (i >> 1 & 1), c * (i >> 2 & 1)});
-  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& [i, j, k, l] : quads) mesh.faces.push_back({i, j, k}), mesh.faces.push_back({i, k, l});
-  return mesh;
-}
+Mesh box(double a, double b, double c) { return zoo::box({}, {a, b, c}); }
 
-Mesh ellipsoid(double a, double b, double c, int level = 3) {
-  Mesh mesh = makeIcosphere(level);
-  for (Point& x : mesh.vertices) x = {a * x.x, b * x.y, c * x.z};
-  return mesh;
-}
-
-/// A turn: its rows.
-struct Axes {
-  Vector x, y, z;
-  Vector operator()(const Vector& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
-};
-
-Axes frame(std::uint32_t seed) {
-  const Vector x = randomDirection({seed, {}, 0, Purpose::test});
-  Vector y = cross(x, randomDirection({seed, {}, 1, Purpose::test}));
-  y = y / norm(y);
-  return {x, y, cross(x, y)};
-}
-
-Mesh moved(Mesh mesh, const Axes& turn, const Vector& shift) {
+Mesh moved(Mesh mesh, const Turn& turn, const Vector& shift) {
   for (Point& x : mesh.vertices) x = turn(x) + shift;
   return mesh;
 }
@@ -67,7 +42,7 @@ TEST_CASE("section: of a box along its sides, across its diagonal and through it
 }
 
 TEST_CASE("section: of an ellipsoid it is an ellipse; a cave is no part of it") {
-  const Mesh mesh = ellipsoid(3, 2, 1, 4);
+  const Mesh mesh = zoo::scaled(makeIcosphere(4), {3, 2, 1});
   CHECK(sectionArea(mesh, {}, {1, 0, 0}) == Approx(2 * std::numbers::pi).epsilon(0.005));
   CHECK(sectionArea(mesh, {}, {0, 0, 1}) == Approx(6 * std::numbers::pi).epsilon(0.005));
   Mesh hollow = box(3, 3, 3), cave = box(1, 1, 1);
@@ -80,9 +55,9 @@ TEST_CASE("section: the smallest stands across the longest side, wherever that p
   const Mesh brick = box(1, 2, 3);
   CHECK(between(smallestSection(brick, {0.5, 1, 1.5}), {0, 0, 1}) < 1e-4);
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Axes turn = frame(seed);
+    const Turn turn(seed);
     const Vector shift{1, -2, 3};
-    const Vector found = smallestSection(moved(ellipsoid(1.5, 1, 0.9, 4), turn, shift), shift);
+    const Vector found = smallestSection(moved(zoo::scaled(makeIcosphere(4), {1.5, 1, 0.9}), turn, shift), shift);
     CHECK(between(found, turn({1, 0, 0})) < 0.02);  // of the ellipsoid; it is one of triangles
     CHECK(norm(found) == Approx(1).epsilon(1e-14));
     CHECK(dot(found, {1, 0.55, 0.2}) > 0);
@@ -108,7 +83,7 @@ TEST_CASE("section: a lump that is turned or mirrored has its smallest section t
   const Mesh mesh{lump.position, makeIcosphere(2).faces};
   const Vector before = smallestSection(mesh, measureCentroid(mesh.vertices));
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Axes turn = frame(seed);
+    const Turn turn(seed);
     const Mesh turned = moved(mesh, turn, {3, 0, -1});
     CHECK(between(smallestSection(turned, measureCentroid(turned.vertices)), turn(before)) < 1e-3);
   }

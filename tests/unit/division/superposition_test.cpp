@@ -1,28 +1,12 @@
 // Laying one set of points upon another: by hand, against every other rotation that was tried, never a mirror image.
 #include "division/superposition.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "catch.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
 
 namespace {
-
-/// A rotation by a unit quaternion.
-struct Turn {
-  double w;
-  Vector v;
-  explicit Turn(std::uint32_t key) {
-    double q[4], square = 0;
-    for (std::uint32_t i = 0; i < 4; ++i) q[i] = noise(i, key), square += q[i] * q[i];
-    const double size = std::sqrt(square);
-    w = q[0] / size, v = Vector{q[1], q[2], q[3]} / size;
-  }
-  Vector operator()(const Vector& a) const { return a + 2 * cross(v, cross(v, a) + w * a); }
-};
 
 std::vector<Point> cloud(std::size_t count, std::uint32_t key) {
   std::vector<Point> points;
@@ -31,14 +15,8 @@ std::vector<Point> cloud(std::size_t count, std::uint32_t key) {
   return points;
 }
 
-Point meanOf(const std::vector<Point>& points) {
-  Point sum;
-  for (const Point& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 double leftBy(const Turn& turn, const std::vector<Point>& points, const std::vector<Point>& others) {
-  const Point a = meanOf(points), b = meanOf(others);
+  const Point a = measureCentroid(points), b = measureCentroid(others);
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector d = others[i] - b - turn(points[i] - a);

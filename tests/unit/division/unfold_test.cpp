@@ -1,9 +1,8 @@
 // What the cut folds over lies flat again, and what it does not fold stays.
 #include "catch.h"
+#include "cuts.h"
 #include "division/cut.h"
 #include "division/halves.h"
-#include "folds.h"
-#include "through_mean.h"
 
 using namespace morula;
 

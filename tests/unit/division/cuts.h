@@ -1,10 +1,16 @@
 #pragma once
-// What a cut folds over.
+// A cut, what it folds over, and what it leaves.
 #include "division/cut.h"
 #include "division/halves.h"
 #include "unit/physics/lab.h"
 
 namespace morula {
+
+/// The plane with this unit normal through the mean of a body's vertices.
+inline Cut throughMean(const Body& body, const Vector& normal) { return {measureCentroid(body.position), normal}; }
+
+/// [mass·length/time] All vertices of a body have the same mass.
+inline Vector momentumOf(const Body& b) { return b.mass * measureCentroid(b.velocity); }
 
 /// The folded faces on the flat side of a daughter; `b`: of the one on the far side of the normal.
 inline int foldsOf(const Body& daughter, const Body& mother, const Mesh& mesh, const Vector& normal, bool b) {
