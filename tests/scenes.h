@@ -6,6 +6,7 @@
 
 #include "mesh/measures.h"
 #include "simulation/world.h"
+#include "unit/mesh/zoo.h"
 
 namespace morula::scenes {
 
@@ -32,24 +33,7 @@ inline Mesh scaled(Mesh mesh, double radius) {
   return mesh;
 }
 
-inline Mesh cube() {
-  Mesh m;
-  for (int i = 0; i < 8; ++i) m.vertices.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
-  for (const Face& f : std::vector<Face>{{0, 2, 3},
-                                         {0, 3, 1},
-                                         {4, 5, 7},
-                                         {4, 7, 6},
-                                         {0, 1, 5},
-                                         {0, 5, 4},
-                                         {2, 6, 7},
-                                         {2, 7, 3},
-                                         {0, 4, 6},
-                                         {0, 6, 2},
-                                         {1, 3, 7},
-                                         {1, 7, 5}})
-    m.faces.push_back(f);
-  return scaled(m, 0.55);
-}
+inline Mesh cube() { return zoo::box({-0.55, -0.55, -0.55}, {0.55, 0.55, 0.55}); }
 
 /// DNA whose genes read what the simulator inserts.
 inline Dna dnaThatSenses(const std::string& text, std::set<std::string> sensed) {
@@ -134,6 +118,36 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   p.growth = GrowthParameters{0.1};
   s.mechanics->contact = pairContactWithFriction;
   s.mechanics->connections = ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 1.6};
+  return s;
+}
+
+/// The same of cells whose meshes have corners or a hole, and by other means.
+inline Scene lifeOfCubes() {
+  Scene s = life(cube());
+  s.name = "life-of-a-cube";
+  return s;
+}
+inline Scene lifeOfRings() {
+  Scene s = life(scaled(zoo::torus(7, 5), 0.33));
+  s.name = "life-of-a-torus";
+  s.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
+  return s;
+}
+inline Scene inSingle(Scene s) {
+  s.name += "-single";
+  s.mechanics->physics.precision = Precision::binary32;
+  return s;
+}
+inline Scene byPositions(Scene s, std::uint64_t substeps) {
+  s.name += "-xpbd";
+  s.mechanics->physics.integrator = Integrator::xpbd;
+  s.mechanics->physics.substeps = substeps;
+  return s;
+}
+inline Scene byShapes(Scene s) {
+  s.name += "-shape-matching";
+  s.mechanics->physics.cell.model = CellModel::shapeMatching;
+  s.mechanics->physics.shapeMatching = {400, 0.5, 4};
   return s;
 }
 

@@ -23,38 +23,9 @@ struct Comma : std::numpunct<char> {
 };
 
 /// More cells than one block holds, and so than one thread.
-Scene packed() {
+Scene sixteen() {
   Scene scene = scenes::packed();
   scene.stop.time = 4.25;
-  return scene;
-}
-
-Scene cubes() {
-  Scene scene = scenes::life(scenes::cube());
-  scene.name = "life-of-a-cube";
-  return scene;
-}
-
-Scene byPositions() {
-  Scene scene = scenes::ellipsoid();
-  scene.name = "ellipsoid-xpbd";
-  scene.mechanics->physics.integrator = Integrator::xpbd;
-  scene.mechanics->physics.substeps = 3;
-  return scene;
-}
-
-Scene byShapes() {
-  Scene scene = scenes::life();
-  scene.name = "life-shape-matching";
-  scene.mechanics->physics.cell.model = CellModel::shapeMatching;
-  scene.mechanics->physics.shapeMatching = {400, 0.5, 4};
-  return scene;
-}
-
-/// The same with floats.
-Scene inSingle(Scene scene) {
-  scene.name += "-single";
-  scene.mechanics->physics.precision = Precision::binary32;
   return scene;
 }
 
@@ -88,10 +59,11 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
+  using namespace scenes;
+  const Scene positions = byPositions(ellipsoid(), 3), shapes = byShapes(life());
   for (const Scene& scene :
-       {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
-        scenes::lineageOnly(scenes::eventful, 12), inSingle(packed()), inSingle(scenes::ellipsoid()),
-        inSingle(scenes::thesis()), inSingle(scenes::life()), byPositions(), byShapes(), inSingle(byPositions()),
-        inSingle(byShapes()), scenes::sticky(), scenes::turning(), scenes::sensing(), scenes::varied()})
+       {sixteen(), ellipsoid(), thesis(), life(), lifeOfCubes(), lineageOnly(eventful, 12), inSingle(sixteen()),
+        inSingle(ellipsoid()), inSingle(thesis()), inSingle(life()), positions, shapes, inSingle(positions),
+        inSingle(shapes), sticky(), turning(), sensing(), varied()})
     run(scene, execution);
 }

@@ -30,8 +30,7 @@ struct HeldBy {
 
 /// Of two cells after a while.
 HeldBy heldBy(const Scene& scene, double time = 6) {
-  World world = makeWorld(scene);
-  while (world.clock.time < time) step(world);
+  const World world = ranTo(scene, time);
   const auto areas = measureContactAreas(*world.contacts, *world.bodies);
   return {areas.empty() ? 0 : areas[0].area, -measureEnergy(world).adhesion};
 }
@@ -60,7 +59,7 @@ TEST_CASE("A cell sticks by what it holds after its cycle, with or without birth
   World world = makeWorld(scene);
   std::vector<double> works;
   for (const double time : {1.5, 2.5, 3.5}) {
-    while (world.clock.time < time) step(world);
+    runTo(world, time);
     works.push_back(workOf(world, 0, 1));
   }
   CHECK(works == std::vector<double>{1, 2, 3});
@@ -93,16 +92,9 @@ TEST_CASE("Without crawling and drag, cells that stick keep their momentum") {
   scene.mechanics->physics.drag = 0;
   scene.cells = {{.at = {-0.97, 0, 0}, .velocity = {0.2, 0.1, 0}}, {.at = {0.97, 0.2, 0}}};
   World world = makeWorld(scene);
-  const auto momentum = [&] {
-    Vector sum;
-    for (int slot : world.bodies->slots)
-      for (int v = 0; v < world.bodies->vertexCount(); ++v)
-        sum += world.bodies->vertexMass[slot] * world.bodies->read(world.bodies->velocity, slot, v);
-    return sum;
-  };
-  const Vector before = momentum();
-  while (world.clock.time < 2) step(world);
-  CHECK(norm(momentum() - before) < 1e-12);
+  const Vector before = momentumOf(*world.bodies);
+  runTo(world, 2);
+  CHECK(norm(momentumOf(*world.bodies) - before) < 1e-12);
 }
 
 TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffness balance") {
@@ -110,8 +102,7 @@ TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffnes
   Scene scene = sticking(resting, {1.5, {}});
   scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
   scene.cells = {{.at = {-1.05, 0, 0}}, {.at = {1.05, 0, 0}}};  // apart, and within reach
-  World world = makeWorld(scene);
-  while (world.clock.time < 9) step(world);
+  const World world = ranTo(scene, 9);
   const double distance = norm(centreOf(world, "A") - centreOf(world, "B"));
   CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
 }

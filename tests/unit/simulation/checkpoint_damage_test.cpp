@@ -16,11 +16,7 @@ namespace {
 
 constexpr std::size_t headSize = 24, tailSize = 16;
 
-World savedWorld() {
-  World world = makeWorld(scenes::life(), {bestIsa(), 1});
-  while (world.clock.time < 4.1) step(world);
-  return world;
-}
+World savedWorld() { return ranTo(scenes::life(), 4.1); }
 
 /// What restoring says of it, or "".
 std::string complaint(World& world, const std::string& checkpoint) {
@@ -31,7 +27,7 @@ std::string complaint(World& world, const std::string& checkpoint) {
 }
 
 std::string complaint(const std::string& checkpoint, const Scene& scene = scenes::life()) {
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   const Hash before = stateHash(world);
   const std::string text = complaint(world, checkpoint);
   if (!text.empty()) CHECK(stateHash(world) == before);
@@ -146,7 +142,7 @@ TEST_CASE("Any flipped bit of a checkpoint is noticed") {
 TEST_CASE("Damage behind a hash that fits is refused too, or is a state that can be gone on with") {
   const std::string whole = saveState(savedWorld());
   REQUIRE(complaint(sealedAgain(whole)).empty());
-  World world = makeWorld(scenes::life(), {bestIsa(), 1});
+  World world = makeWorld(scenes::life());
   int refused = 0, taken = 0;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const auto random = randomWords({7, {}, 0, Purpose::test}, i);
@@ -250,11 +246,7 @@ TEST_CASE("A state whose parts contradict each other is refused") {
 }
 
 TEST_CASE("A checkpoint knows sub-steps and what keeps its cells in shape") {
-  Scene scene = scenes::life();
-  scene.mechanics->physics.integrator = Integrator::xpbd;
-  scene.mechanics->physics.substeps = 2;
-  Scene shapes = scenes::life();
-  shapes.mechanics->physics.cell.model = CellModel::shapeMatching;
+  const Scene scene = scenes::byPositions(scenes::life(), 2), shapes = scenes::byShapes(scenes::life());
   const std::string bySteps = saveState(makeWorld(scene)), byShapes = saveState(makeWorld(shapes));
   const auto differs = [](const std::string& saved, Scene other,
                           const std::function<void(PhysicsParameters&)>& change) {

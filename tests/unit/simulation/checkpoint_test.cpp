@@ -14,33 +14,15 @@ using namespace morula;
 namespace {
 
 std::vector<Scene> savedScenes() {
-  std::vector<Scene> scenes{scenes::life(),   scenes::packed(),     scenes::ellipsoid(),
-                            scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
-  scenes.push_back(scenes::spheres());
-  scenes.push_back(scenes::sticky());
-  scenes.push_back(scenes::sensing());
-  scenes.push_back(scenes::ellipsoid());
+  using namespace scenes;
+  std::vector<Scene> scenes{
+      life(),    packed(), ellipsoid(), thesis(),  coarsening(),           lineageOnly(eventful, 6),
+      spheres(), sticky(), sensing(),   turning(), inSingle(lifeOfRings())};
+  scenes.push_back(ellipsoid());
   scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
-  for (Scene byPositions : {scenes::ellipsoid(), scenes::coarsening()}) {
-    byPositions.name += " by XPBD";
-    byPositions.mechanics->physics.integrator = Integrator::xpbd;
-    byPositions.mechanics->physics.substeps = 2;
-    scenes.push_back(byPositions);
-  }
-  for (Scene shapes : {scenes::life(), scenes::coarsening()}) {
-    shapes.name += " by shape matching";
-    shapes.mechanics->physics.cell.model = CellModel::shapeMatching;
-    shapes.mechanics->physics.shapeMatching = {400, 0.5, 4};
-    scenes.push_back(shapes);
-  }
-  scenes.push_back(scenes::turning());
-  for (const Scene& events : {scenes::packed(), scenes::sticky(), scenes::spheres(), scenes::coarsening()})
-    scenes.push_back(scenes::settling(events));
-  Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
-  ring.name = "life of a torus in single precision";
-  ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  ring.mechanics->physics.precision = Precision::binary32;
-  scenes.push_back(ring);
+  for (const Scene& scene : {ellipsoid(), coarsening()}) scenes.push_back(byPositions(scene, 2));
+  for (const Scene& scene : {life(), coarsening()}) scenes.push_back(byShapes(scene));
+  for (const Scene& events : {packed(), sticky(), spheres(), coarsening()}) scenes.push_back(settling(events));
   return scenes;
 }
 
@@ -65,19 +47,13 @@ bool sameContacts(const World& a, const World& b) {
          });
 }
 
-World lived(const Scene& scene, double time) {
-  World world = makeWorld(scene, {bestIsa(), 1});
-  while (world.clock.time < time) step(world);
-  return world;
-}
-
 }  // namespace
 
 TEST_CASE("From a checkpoint at any step, the run goes on as if it had never stopped") {
   for (const Scene& scene : savedScenes()) {
-    const std::uint64_t last = ranToEnd(scene, {bestIsa(), 1}).clock.step;
+    const std::uint64_t last = ranToEnd(scene).clock.step;
     std::map<std::uint64_t, std::string> checkpoints;
-    World world = makeWorld(scene, {bestIsa(), 1});
+    World world = makeWorld(scene);
     const std::set<std::uint64_t> steps = chosenSteps(last);
     std::size_t number = 0;
     for (; !finished(world); step(world)) {
@@ -111,7 +87,7 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
 }
 
 TEST_CASE("Right after a cell cycle with growth, what touches is still what the last step saw") {
-  World world = makeWorld(scenes::life(), {bestIsa(), 1});
+  World world = makeWorld(scenes::life());
   int stale = 0;
   while (!finished(world)) {
     step(world);
@@ -143,7 +119,7 @@ TEST_CASE("A state may be gone on with for longer than was planned") {
   const Scene scene = scenes::life();
   Scene longer = scene;
   longer.stop.cycles = 7;
-  World restored = makeWorld(longer, {bestIsa(), 1});
+  World restored = makeWorld(longer);
   restoreState(restored, saveState(ranToEnd(scene)));
   runToEnd(restored);
   CHECK(stateHash(restored) == stateHash(ranToEnd(longer)));
@@ -151,8 +127,8 @@ TEST_CASE("A state may be gone on with for longer than was planned") {
 
 TEST_CASE("A state that was restored once can be restored over another one") {
   const Scene scene = scenes::coarsening();
-  const std::string early = saveState(lived(scene, 0.5)), late = saveState(lived(scene, 3));
-  World world = makeWorld(scene, {bestIsa(), 1});
+  const std::string early = saveState(ranTo(scene, 0.5)), late = saveState(ranTo(scene, 3));
+  World world = makeWorld(scene);
   for (const std::string& saved : {late, early, late}) {
     restoreState(world, saved);
     CHECK((saveState(world) == saved));

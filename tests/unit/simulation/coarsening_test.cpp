@@ -13,13 +13,6 @@ std::int32_t numberOf(const Bodies& b, int slot, int v) {
   return (b.blocks[slot / blockLanes].firstLine + v) * blockLanes + slot % blockLanes;
 }
 
-Vector momentum(const Bodies& b) {
-  Vector sum;
-  for (int slot : b.slots)
-    for (int v = 0; v < b.vertexCount(slot); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
-  return sum;
-}
-
 }  // namespace
 
 TEST_CASE("Cells stand by mesh in whole blocks, and are found again by number") {
@@ -111,15 +104,15 @@ TEST_CASE("Every search finds the neighbours between meshes: all within the mean
 TEST_CASE("Colliding cells with different meshes keep their momentum") {
   Scene scene = scenes::mixedMeshes();
   scene.mechanics->physics.drag = 0;
-  World world = worldOf(scene, mixedCells(scene, 8, 2.3, 1), {bestIsa(), 1});
-  const Vector before = momentum(*world.bodies);
+  World world = worldOf(scene, mixedCells(scene, 8, 2.3, 1));
+  const Vector before = momentumOf(*world.bodies);
   double size = 0;
   for (const Body& cell : mixedCells(scene, 8, 2.3, 1)) size += cell.mass * norm(measureCentroid(cell.velocity));
   Worst drift;
   bool touched = false;
   while (world.clock.time < 1) {
     step(world);
-    drift.see(norm(momentum(*world.bodies) - before) / size);
+    drift.see(norm(momentumOf(*world.bodies) - before) / size);
     touched = touched || world.contacts->list.pairs > 0;
   }
   CHECK(touched);
@@ -128,7 +121,7 @@ TEST_CASE("Colliding cells with different meshes keep their momentum") {
 
 TEST_CASE("Contact areas name cells by number, and both meshes see the same cells") {
   const Scene scene = scenes::mixedMeshes();
-  World world = worldOf(scene, mixedCells(scene, 8, 1.8, 0), {bestIsa(), 1});
+  World world = worldOf(scene, mixedCells(scene, 8, 1.8, 0));
   for (int i = 0; i < 10; ++i) step(world);
   const std::vector<ContactMeasures> areas = measureContacts(world);
   CHECK(areas.size() == 12);  // the edges of a cube
@@ -144,14 +137,14 @@ TEST_CASE("Small daughters take the coarser mesh; volumes, mass and momentum go 
   Scene scene = scenes::coarsening();
   scene.mechanics->physics.shell.reset();
   scene.mechanics->physics.drag = 0;
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   Bodies& b = *world.bodies;
   for (int v = 0; v < b.vertexCount(0); ++v) b.velocity[b.at(0, v)] = 0.3 + 0.1 * noise(static_cast<std::uint32_t>(v));
-  const Vector before = momentum(b);
+  const Vector before = momentumOf(b);
   Worst drift, mass;
   while (!finished(world)) {
     step(world);
-    drift.see(norm(momentum(b) - before) / norm(before));
+    drift.see(norm(momentumOf(b) - before) / norm(before));
     double sum = 0;
     for (int slot : b.slots) sum += b.mass(slot);
     mass.see(std::abs(sum - 1));
@@ -163,7 +156,7 @@ TEST_CASE("Small daughters take the coarser mesh; volumes, mass and momentum go 
   CHECK(mass <= 1e-14);
   scene.mechanics->physics.coarsen.reset();
   scene.mechanics->coarser.clear();
-  CHECK(world.clock.timeStep == 2 * ranToEnd(scene, {bestIsa(), 1}).clock.timeStep);
+  CHECK(world.clock.timeStep == 2 * ranToEnd(scene).clock.timeStep);
 }
 
 TEST_CASE("A length that no daughter falls below changes no bit") {
@@ -171,12 +164,12 @@ TEST_CASE("A length that no daughter falls below changes no bit") {
   scene.mechanics->physics.coarsen = 0.01;
   without.mechanics->physics.coarsen.reset();
   without.mechanics->coarser.clear();
-  CHECK(stateHash(ranToEnd(scene, {bestIsa(), 1})) == stateHash(ranToEnd(without, {bestIsa(), 1})));
+  CHECK(stateHash(ranToEnd(scene)) == stateHash(ranToEnd(without)));
 }
 
 TEST_CASE("Who searches, and on how many threads, changes no bit between meshes") {
   const Scene scene = scenes::coarsening();
-  const Hash expected = stateHash(ranToEnd(scene, {bestIsa(), 1}));
+  const Hash expected = stateHash(ranToEnd(scene));
   for (ContactSearch search : valuesOf<ContactSearch>())
     for (int threads : {1, 3}) {
       if (search == ContactSearch::bruteForce) continue;  // slow; the lists are held against it above

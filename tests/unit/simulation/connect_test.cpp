@@ -1,21 +1,10 @@
 // Connections in a living world: who makes them, who inherits them, and what ends them.
-#include <set>
-
 #include "catch.h"
-#include "worlds.h"
+#include "connecting.h"
 
 using namespace morula;
 
 namespace {
-
-Scene connecting(const std::string& dna, const ConnectionParameters& parameters) {
-  Scene scene = scenes::withBodies(dna, 9);
-  scene.mechanics->contact = scenes::pairContact;
-  scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  scene.mechanics->connections = parameters;
-  scene.mechanics->physics.drag = 5;  // sisters that round off must not fly apart
-  return scene;
-}
 
 /// In a shell, which keeps neighbours in touch.
 World inShell(Scene scene) {
@@ -23,29 +12,12 @@ World inShell(Scene scene) {
   return makeWorld(scene);
 }
 
-ConnectionParameters withPolicy(MakeConnections make, ConnectionsOnDivision onDivision) {
-  ConnectionParameters p;
-  p.make = make;
-  p.onDivision = onDivision;
-  p.strength = 0.05;
-  return p;
-}
-
 const std::set<std::string> none;
 
 /// Cells that all want the same.
-struct Wish final : BiologicalUnit {
-  explicit Wish(double w) : wish(w) {}
-  StateId startState() const override { return 0; }
-  double cycleLength(StateId) const override { return 1; }
-  StateId runCellCycle(const CellContext&) override { return 0; }
-  bool wantsToDivide(const CellContext&) const override { return false; }
-  bool wantsToDie(const CellContext&) const override { return false; }
-  double wantsToGrow(const CellContext&) const override { return 0; }
+struct Wish final : IdleUnit {
   double wantsToConnect(const CellContext&) const override { return wish; }
-  StateId daughterState(StateId mother, bool) override { return mother; }
-  std::string describe(StateId) const override { return ""; }
-  double wish;
+  double wish = 1;
 };
 
 }  // namespace
@@ -60,9 +32,8 @@ TEST_CASE("At division sisters are connected, from their birth on") {
 }
 
 TEST_CASE("The plane decides: a connection goes to the daughter on the other cell's side") {
-  World world =
-      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
-  runTo(world, 2.02);
+  const World world = ranTo(
+      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)), 2.02);
   // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
@@ -81,39 +52,34 @@ struct CapOff final : DivisionPolicy {
 
 }  // namespace
 
-TEST_CASE("The plane decides, not which daughter is nearer: a small one may be nearer than her large sister") {
-  const Mesh ball = makeIcosphere(3);
-  for (const bool bigOneIsA : {false, true}) {
-    Scene scene =
-        connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane));
-    scene.mechanics->mesh = ball;
-    Body mother = shakenBody(ball, 0, 0), other = mother;
-    for (Point& x : other.position) x += Vector{0.5, 2.1, 0};  // on the large side, beside the cap
-    mother.pressureConstant = other.pressureConstant = 200;
-    World world = worldOf(scene, {mother, other});
-    world.divisionPolicy = std::make_unique<CapOff>(bigOneIsA);
-    connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
-    changePopulation(world, Observation(world), {CellChange::divides, CellChange::none});
-    REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "B"});
-    const std::string big = bigOneIsA ? "AA" : "AB", small = bigOneIsA ? "AB" : "AA";
-    CHECK(norm(centreOf(world, small.c_str()) - centreOf(world, "B")) <
-          norm(centreOf(world, big.c_str()) - centreOf(world, "B")));
-    CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", big + "-B"});
-  }
+TEST_CASE("The plane decides, or who is nearer: a small daughter beyond it may be nearer than her large sister") {
+  for (const auto policy : {ConnectionsOnDivision::plane, ConnectionsOnDivision::nearest})
+    for (const bool bigOneIsA : {false, true}) {
+      Scene scene = connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, policy));
+      scene.mechanics->mesh = makeIcosphere(3);
+      World world = ballsAt(scene, {{}, {0.5, 2.1, 0}});  // on the large side, beside the cap
+      world.divisionPolicy = std::make_unique<CapOff>(bigOneIsA);
+      connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
+      changePopulation(world, Observation(world), {CellChange::divides, CellChange::none});
+      REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "B"});
+      const std::string big = bigOneIsA ? "AA" : "AB", small = bigOneIsA ? "AB" : "AA";
+      CHECK(norm(centreOf(world, small.c_str()) - centreOf(world, "B")) <
+            norm(centreOf(world, big.c_str()) - centreOf(world, "B")));
+      const bool nearest = policy == ConnectionsOnDivision::nearest;
+      CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", (nearest ? small : big) + "-B"});
+    }
 }
 
 TEST_CASE("Both keep: each daughter has every connection of her mother") {
   World world =
-      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
-  runTo(world, 2.02);
+      ranTo(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)), 2.02);
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AA-BA", "AA-BB", "AB-BA", "AB-BB", "BA-BB"});
 }
 
 TEST_CASE("What both keep is released where the cells are too far apart, and the cause is on record") {
   ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both);
   p.releaseDistance = 1.3;  // in sums of radii: neighbours are at about 1, the next but one at 2
-  World world = makeWorld(connecting(scenes::uniqueFour, p));
-  runTo(world, 2.8);
+  const World world = ranTo(connecting(scenes::uniqueFour, p), 2.8);
   const auto left = pairsOf(world);
   CHECK(left.count("AA-AB") == 1);
   CHECK(left.count("BA-BB") == 1);
@@ -155,13 +121,10 @@ TEST_CASE("By gene: the two cells' wishes are added") {
 
 TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   const Scene scene = connecting(scenes::uniqueFour, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
-  Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
-  ball.pressureConstant = 200;
-  std::vector<Body> row(3, ball);  // AA touches AB, AB touches BA
-  for (int i = 0; i < 3; ++i)
-    for (Point& x : row[static_cast<std::size_t>(i)].position) x.x += 1.8 * i;
+  std::vector<Body> row;  // AA touches AB, AB touches BA
+  for (int i = 0; i < 3; ++i) row.push_back(ballAt(scene.mechanics->mesh, {1.8 * i, 0, 0}, 200));
   using enum CellChange;
-  World world = worldOf(scene, row, {Isa::scalar, 1}, std::make_unique<Wish>(1));
+  World world = worldOf(scene, row, {Isa::scalar, 1}, std::make_unique<Wish>());
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
   connectNeighbours(world, Observation(world), {none, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{});
@@ -190,9 +153,9 @@ TEST_CASE("By gene: a release ends what division made") {
 }
 
 TEST_CASE("A cell that dies is released from all") {
-  World world = makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n",
-                                     withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
-  runTo(world, 2.02);
+  const World world = ranTo(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n",
+                                       withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)),
+                            2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"B"});
   CHECK(pairsOf(world) == none);
   CHECK(std::string(world.connections->history[0].cause) == "died");
@@ -200,9 +163,9 @@ TEST_CASE("A cell that dies is released from all") {
 }
 
 TEST_CASE("A cell that divides while its partner dies takes nothing over") {
-  World world = makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
-                                     withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
-  runTo(world, 2.02);
+  const World world = ranTo(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
+                                       withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)),
+                            2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"BA-BB"});
 }
@@ -212,8 +175,7 @@ TEST_CASE("Connected cells stay closer than unconnected ones") {
     ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane);
     p.strength = strength;
     Scene scene = connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a1|a1)\n", p);
-    World world = makeWorld(scene);
-    runTo(world, 6);
+    const World world = ranTo(scene, 6);
     return norm(centreOf(world, "A") - centreOf(world, "B"));
   };
   CHECK(distance(2) < 0.98 * distance(0.02));

@@ -7,18 +7,6 @@ using namespace morula;
 
 namespace {
 
-Vector momentumOf(const Bodies& b, int slot) {
-  Vector sum;
-  for (int v = 0; v < b.vertexCount(); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
-  return sum;
-}
-
-Vector momentum(const World& world) {
-  Vector sum;
-  for (int slot = 0; slot < world.bodies->count; ++slot) sum += momentumOf(*world.bodies, slot);
-  return sum;
-}
-
 double sizeOfMomenta(const World& world) {
   double sum = 0;
   for (int slot = 0; slot < world.bodies->count; ++slot) sum += norm(momentumOf(*world.bodies, slot));
@@ -32,8 +20,8 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
     for (int count : {2, 3, 5, 8}) {
       Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
       scene.mechanics->contact = contact;
-      World world = worldOf(scene, flyingCells(scene.mechanics->mesh, count, 2.3, 1), {bestIsa(), 1});
-      const Vector before = momentum(world);
+      World world = worldOf(scene, flyingCells(scene.mechanics->mesh, count, 2.3, 1));
+      const Vector before = momentumOf(*world.bodies);
       const double size = sizeOfMomenta(world);
       std::vector<Vector> each;
       for (int slot = 0; slot < count; ++slot) each.push_back(momentumOf(*world.bodies, slot));
@@ -41,7 +29,7 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
       bool touched = false;
       while (world.clock.time < 1) {
         step(world);
-        drift.see(norm(momentum(world) - before) / size);
+        drift.see(norm(momentumOf(*world.bodies) - before) / size);
         touched = touched || world.contacts->list.pairs > 0;
       }
       for (int slot = 0; slot < count; ++slot) exchanged.see(norm(momentumOf(*world.bodies, slot) - each[slot]));
@@ -61,14 +49,14 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
     // Explicit Euler is refused without drag, and drag takes momentum: the forces alone are looked at here.
     scene.mechanics->physics.drag = integrator == Integrator::explicitEuler ? 1e-13 : 0;
     if (integrator == Integrator::xpbd) scene.mechanics->physics.substeps = 3;
-    World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1), {bestIsa(), 1});
+    World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1));
     world.clock.timeStep = 0x1p-11;
-    const Vector before = momentum(world), alone = momentumOf(*world.bodies, 0);
+    const Vector before = momentumOf(*world.bodies), alone = momentumOf(*world.bodies, 0);
     const double size = sizeOfMomenta(world);
     Worst drift;
     for (int i = 0; i < 2000; ++i) {
       movePhysics(world, world.clock.timeStep);  // one of these integrators is stable with no step of its own choice
-      drift.see(norm(momentum(world) - before) / size);
+      drift.see(norm(momentumOf(*world.bodies) - before) / size);
     }
     CAPTURE(static_cast<int>(integrator));
     CHECK(norm(momentumOf(*world.bodies, 0) - alone) > 0.3);
@@ -81,17 +69,17 @@ TEST_CASE("A division keeps mass and momentum, and adhesion too") {
   scene.mechanics->contact = scenes::pairContactWithFriction;
   scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   Bodies& b = *world.bodies;
   for (int v = 0; v < b.vertexCount(); ++v) {
     const Vector u = b.read(b.velocity, 0, v);
     b.write(b.velocity, 0, v, {0.3 + 0.1 * noise(static_cast<std::uint32_t>(v)), -0.2, u.z});
   }
-  const Vector before = momentum(world);
+  const Vector before = momentumOf(*world.bodies);
   Worst drift, massDrift;
   while (!finished(world)) {
     step(world);
-    drift.see(norm(momentum(world) - before) / norm(before));
+    drift.see(norm(momentumOf(*world.bodies) - before) / norm(before));
     double mass = 0;
     for (int slot = 0; slot < b.count; ++slot) mass += b.mass(slot);
     massDrift.see(std::abs(mass - 1));
@@ -104,7 +92,7 @@ TEST_CASE("A division keeps mass and momentum, and adhesion too") {
 TEST_CASE("A collision takes energy and never gives any") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(2));
   scene.mechanics->contact = scenes::pairContact;
-  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 2, 2.3, 0.5), {bestIsa(), 1});
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 2, 2.3, 0.5));
   const double before = measureWorld(world).at("kinetic_energy");
   Worst largest;
   while (world.clock.time < 4) {
@@ -116,19 +104,17 @@ TEST_CASE("A collision takes energy and never gives any") {
 }
 
 TEST_CASE("Cells made by shape matching keep their momentum through collisions and divisions") {
-  Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
-  scene.mechanics->physics.cell.model = CellModel::shapeMatching;
-  scene.mechanics->physics.shapeMatching = {400, 0.5, 4};
+  Scene scene = scenes::byShapes(scenes::withBodies(scenes::everybodyDivides, 3));
   scene.mechanics->contact = scenes::pairContactWithFriction;
   scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
   scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}}, {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};
-  World world = makeWorld(scene, {bestIsa(), 1});
-  const Vector before = momentum(world);
+  World world = makeWorld(scene);
+  const Vector before = momentumOf(*world.bodies);
   Worst drift;
   while (!finished(world)) {
     step(world);
-    drift.see(norm(momentum(world) - before));
+    drift.see(norm(momentumOf(*world.bodies) - before));
   }
   CHECK(world.cells.path.size() == 16);
   CHECK(norm(before) > 0.2);

@@ -5,16 +5,6 @@
 
 using namespace morula;
 
-namespace {
-
-std::vector<std::string> leafStates(const World& world) {
-  std::vector<std::string> states;
-  for (StateId s : world.cells.state) states.push_back(world.biology->describe(s));
-  return states;
-}
-
-}  // namespace
-
 TEST_CASE("The thesis' four unique cells, from cycle to cycle") {
   World world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 6));
   step(world);
@@ -23,12 +13,12 @@ TEST_CASE("The thesis' four unique cells, from cycle to cycle") {
   step(world);
   step(world);
   CHECK(world.clock.time == 3);
-  CHECK(leafStates(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
+  CHECK(statesOf(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
   CHECK_FALSE(finished(world));
   runToEnd(world);
   CHECK(world.clock.time == 6);
   CHECK(world.clock.step == 6);
-  CHECK(leafStates(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
+  CHECK(statesOf(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
 }
 
 TEST_CASE("A cycle of another length, from a substance on") {
@@ -52,7 +42,7 @@ TEST_CASE("The first stop condition that holds ends the run") {
     if (!withBodies) scene.mechanics.reset();
     const auto endOf = [&](StopParameters stop) {
       scene.stop = stop;
-      return ranToEnd(scene, {bestIsa(), 1});
+      return ranToEnd(scene);
     };
     CAPTURE(withBodies);
     CHECK(endOf({3, {}, {}}).cells.path.size() == 8);
@@ -108,7 +98,7 @@ TEST_CASE("The lineage knows each cell's last state") {
   for (bool withBodies : {false, true}) {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 4);
     if (!withBodies) scene.mechanics.reset();
-    const World world = ranToEnd(scene, {bestIsa(), 1});
+    const World world = ranToEnd(scene);
     std::vector<std::string> states;
     for (std::uint32_t i : orderByPath(world.lineage))
       states.push_back(world.biology->describe(world.lineage.entries[i].state));
@@ -117,8 +107,7 @@ TEST_CASE("The lineage knows each cell's last state") {
 }
 
 TEST_CASE("Another biology may control the cells") {
-  struct Once final : BiologicalUnit {
-    StateId startState() const override { return 0; }
+  struct Once final : IdleUnit {
     double cycleLength(StateId) const override { return 0.5; }
     StateId runCellCycle(const CellContext& cell) override {
       seesBody = cell.physical() && cell.physical()->getVolume() > 0 && cell.physical()->getMass() > 0;
@@ -126,10 +115,6 @@ TEST_CASE("Another biology may control the cells") {
     }
     bool wantsToDivide(const CellContext& cell) const override { return cell.state == 1; }
     bool wantsToDie(const CellContext& cell) const override { return cell.state == 3; }
-    double wantsToGrow(const CellContext&) const override { return 0; }
-    double wantsToConnect(const CellContext&) const override { return 0; }
-    StateId daughterState(StateId mother, bool) override { return mother; }
-    std::string describe(StateId state) const override { return std::to_string(state); }
     bool seesBody = false;
   };
   auto unit = std::make_unique<Once>();

@@ -32,7 +32,7 @@ struct Life {
 
 /// Of each cell that divided, by path. Sizes are watched from outside.
 std::map<CellPath, Life> livesOf(const Scene& scene) {
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   std::map<CellPath, double> atBirth, last;
   std::map<CellPath, Life> lives;
   const auto watch = [&] {
@@ -106,7 +106,7 @@ TEST_CASE("So it is with membranes, and unequal cuts are grown up for") {
 TEST_CASE("A cell that has waited begins its next cycle when it divides") {
   Scene scene = growing(DivisionSize{DivisionSize::Rule::sizer, 1});
   scene.cycle.length = 1;
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   while (world.lineage.entries.size() < 6) step(world);
   bool seen = false;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
@@ -120,7 +120,7 @@ TEST_CASE("Where no cell can come to its size the run ends when it should, one s
   Scene scene = growing(DivisionSize{DivisionSize::Rule::sizer, 2});
   scene.mechanics->physics.growth->until = 1.5;
   scene.stop.time = 20;
-  const World world = ranToEnd(scene, {bestIsa(), 1});
+  const World world = ranToEnd(scene);
   CHECK(world.cells.path.size() == 3);
   CHECK(world.clock.time == Approx(20));
   for (int slot : world.bodies->slots) {
@@ -141,7 +141,7 @@ TEST_CASE(
       scene.stop = {};
       scene.stop.time = 4;
       if (model == CellModel::sphere) scene.mechanics->physics.timeStep = 0x1p-6;
-      const World world = ranToEnd(scene, {bestIsa(), 1});
+      const World world = ranToEnd(scene);
       CAPTURE(nameOf(model), gene);
       const bool grows = gene == std::string("grow");
       const double shrunk = std::exp(-0.25 * 3), large = 1.25 * 1.25 * 1.25;
@@ -154,8 +154,7 @@ TEST_CASE("An early or a late cell's waiting does not move the others' cycles") 
   // The third cell divides at once; the others' rounds go by while they wait.
   Scene scene = growing(DivisionSize{DivisionSize::Rule::sizer, 0.8}, 0.001);
   scene.stop.time = 1;
-  World world = makeWorld(scene, {bestIsa(), 1});
-  runToEnd(world);
+  const World world = ranToEnd(scene);
   int divided = 0;
   for (const LineageEntry& e : world.lineage.entries)
     if (e.fate == Fate::divided && e.born < e.ended) {

@@ -26,7 +26,7 @@ struct Course {
 };
 
 Course courseOf(const Scene& scene, int count, double speed) {
-  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, count, 2.3, speed), {bestIsa(), 1});
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, count, 2.3, speed));
   const double before = measureEnergy(world).total();
   Worst deviation, contact, adhesion;
   while (world.clock.time < 1.5) {
@@ -65,7 +65,7 @@ double differenceUnder(Map map, bool turnsInsideOut, const ContactParameters& co
         for (Vector& u : cell.velocity) u = map(u);
       }
     }
-    World world = worldOf(scene, cells, {bestIsa(), 1});
+    World world = worldOf(scene, cells);
     runTo(world, 0.25);
     REQUIRE(world.contacts->list.pairs > 0);
     std::vector<Point> ends;
@@ -116,7 +116,7 @@ TEST_CASE("What drag, damping and friction take is what is missing") {
   scene.mechanics->physics.drag = 0.2;
   scene.mechanics->contact->damping = 0.2;
   scene.mechanics->contact->friction = 0.3;
-  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1), {bestIsa(), 1});
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1));
   const double before = measureEnergy(world).total();
   double taken = 0, power = measureDissipation(world);
   Worst error;

@@ -26,7 +26,7 @@ TEST_CASE("Evaluating the forces again changes nothing") {
   automatic.stop.time = 2.1;  // shorter steps are too stiff for its contact law
   for (const Scene& scene :
        {undamped(scenes::packed()), undamped(scenes::thesis()), automatic, undamped(scenes::life())}) {
-    World world = makeWorld(scene, {bestIsa(), 1});
+    World world = makeWorld(scene);
     std::uint64_t changed = 0, checked = 0, divisions = 0;
     for (std::size_t cells = 0; !finished(world); step(world)) {
       const bool born = world.cells.path.size() != cells;

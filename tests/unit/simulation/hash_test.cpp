@@ -9,11 +9,7 @@ using namespace morula;
 
 namespace {
 
-World livedWorld() {
-  World world = makeWorld(scenes::life(), {Isa::scalar, 1});
-  while (world.clock.time < 3.1) step(world);
-  return world;
-}
+World livedWorld() { return ranTo(scenes::life(), 3.1); }
 
 void nudge(double& x) { x = std::nextafter(x, 1e300); }
 void nudge(Reals::Reference x) { x = std::nextafter(double(x), 1e300); }

@@ -2,28 +2,11 @@
 #include <set>
 
 #include "catch.h"
-#include "worlds.h"
+#include "connecting.h"
 
 using namespace morula;
 
 namespace {
-
-Scene connected(const std::string& dna, const ConnectionParameters& parameters) {
-  Scene scene = scenes::withBodies(dna, 9);
-  scene.mechanics->contact = scenes::pairContact;
-  scene.mechanics->division.otherwise = {DivisionPlane::axis, {1, 0, 0}};
-  scene.mechanics->connections = parameters;
-  scene.mechanics->physics.drag = 5;
-  return scene;
-}
-
-ConnectionParameters with(MakeConnections make, ConnectionsOnDivision onDivision) {
-  ConnectionParameters p;
-  p.make = make;
-  p.onDivision = onDivision;
-  p.strength = 0.05;
-  return p;
-}
 
 /// Of every cell, by number.
 std::multiset<int> countsOf(const World& world) {
@@ -33,23 +16,13 @@ std::multiset<int> countsOf(const World& world) {
   return counts;
 }
 
-/// Balls at these places that never run a cycle.
-World ballsAt(Scene scene, const std::vector<Vector>& places) {
-  Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
-  ball.pressureConstant = 200;
-  std::vector<Body> cells(places.size(), ball);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (Point& x : cells[i].position) x += places[i];
-  return worldOf(scene, cells);
-}
-
 }  // namespace
 
 TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
   // Each cell keeps its bridges and makes one with each daughter it gives off: a binomial tree
   // [Spradling 1993; de Cuevas & Spradling 1998].
-  World world =
-      makeWorld(connected(scenes::everybodyDivides, with(MakeConnections::atDivision, ConnectionsOnDivision::a)));
+  World world = makeWorld(
+      connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::a)));
   while (world.cells.path.size() < 16) step(world);
   CHECK(countsOf(world) == std::multiset<int>{1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4});
   CHECK(world.connections->active.size() == 15);
@@ -58,10 +31,10 @@ TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4
 
 TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer, whoever else divides") {
   using enum CellChange;
-  const ConnectionParameters p = with(MakeConnections::byGene, ConnectionsOnDivision::nearest);
+  const ConnectionParameters p = withPolicy(MakeConnections::byGene, ConnectionsOnDivision::nearest);
   // Three in a row, cut across x, A on its larger side: AA at 0, AB at 1.9, B at 4 … and one aside of AA.
   const auto after = [&](const std::vector<CellChange>& changes) {
-    World world = ballsAt(connected(scenes::everybodyDivides, p), {{0, 0, 0}, {1.95, 0, 0}, {4, 0, 0}});
+    World world = ballsAt(connecting(scenes::everybodyDivides, p), {{0, 0, 0}, {1.95, 0, 0}, {4, 0, 0}});
     REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
     connect(*world.connections, CellPath::parse("AA"), CellPath::parse("AB"), 0);
     connect(*world.connections, CellPath::parse("AB"), CellPath::parse("BA"), 0);
@@ -70,32 +43,13 @@ TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer,
   };
   CHECK(after({none, divides, none}) == std::set<std::string>{"AA-ABB", "ABA-BA"});
   CHECK(after({divides, divides, divides}) == std::set<std::string>{"AAA-ABB", "ABA-BAB"});
-  // At the same place the plane decides alike, and with a cut off the middle it need not.
-}
-
-TEST_CASE("The nearest daughter may lie on the plane's other side") {
-  using enum CellChange;
-  struct CapOff final : DivisionPolicy {
-    Cut findCut(const CellContext&) const override { return {{0.6, 0, 0}, {1, 0, 0}}; }
-  };
-  const Mesh ball = makeIcosphere(3);
-  for (const auto policy : {ConnectionsOnDivision::plane, ConnectionsOnDivision::nearest}) {
-    Scene scene = connected(scenes::everybodyDivides, with(MakeConnections::byGene, policy));
-    scene.mechanics->mesh = ball;
-    World world = ballsAt(scene, {{}, {0.5, 2.1, 0}});  // beside the cap, on the large daughter's side
-    world.divisionPolicy = std::make_unique<CapOff>();
-    connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
-    changePopulation(world, Observation(world), {divides, none});
-    const bool nearest = policy == ConnectionsOnDivision::nearest;
-    CHECK(pairsOf(world) == std::set<std::string>{nearest ? "AA-B" : "AB-B"});
-  }
 }
 
 TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that asks for it") {
   using enum CellChange;
-  World world =
-      ballsAt(connected(scenes::everybodyDivides, with(MakeConnections::byContact, ConnectionsOnDivision::plane)),
-              {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
+  World world = ballsAt(
+      connecting(scenes::everybodyDivides, withPolicy(MakeConnections::byContact, ConnectionsOnDivision::plane)),
+      {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
   connectNeighbours(world, Observation(world), {none, none, none, none});
   CHECK(pairsOf(world).empty());
   connectNeighbours(world, Observation(world), {cycled, none, none, cycled});
@@ -106,11 +60,10 @@ TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that 
 
 TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends what holds") {
   const auto after = [](const std::string& gene) {
-    Scene scene = connected("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\n" + gene,
-                            with(MakeConnections::byContact, ConnectionsOnDivision::plane));
+    Scene scene = connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\n" + gene,
+                             withPolicy(MakeConnections::byContact, ConnectionsOnDivision::plane));
     scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
-    World world = makeWorld(scene);
-    while (world.clock.time < 3.02) step(world);
+    const World world = ranTo(scene, 3.02);
     return pairsOf(world).size();
   };
   CHECK(after("") == 1);
@@ -121,9 +74,9 @@ TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends 
 TEST_CASE("Pairs: only cells that touch and hold the two substances connect, whichever holds which") {
   using enum CellChange;
   const auto after = [](std::vector<ConnectedPair> pairs) {
-    ConnectionParameters p = with(MakeConnections::pairs, ConnectionsOnDivision::plane);
+    ConnectionParameters p = withPolicy(MakeConnections::pairs, ConnectionsOnDivision::plane);
     p.pairs = std::move(pairs);
-    Scene scene = connected("START: red1\ng1(red1|red1)\ng2(blue|blue)\ng3(green|green)\n", p);
+    Scene scene = connecting("START: red1\ng1(red1|red1)\ng2(blue|blue)\ng3(green|green)\n", p);
     int i = 0;
     for (const char* substance : {"red1", "blue", "green", "red1"})
       scene.cells.push_back({.at = {1.8 * i++, 0, 0}, .substances = std::vector<std::string>{substance}});
@@ -140,15 +93,15 @@ TEST_CASE("Pairs: only cells that touch and hold the two substances connect, whi
 
 TEST_CASE("A connection ends by age and by tension, and the cause is on record") {
   const auto causeAfter = [](const ConnectionParameters& p, double distance) {
-    Scene scene = connected(scenes::everybodyDivides, p);
+    Scene scene = connecting(scenes::everybodyDivides, p);
     scene.mechanics->contact.reset();
     World world = ballsAt(scene, {{}, {distance, 0, 0}});
     connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
     const double end = 0.2;
-    while (world.clock.time < end) step(world);
+    runTo(world, end);
     return std::pair{std::string(world.connections->history[0].cause), world.connections->history[0].released};
   };
-  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::plane);
+  ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane);
   CHECK(causeAfter(p, 2.5).first == "");
   p.releaseAge = 0.1;
   CHECK(causeAfter(p, 2.5).first == "age");
@@ -163,9 +116,9 @@ TEST_CASE("A connection ends by age and by tension, and the cause is on record")
 }
 
 TEST_CASE("A cell may have so many connections that the sisters' own is left out, which comes last") {
-  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::a);
+  ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::a);
   p.most = 2;
-  World world = makeWorld(connected(scenes::everybodyDivides, p));
+  World world = makeWorld(connecting(scenes::everybodyDivides, p));
   while (world.cells.path.size() < 8) step(world);
   for (const int count : countsOf(world)) CHECK(count <= 2);
   // Two rounds make the chain AB-AA-BA-BB; in the third its inner cells have no place for a daughter.
@@ -173,12 +126,12 @@ TEST_CASE("A cell may have so many connections that the sisters' own is left out
 }
 
 TEST_CASE("Springs between cells count against the time step") {
-  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::plane);
+  ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane);
   p.strength.reset();
   p.spring = ConnectionSpring{1, 1};
   const auto limitWith = [&](double stiffness) {
     p.spring->stiffness = stiffness;
-    Scene scene = connected(scenes::everybodyDivides, p);
+    Scene scene = connecting(scenes::everybodyDivides, p);
     scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
     scene.mechanics->contact.reset();
     return timeStepLimit(makeWorld(scene));

@@ -11,8 +11,7 @@
 using namespace morula;
 
 TEST_CASE("Each cell's measures are those of its mesh") {
-  World world = makeWorld(scenes::packed(), {bestIsa(), 1});
-  while (world.clock.time < 3.5) step(world);
+  const World world = ranTo(scenes::packed(), 3.5);
   const auto cells = measureCells(world);
   REQUIRE(cells.size() == 8);
   double total = 0, pressures = 0;
@@ -48,8 +47,7 @@ TEST_CASE("Each cell's measures are those of its mesh") {
 }
 
 TEST_CASE("Contacts are by pairs of paths and agree with the neighbours counted") {
-  World world = makeWorld(scenes::packed(), {bestIsa(), 1});
-  while (world.clock.time < 3.5) step(world);
+  const World world = ranTo(scenes::packed(), 3.5);
   std::vector<int> neighbours(8);
   const auto contacts = measureContacts(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -76,13 +74,10 @@ TEST_CASE("Kinetic energy is that of the vertices; in an ellipsoid the outermost
 
 TEST_CASE("Energy, volume and pressure are of all cells") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
-  Body left = shakenBody(scene.mechanics->mesh, 0, 0), right = left;
-  left.pressureConstant = 200;
-  right.pressureConstant = 100;
+  Body left = ballAt(scene.mechanics->mesh, {}, 200), right = ballAt(scene.mechanics->mesh, {0, 5, 0}, 100);
   right.mass = 3;
   for (Vector& u : left.velocity) u = {2, 0, 0};
   for (Vector& u : right.velocity) u = {0, 0, 4};
-  for (Point& x : right.position) x.y += 5;
   const World world = worldOf(scene, {left, right});
   const WorldMeasures m = measureWorld(world);
   const double volume = measureVolume(left.position, scene.mechanics->mesh.faces);
@@ -92,13 +87,9 @@ TEST_CASE("Energy, volume and pressure are of all cells") {
 }
 
 TEST_CASE("The mean overlap of two balls is the lens they share") {
-  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(3));
-  Body left = shakenBody(makeIcosphere(3), 0, 0), right = left;
-  left.pressureConstant = right.pressureConstant = 200;
+  const Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(3));
   for (double distance : {0.5, 1.5, 2.5}) {
-    Body moved = right;
-    for (Point& x : moved.position) x.y += distance;
-    const World world = worldOf(scene, {left, moved});
+    const World world = ballsAt(scene, {{}, {0, distance, 0}});
     const double lens = distance < 2 ? std::numbers::pi * (4 + distance) * (2 - distance) * (2 - distance) / 12 : 0;
     CHECK(measureMeanOverlap(*world.bodies) == Approx(lens / (4 * std::numbers::pi / 3)).margin(0.01));
   }
@@ -204,8 +195,7 @@ TEST_CASE("Elongation: a ball and a disc have none, twice as long is 2, whatever
 
 TEST_CASE("Extent and momentum: a ball that flies, far out") {
   const Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
-  Body body = shakenBody(scene.mechanics->mesh, 0, 0);
-  for (Point& x : body.position) x += Vector{0, 10, 0};
+  Body body = ballAt(scene.mechanics->mesh, {0, 10, 0});
   for (Vector& u : body.velocity) u = {1, 2, -3};
   body.mass = 4;
   const World world = worldOf(scene, {body});

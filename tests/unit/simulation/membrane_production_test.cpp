@@ -14,14 +14,14 @@ Pressures pressuresWith(double production) {
   Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\n", 9, makeIcosphere(2));
   scene.mechanics->physics.membrane.areaFactor = production;
   scene.mechanics->physics.drag = 2;
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   Pressures p{};
   while (world.cells.path.size() == 1) {
     p.egg = world.bodies->pressure[0];
     step(world);
   }
   p.birth = world.bodies->pressure[0];
-  while (world.clock.time < 5) step(world);
+  runTo(world, 5);
   p.settled = world.bodies->pressure[0];
   return p;
 }

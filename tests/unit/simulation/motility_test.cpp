@@ -27,7 +27,7 @@ std::vector<Point> centres(const World& world) {
 std::vector<Vector> ways(const Scene& scene, double time) {
   World world = makeWorld(scene);
   std::vector<Vector> all = centres(world);
-  while (world.clock.time < time) step(world);
+  runTo(world, time);
   const std::vector<Point> now = centres(world);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = now[i] - all[i];
   return all;

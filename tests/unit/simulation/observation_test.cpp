@@ -10,27 +10,17 @@ using namespace morula;
 
 namespace {
 
-World packedWorld() {
-  World world = makeWorld(scenes::packed(), {bestIsa(), 1});
-  while (world.clock.time < 3.5) step(world);
-  return world;
-}
+World packedWorld() { return ranTo(scenes::packed(), 3.5); }
 
 /// Of which every cell copies its sister at each cycle, and remembers what it saw when it was asked what it
 /// wants.
-struct Copycat final : BiologicalUnit {
-  StateId startState() const override { return 0; }
-  double cycleLength(StateId) const override { return 1; }
+struct Copycat final : IdleUnit {
   StateId runCellCycle(const CellContext& cell) override { return cell.sister() ? cell.sister()->state : 0; }
   bool wantsToDivide(const CellContext& cell) const override {
     if (cell.sister()) seen.push_back({cell.state, cell.sister()->state});
     return cell.path.isEgg();
   }
-  bool wantsToDie(const CellContext&) const override { return false; }
-  double wantsToGrow(const CellContext&) const override { return 0; }
-  double wantsToConnect(const CellContext&) const override { return 0; }
   StateId daughterState(StateId, bool b) override { return b ? 2 : 1; }
-  std::string describe(StateId state) const override { return std::to_string(state); }
   mutable std::vector<std::pair<StateId, StateId>> seen;
 };
 
@@ -171,8 +161,7 @@ TEST_CASE("What nobody asks for is not measured, and what is asked for is measur
 }
 
 TEST_CASE("Without bodies nothing is there to measure; without contact nobody touches") {
-  World lineage = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 3));
-  runToEnd(lineage);
+  const World lineage = ranToEnd(scenes::lineageOnly(scenes::uniqueFour, 3));
   const Observation now(lineage);
   const ObservedCell cell(now, 0);
   CHECK_FALSE(cell.physical());

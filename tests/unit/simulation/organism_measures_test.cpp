@@ -19,12 +19,9 @@ namespace {
 
 /// Balls of radius 1 that never divide, at these places: the first is AAA, the last BBB.
 World balls(const std::vector<Point>& places) {
-  Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1000);
-  s.mechanics->physics.cell = {1, 1, CellModel::sphere};
-  s.mechanics->physics.timeStep = 0x1p-10;
-  s.mechanics->contact = ContactParameters{ContactLaw::pair, 30, 0, 0, 0.01, 1};
-  for (const Point& place : places) s.cells.push_back({.at = place});
-  return makeWorld(s, {Isa::scalar, 1});
+  std::vector<StartCell> cells;
+  for (const Point& place : places) cells.push_back({.at = place});
+  return makeWorld(looseBalls(cells));
 }
 
 /// Eight in a row, each touching the next: `order` says which ball of the list stands at which place.
@@ -34,30 +31,20 @@ World row(const std::vector<int>& order) {
   return balls(places);
 }
 
-std::optional<double> valueOf(const char* name, const World& world, const Reference* reference = nullptr) {
+std::vector<TakenMeasure> taken(const World& world, const std::vector<std::string>& names,
+                                const Reference* reference = nullptr) {
   Observation now(world);
   now.reference = reference;
-  const std::vector<std::string> names{name};
-  const auto taken = takeMeasures(now, names);
-  REQUIRE(taken.size() <= 1);
-  if (taken.empty()) return {};
-  CHECK(taken[0].scope == Scope::world);
-  CHECK(taken[0].name == name);
-  return taken[0].value;
+  return takeMeasures(now, names);
 }
 
-double takenOf(const std::string& name, const World& world) {
-  return takeMeasures(Observation(world), std::vector{name}).at(0).value;
-}
-
-/// A cube of edge 1/n, the one with these numbers of those that fill the unit cube.
-Mesh boxAt(const Point& number, int n) {
-  Mesh mesh;
-  for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back((number + Vector{double(i & 1), double(i >> 1 & 1), double(i >> 2)}) / n);
-  mesh.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return mesh;
+std::optional<double> valueOf(const char* name, const World& world, const Reference* reference = nullptr) {
+  const std::vector<TakenMeasure> values = taken(world, {name}, reference);
+  REQUIRE(values.size() <= 1);
+  if (values.empty()) return {};
+  CHECK(values[0].scope == Scope::world);
+  CHECK(values[0].name == name);
+  return values[0].value;
 }
 
 const std::vector<std::string> ofWorlds{"organism_elongation", "sister_contact", "cousin_contact",   "clone_contact",
@@ -97,18 +84,19 @@ TEST_CASE("Spread of clones: a ball, two balls a known distance apart, a chain, 
         Approx(std::sqrt(1 + 5. / 3 * 0.875 * 0.875) / std::cbrt(2)).epsilon(1e-12));
   const World eight = row({0, 1, 2, 3, 4, 5, 6, 7});
   const double chain = 1.75 * 1.75 * (0.25 + 2.25) / 2;  // four in a row: ±½ and ±3/2 of 1.75
-  CHECK(takenOf("clone_spread of generation 1", eight) ==
+  CHECK(*valueOf("clone_spread of generation 1", eight) ==
         Approx(std::sqrt(1 + 5. / 3 * chain) / std::cbrt(4)).epsilon(1e-12));
-  CHECK(takenOf("clone_spread of generation 3", eight) == Approx(1).epsilon(1e-12));
-  CHECK(takenOf("clone_radius of generation 2", eight) == valueOf("clone_radius", eight));
-  CHECK(takenOf("clone_radius of generation 1", eight) == Approx(std::sqrt(chain)).epsilon(1e-12));
-  CHECK(takenOf("clone_components of generation 0", eight) == 1);
+  CHECK(*valueOf("clone_spread of generation 3", eight) == Approx(1).epsilon(1e-12));
+  CHECK(valueOf("clone_radius of generation 2", eight) == valueOf("clone_radius", eight));
+  CHECK(*valueOf("clone_radius of generation 1", eight) == Approx(std::sqrt(chain)).epsilon(1e-12));
+  CHECK(valueOf("clone_components of generation 0", eight) == 1);
   // A cube of 64 cubes is as compact as one of 8: √(3/12)/√(3/5 (3/4π)^(2/3)) of a cube of edge 1
   const double cube = std::sqrt(0.25 / 0.6) / std::cbrt(0.75 / std::numbers::pi);
   for (const int n : {1, 2, 4}) {
     double volume = 0, second = 0;
     for (int i = 0; i < n * n * n; ++i) {
-      const Mesh piece = boxAt({double(i % n), double(i / n % n), double(i / (n * n))}, n);
+      const Point low{double(i % n), double(i / n % n), double(i / (n * n))};
+      const Mesh piece = zoo::box(low / n, (low + Vector{1, 1, 1}) / n);
       const SolidMoments m = measureMoments(piece.vertices, piece.faces);
       volume += m.volume,
           second += m.second + m.volume * dot(m.centre - Point{.5, .5, .5}, m.centre - Point{.5, .5, .5});
@@ -125,9 +113,8 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
       for (int k = -1; k <= 1; ++k) places.push_back(1.9 * Vector{double(i), double(j), double(k)});
   std::swap(places[13], places.back());  // the last one, BBB…, is in the middle
   const World crowd = balls(places);
-  const std::vector<std::string> names{"surface_distance"};
-  const auto taken = takeMeasures(Observation(crowd), names);
-  REQUIRE(taken.size() == 27);
+  const auto distances = taken(crowd, {"surface_distance"});
+  REQUIRE(distances.size() == 27);
   // How far out the mesh reaches that stands for a ball: its corners, and its faces' planes.
   const Mesh ball = measureShape(*crowd.bodies, 13).surface;
   double farthest = 0, nearest = 2;
@@ -140,21 +127,18 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
   REQUIRE(farthest < 1.1);
   REQUIRE(nearest > 0.8);
   constexpr double twiceEdge = 0.12;
-  for (const TakenMeasure& m : taken) {
+  for (const TakenMeasure& m : distances) {
     INFO(m.a.text());
-    if (&m == &taken.back()) CHECK(m.value > 2);
+    if (&m == &distances.back()) CHECK(m.value > 2);
     else CHECK(m.value < farthest + twiceEdge);
     CHECK(m.value > nearest - twiceEdge);
   }
   CHECK(valueOf("lumen", row({0, 1, 2})) == 0);
 
-  Scene shelled = scenes::ellipsoid();
-  World world = makeWorld(shelled, {Isa::scalar, 1});
-  while (!finished(world)) step(world);
+  const World world = ranToEnd(scenes::ellipsoid());
   const double* a = world.bodies->parameters.shell->semiAxes;
-  const std::vector<std::string> ofShell{"shell_x", "shell_y", "shell_z", "shell_r"};
   const auto cells = measureCells(world);
-  const auto values = takeMeasures(Observation(world), ofShell);
+  const auto values = taken(world, {"shell_x", "shell_y", "shell_z", "shell_r"});
   REQUIRE(values.size() == 4 * cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Vector at{cells[i].at("x") / a[0], cells[i].at("y") / a[1], cells[i].at("z") / a[2]};
@@ -164,7 +148,8 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
     CHECK(values[4 * i + 3].value == Approx(norm(at)));
     CHECK(norm(at) < 1);
   }
-  const auto mesh = std::make_shared<const ConvexShell>(ConvexShell{boxAt({-0.5, -0.25, -0.5}, 1), {{{1, 0, 0}, 0.5}}});
+  const auto mesh = std::make_shared<const ConvexShell>(
+      ConvexShell{zoo::box({-0.5, -0.25, -0.5}, {0.5, 0.75, 0.5}), {{{1, 0, 0}, 0.5}}});
   const ShellPlace place = measurePlaceInShell({{}, mesh}, {0.25, -0.125, 0});
   CHECK(place.along == Vector{0.5, -0.5, 0});
   CHECK(place.out == 0.5);
@@ -175,7 +160,7 @@ TEST_CASE("Measures of some cells alone: rows of these, how many they are, and w
   const std::vector<std::string> names{"count of AA*", "generation of AAB", "generation",           "kinship of AA*",
                                        "count of a0",  "count of clones",   "count of generation 2"};
   std::map<std::string, int> rows;
-  for (const TakenMeasure& m : takeMeasures(Observation(eight), names)) {
+  for (const TakenMeasure& m : taken(eight, names)) {
     ++rows[m.name];
     if (m.name == "count of AA*") CHECK(m.value == 2);
     if (m.name == "count of a0" || m.name == "count of clones") CHECK(m.value == 8);
@@ -190,7 +175,7 @@ TEST_CASE("Measures of some cells alone: rows of these, how many they are, and w
                                            {"generation of AAB", 1},
                                            {"kinship of AA*", 2}});
   for (const char* wrong : {"volume of AA*", "cells of AA*", "count", "clone_radius of AA*", "age of a b"})
-    CHECK_THROWS_AS(takeMeasures(Observation(eight), std::vector<std::string>{wrong}), BugError);
+    CHECK_THROWS_AS(taken(eight, {wrong}), BugError);
 }
 
 TEST_CASE("Kinship and distance: by hand for three cells, AA, AB and B") {
@@ -278,19 +263,17 @@ TEST_CASE("Measures on demand: names are no other's, pairs and cells come by pat
   for (const auto& m : sampledMeasures<Touch>()) CHECK_FALSE(names.contains(m.name));
 
   const World world = row({0, 1, 2});  // AA AB B
-  const Observation now(world);
-  const auto taken =
-      takeMeasures(now, std::vector<std::string>{"kinship", "generation", "contact_share", "clone_radius"});
+  const auto measures = taken(world, {"kinship", "generation", "contact_share", "clone_radius"});
   std::vector<std::string> lines;
-  for (const TakenMeasure& m : taken)
+  for (const TakenMeasure& m : measures)
     if (m.name != "contact_share")
       lines.push_back(m.name + " " + m.a.text() + " " + m.b.text() + " " + std::to_string(static_cast<int>(m.value)));
   CHECK(lines == std::vector<std::string>{"generation AA  2", "generation AB  2", "generation B  1", "kinship AA AB 1",
                                           "kinship AB B 2"});  // no clone has two cells
   // The disc in which two balls of radius 1 meet, 1.75 apart, over the ball's surface
-  for (const TakenMeasure& m : taken)
+  for (const TakenMeasure& m : measures)
     if (m.name == "contact_share") CHECK(m.value == Approx((1 - 0.875 * 0.875) / 4).epsilon(1e-12));
-  CHECK_THROWS_AS(takeMeasures(now, std::vector<std::string>{"volume"}), BugError);
+  CHECK_THROWS_AS(taken(world, {"volume"}), BugError);
 }
 
 TEST_CASE("A lineage without bodies has ages and generations, and nothing else on demand") {
@@ -298,23 +281,22 @@ TEST_CASE("A lineage without bodies has ages and generations, and nothing else o
   step(world), step(world);
   std::vector<std::string> all;
   for (const MeasureOnDemand& m : measuresOnDemand()) all.push_back(m.name);
-  for (const TakenMeasure& m : takeMeasures(Observation(world), all)) {
+  for (const TakenMeasure& m : taken(world, all)) {
     CHECK(m.scope == Scope::cell);
     CHECK(((m.name == "age" && m.value >= 0) || (m.name == "generation" && m.value == m.a.depth())));
   }
-  CHECK(takeMeasures(Observation(world), all).size() == 2 * world.cells.path.size());
+  CHECK(taken(world, all).size() == 2 * world.cells.path.size());
 }
 
 TEST_CASE("Of each cell: how the divisions that made it lay, its extents, and how much lies on the shell") {
-  World world = makeWorld(scenes::ellipsoid(), {Isa::scalar, 1});
-  while (!finished(world)) step(world);
-  const Observation now(world);
-  std::vector<std::string> names{"axis_turn", "axis_to_x",   "birth_share", "birth_ambiguity", "extent_1", "extent_2",
-                                 "extent_3",  "shell_share", "age"};
-  const auto taken = takeMeasures(now, names);
-  REQUIRE(taken.size() == world.cells.path.size() * names.size());
+  const World world = ranToEnd(scenes::ellipsoid());
+  const std::vector<std::string> names{"axis_turn",       "axis_to_x",   "birth_share",
+                                       "birth_ambiguity", "extent_1",    "extent_2",
+                                       "extent_3",        "shell_share", "age"};
+  const auto measures = taken(world, names);
+  REQUIRE(measures.size() == world.cells.path.size() * names.size());
   const auto of = [&](const CellPath& cell, const std::string& name) {
-    return std::ranges::find_if(taken, [&](const TakenMeasure& m) { return m.a == cell && m.name == name; })->value;
+    return std::ranges::find_if(measures, [&](const TakenMeasure& m) { return m.a == cell && m.name == name; })->value;
   };
   const auto divisionOf = [&](const CellPath& mother) {
     return *std::ranges::find(world.divisions, mother, &DivisionRecord::path);
@@ -352,14 +334,11 @@ TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
 TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from where it was born") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9, makeIcosphere(1));
   scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  Body ball = shakenBody(scenes::scaled(makeIcosphere(1), 0.9), 0, 0);
-  ball.pressureConstant = 100;
-  for (Point& x : ball.position) x += Vector{7, -2, 1};  // being born elsewhere is no way that was gone
-  World world = worldOf(scene, {ball});
-  const std::vector<std::string> names{"displacement"};
+  // Being born elsewhere is no way that was gone.
+  World world = worldOf(scene, {ballAt(scenes::scaled(makeIcosphere(1), 0.9), {7, -2, 1}, 100)});
   const auto ways = [&] {
     std::map<std::string, double> all;
-    for (const TakenMeasure& m : takeMeasures(Observation(world), names)) all[m.a.text()] = m.value;
+    for (const TakenMeasure& m : taken(world, {"displacement"})) all[m.a.text()] = m.value;
     return all;
   };
   const auto divide = [&](const std::vector<CellChange>& changes) {
@@ -376,12 +355,12 @@ TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from whe
   CHECK(ways().at("B") == 0);
   divide({CellChange::divides, CellChange::none});
   CHECK(ways() == std::map<std::string, double>{{"AA", 0}, {"AB", 0}, {"B", 0}});
-  CHECK(takeMeasures(Observation(balls({{}, {4, 0, 0}})), names).empty());  // nor these
+  CHECK(taken(balls({{}, {4, 0, 0}}), {"displacement"}).empty());  // nor these
 }
 
 TEST_CASE("Displacement is what the centres tell of a life, of meshes and of balls, and after a checkpoint") {
   for (const Scene& scene : {scenes::packed(), scenes::spheres()}) {
-    World world = makeWorld(scene, {bestIsa(), 1});
+    World world = makeWorld(scene);
     std::map<CellPath, Point> births;
     const auto centre = [](const CellMeasures& m) { return Point{m.at("x"), m.at("y"), m.at("z")}; };
     bool isSaved = false;
@@ -397,17 +376,16 @@ TEST_CASE("Displacement is what the centres tell of a life, of meshes and of bal
     }
     for (const CellMeasures& m : measureCells(world)) births.try_emplace(m.path, centre(m));
     REQUIRE(isSaved);
-    const std::vector<std::string> names{"displacement"};
-    const auto taken = takeMeasures(Observation(world), names);
+    const auto displacements = taken(world, {"displacement"});
     const auto cells = measureCells(world);
-    REQUIRE(taken.size() == cells.size());
+    REQUIRE(displacements.size() == cells.size());
     double farthest = 0;
     const double takenIn = world.bodies->areSpheres() ? 1e-12 : 3e-4;  // of 1.6e-4 at most
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      CHECK(taken[i].a == cells[i].path);
+      CHECK(displacements[i].a == cells[i].path);
       // Where the shell holds surfaces it takes in a little of what daughters have on new meshes, once they are born.
-      CHECK(taken[i].value == Approx(norm(centre(cells[i]) - births.at(cells[i].path))).margin(takenIn));
-      farthest = std::max(farthest, taken[i].value);
+      CHECK(displacements[i].value == Approx(norm(centre(cells[i]) - births.at(cells[i].path))).margin(takenIn));
+      farthest = std::max(farthest, displacements[i].value);
     }
     CHECK(farthest > 0.01);
   }

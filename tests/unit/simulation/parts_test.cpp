@@ -31,8 +31,8 @@ TEST_CASE("Without a contact block cells pass through each other and no neighbou
   REQUIRE(with.contacts);
   CHECK(with.contacts->rows.size() > 0);
   const Vector apart = centreOf(without, "B") - centreOf(without, "A");
-  while (without.clock.time < 3) step(without);
-  while (with.clock.time < 3) step(with);
+  runTo(without, 3);
+  runTo(with, 3);
   CHECK(dot(centreOf(without, "B") - centreOf(without, "A"), apart) < 0);
   CHECK(dot(centreOf(with, "B") - centreOf(with, "A"), apart) > 0);
   CHECK(measureContacts(without).empty());

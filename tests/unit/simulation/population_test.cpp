@@ -51,7 +51,7 @@ TEST_CASE("The lineage is that of the same DNA without bodies") {
   for (const Scene& with : {scenes::life(), scenes::packed()}) {
     Scene without = with;
     without.mechanics.reset();
-    const World a = ranToEnd(with, {bestIsa(), 1}), b = ranToEnd(without);
+    const World a = ranToEnd(with), b = ranToEnd(without);
     const auto orderA = orderByPath(a.lineage);
     for (std::uint32_t i : orderA) {
       const LineageEntry& one = a.lineage.entries[i];
@@ -65,8 +65,7 @@ TEST_CASE("The lineage is that of the same DNA without bodies") {
 }
 
 TEST_CASE("A cell that dies leaves the physics and stays in the lineage") {
-  World world = makeWorld(scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n", 4));
-  runTo(world, 1.5);
+  World world = ranTo(scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n", 4), 1.5);
   REQUIRE(world.bodies->count == 2);
   const std::vector<Point> survivor = cellVertices(world, CellPath::parse("B"));
   runTo(world, 2.0);
@@ -86,8 +85,7 @@ TEST_CASE("When everybody is dead the run is over") {
   for (bool withBodies : {true, false}) {
     Scene scene = scenes::withBodies("START: a0\ng1(divide|a0)\ng2(die|A)\ng3(die|B)\n", 100);
     if (!withBodies) scene.mechanics.reset();
-    World world = makeWorld(scene);
-    runToEnd(world);
+    const World world = ranToEnd(scene);
     CHECK(world.clock.time == Approx(2).margin(0.05));
     CHECK(world.cells.path.empty());
     REQUIRE(world.lineage.entries.size() == 3);
@@ -130,10 +128,8 @@ TEST_CASE("A division that cannot be done leaves the world as it was, other divi
 
 TEST_CASE("A cell turned inside out stops the run and is named") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
-  const Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
-  Body second = ball;
-  for (Point& x : second.position) x.x += 5;
-  World world = worldOf(scene, {ball, second});
+  const std::vector<Body> balls{ballAt(scene.mechanics->mesh, {}), ballAt(scene.mechanics->mesh, {5, 0, 0})};
+  World world = worldOf(scene, balls);
   for (int v = 0; v < world.bodies->vertexCount(); ++v)
     world.bodies->position[world.bodies->at(1, v)] = -world.bodies->position[world.bodies->at(1, v)];
   try {
@@ -145,7 +141,7 @@ TEST_CASE("A cell turned inside out stops the run and is named") {
     CHECK_THAT(e.quantity, ContainsSubstring("inside out"));
     CHECK_THAT(e.remedy, ContainsSubstring("physics.time_step"));
   }
-  World broken = worldOf(scene, {ball, second});
+  World broken = worldOf(scene, balls);
   broken.bodies->velocity[broken.bodies->at(1, 3)] = std::nan("");
   CHECK_THROWS_AS(step(broken), NumericalError);
 }
@@ -159,7 +155,7 @@ TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at he
   scene.stop.time = 3;
   scene.cycle.length = 1;
   scene.cycle.perSubstance = {};
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   while (world.cells.path.size() < 2) step(world);
   const Bodies& b = *world.bodies;
   const double egg = measureVolume(b.mesh.mesh.vertices, b.mesh.mesh.faces);
@@ -171,7 +167,7 @@ TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at he
   CHECK(atRest == Approx(1).epsilon(1e-14));
   const double atBirth = sphericity(b.volume[0], measureArea(takeBody(b, 0).position, b.mesh.mesh.faces));
   CHECK(atBirth < 0.9);
-  while (world.clock.time < 1.9) step(world);
+  runTo(world, 1.9);
   for (int slot : b.slots) {
     const double area = measureArea(takeBody(b, slot).position, b.mesh.mesh.faces);
     CHECK(b.volume[slot] == Approx(b.mass(slot) * egg).epsilon(1e-6));

@@ -43,7 +43,7 @@ TEST_CASE(
 
 TEST_CASE("Any skin leads to the same state: only the number of searches differs") {
   const Scene scene = shortPacked();
-  const End usual = endOf(scene, {bestIsa(), 1});
+  const End usual = endOf(scene, {});
   for (double skinShare : {0.0, 0.02, 0.5}) {
     const End end = endOf(scene, {bestIsa(), 1, {ContactSearch::grid, skinShare}});
     CAPTURE(skinShare);
@@ -55,7 +55,7 @@ TEST_CASE("Any skin leads to the same state: only the number of searches differs
 
 TEST_CASE("Births and deaths, growth and connections: trees like grids, step by step") {
   const Scene scene = scenes::life();
-  World grid = makeWorld(scene, {bestIsa(), 1}), trees = makeWorld(scene, {bestIsa(), 2, {ContactSearch::aabbTree, 0}}),
+  World grid = makeWorld(scene), trees = makeWorld(scene, {bestIsa(), 2, {ContactSearch::aabbTree, 0}}),
         hashed = makeWorld(scene, {bestIsa(), 1, {ContactSearch::spatialHash, 0.3}});
   std::int64_t different = 0;
   while (!finished(grid)) {

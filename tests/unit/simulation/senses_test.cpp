@@ -25,13 +25,10 @@ SenseParameters sense(const char* substance, SenseKind kind, Threshold is, const
 
 /// Cells of the given substances; what each holds after its first cycle.
 std::vector<std::string> statesAfterOneCycle(Scene scene, const std::vector<SenseParameters>& senses,
-                                             const Execution& execution = {bestIsa(), 1}) {
+                                             const Execution& execution = {}) {
   scene.senses = senses;
-  World world = makeWorld(scene, execution);
-  while (world.clock.time < scene.cycle.length) step(world);
-  std::vector<std::string> states;
-  for (StateId state : world.cells.state) states.push_back(world.biology->describe(state));
-  return states;
+  const World world = ranTo(scene, scene.cycle.length, execution);
+  return statesOf(world);
 }
 
 Scene balls(std::vector<StartCell> cells, const std::string& dna, std::set<std::string> sensed) {
@@ -100,8 +97,7 @@ TEST_CASE("Two cells that perceive each other do so of one instant") {
 TEST_CASE("A cell on the shell perceives the share of its surface that lies there") {
   Scene scene = scenes::withBodies("START: a\ng1(a|a)\n", 2, scenes::scaled(makeIcosphere(2), 0.95));
   scene.mechanics->physics.shell = ShellParameters{{0.93, 0.93, 0.93}};
-  World world = makeWorld(scene);
-  while (world.clock.time < 0.5) step(world);
+  const World world = ranTo(scene, 0.5);
   // The egg more than fills it: its surface, 0.012 below its vertices, is pressed onto it everywhere.
   CHECK(ObservedCell(Observation(world), 0).shellShare() == Approx(1));
   // Of an octahedron's eight faces, each vertex stands for a sixth of the area.
@@ -138,10 +134,8 @@ TEST_CASE("A connection and a sister are perceived while they are there") {
                   sense("held", SenseKind::connected, {})};
   World world = makeWorld(scene);
   const auto statesAt = [&](double time) {
-    while (world.clock.time < time) step(world);
-    Names states;
-    for (StateId state : world.cells.state) states.push_back(world.biology->describe(state));
-    return states;
+    runTo(world, time);
+    return statesOf(world);
   };
   CHECK(statesAt(1) == Names{"A b divide", "B b divide"});
   CHECK(statesAt(2) == Names{"c hasB held"});
@@ -174,9 +168,7 @@ TEST_CASE("Turning a scene turns its result: cells perceive the same") {
     World world = worldOf(s, bodies, execution);
     world.clock.nextCycle = 1;
     runToEnd(world);
-    Names states;
-    for (StateId state : world.cells.state) states.push_back(world.biology->describe(state));
-    return states;
+    return statesOf(world);
   };
   const Names plain = run(false, {Isa::scalar, 1});
   CHECK(std::set<std::string>(plain.begin(), plain.end()).size() > 3);  // they do not all perceive the same
@@ -186,7 +178,7 @@ TEST_CASE("Turning a scene turns its result: cells perceive the same") {
 
 TEST_CASE("The order of senses does not matter") {
   Scene scene = scenes::sensing();
-  const World one = ranToEnd(scene, {bestIsa(), 1});
+  const World one = ranToEnd(scene);
   CHECK(one.cells.path.size() > 3);
   std::reverse(scene.senses.begin(), scene.senses.end());
   CHECK(hashState(ranToEnd(scene, {bestIsa(), 2})).whole == hashState(one).whole);
@@ -194,8 +186,7 @@ TEST_CASE("The order of senses does not matter") {
 
 TEST_CASE("A scene that senses nothing measures nothing") {
   Scene scene = scenes::packed();
-  World world = makeWorld(scene, {bestIsa(), 1});
-  while (world.clock.time < 2.5) step(world);
+  const World world = ranTo(scene, 2.5);
   const Observation now(world);
   for (int i = 0; i < 4; ++i) world.biology->runCellCycle(ObservedCell(now, i));
   CHECK(now.measured() == Observation::Counts{});

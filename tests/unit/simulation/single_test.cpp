@@ -1,22 +1,12 @@
 // Single precision beside double: the same scene, to the digits that a float has.
 #include "catch.h"
 #include "worlds.h"
-#include "worst.h"
 
 using namespace morula;
 
-namespace {
-
-Scene inSingle(Scene scene) {
-  scene.mechanics->physics.precision = Precision::binary32;
-  return scene;
-}
-
-}  // namespace
-
 TEST_CASE("With floats, cells go the same way to six digits until they have touched for a while") {
   Scene scene = scenes::packed();
-  World wide = makeWorld(scene, {bestIsa(), 1}), narrow = makeWorld(inSingle(scene), {bestIsa(), 1});
+  World wide = makeWorld(scene), narrow = makeWorld(scenes::inSingle(scene));
   CHECK(wide.clock.timeStep == narrow.clock.timeStep);
   for (int i = 0; i < 20; ++i) step(wide), step(narrow);
   REQUIRE(wide.bodies->count == narrow.bodies->count);
@@ -34,7 +24,7 @@ TEST_CASE("With floats, cells go the same way to six digits until they have touc
 
 TEST_CASE("With floats, a whole life has the same lineage, and cells of the same volume") {
   const Scene scene = scenes::packed();
-  const World wide = ranToEnd(scene, {bestIsa(), 1}), narrow = ranToEnd(inSingle(scene), {bestIsa(), 1});
+  const World wide = ranToEnd(scene), narrow = ranToEnd(scenes::inSingle(scene));
   CHECK(pathsOf(wide) == pathsOf(narrow));
   double wideVolume = 0, narrowVolume = 0;
   for (int slot = 0; slot < wide.bodies->count; ++slot) {
@@ -47,20 +37,12 @@ TEST_CASE("With floats, a whole life has the same lineage, and cells of the same
 }
 
 TEST_CASE("With floats, touching cells keep their momentum to the floats' rounding") {
-  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  Scene scene = scenes::inSingle(scenes::withBodies(scenes::uniqueFour, 3));
   scene.mechanics->contact = scenes::pairContactWithFriction;
-  scene.mechanics->physics.precision = Precision::binary32;
-  World world = worldOf(scene, flyingCells(makeIcosphere(1), 8, 2.2, 1), {bestIsa(), 1});
-  const auto momentum = [&] {
-    Vector sum;
-    const Bodies& b = *world.bodies;
-    for (int slot = 0; slot < b.count; ++slot)
-      for (int v = 0; v < b.vertexCount(); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
-    return sum;
-  };
-  const Vector before = momentum();
+  World world = worldOf(scene, flyingCells(makeIcosphere(1), 8, 2.2, 1));
+  const Vector before = momentumOf(*world.bodies);
   for (int i = 0; i < 300; ++i) step(world);
   CHECK(world.contacts->rebuilds > 3);
   // 8 · 42 · 300 roundings of 6e-8 in a speed of about 1, most of which cancel, over a mass of about 11.
-  CHECK(norm(momentum() - before) < 1e-4);
+  CHECK(norm(momentumOf(*world.bodies) - before) < 1e-4);
 }

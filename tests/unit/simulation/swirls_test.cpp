@@ -117,7 +117,7 @@ TEST_CASE("chirality: of the division's rule alone, and for eight time constants
     for (const Swirl& swirl : *world.swirls) paths.push_back(world.cells.path[swirl.cell].text());
     return paths;
   };
-  while (world.clock.time < 1.5) step(world);
+  runTo(world, 1.5);
   CHECK(youngOnes().empty());  // of the egg's division there is no rule
   while (world.cells.path.size() < 4) step(world);
   CHECK(youngOnes() == std::vector<std::string>{"BA", "BB"});
@@ -126,9 +126,9 @@ TEST_CASE("chirality: of the division's rule alone, and for eight time constants
   CHECK(swirls[1].rate == -swirls[0].rate);
   CHECK(swirls[0].axis == world.divisions.back().axis);
   const double born = world.clock.time;
-  while (world.clock.time < born + 0.39) step(world);
+  runTo(world, born + 0.39);
   CHECK(youngOnes().size() == 2);
-  while (world.clock.time < born + 0.41) step(world);
+  runTo(world, born + 0.41);
   CHECK(youngOnes().empty());
 }
 

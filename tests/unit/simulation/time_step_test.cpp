@@ -11,7 +11,7 @@ using namespace morula;
 TEST_CASE("auto is a power of two that follows cells and how hard contacts are pressed, and each change is on record") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
   scene.mechanics->contact = scenes::pairContact;
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   REQUIRE(world.timeSteps.size() == 1);
   CHECK(world.timeSteps[0].time == 0);
   CHECK(world.timeSteps[0].step == 0);
@@ -123,7 +123,7 @@ TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is to
   CHECK(world.clock.timeStep < usual);
   CHECK(world.clock.timeStep * 20 <= 0.19 * world.contacts->radius[0]);
   CHECK(2 * world.clock.timeStep * 20 > 0.19 * world.contacts->radius[0]);
-  while (world.clock.time < 1) step(world);
+  runTo(world, 1);
   CHECK(centreOf(world, "A").x < 0);
   CHECK(centreOf(world, "B").x > 0);
   scene.mechanics->physics.timeStep = usual;
@@ -148,12 +148,11 @@ TEST_CASE("A time step that is chosen twice in one step, for births and for cont
 }
 
 TEST_CASE("When the small cells die the step may grow again") {
-  World world = makeWorld(scenes::withBodies(
+  const World world = ranToEnd(scenes::withBodies(
       "START: "
       "a0\ng1(divide|a0)\ng2(a1|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a2)\ng6(die|a3,A)\ng7(a3|a3)\ng8(a4|a2)\n"
       "g9(divide|a1,A)\ng10(divide|a2,A)\ng11(divide|a2,B)\ng12(die|a4)\n",
       9));
-  while (!finished(world)) step(world);
   bool grew = false;
   for (std::size_t i = 1; i < world.timeSteps.size(); ++i)
     grew = grew || world.timeSteps[i].timeStep > world.timeSteps[i - 1].timeStep;
@@ -166,7 +165,7 @@ TEST_CASE("A cell that shrinks gets lighter, and the step follows at its cell cy
     scene.mechanics->physics.growth = GrowthParameters{0.25};
     scene.mechanics->physics.drag = 1;
     scene.mechanics->physics.membrane.damping = damping;
-    const World world = ranToEnd(scene, {bestIsa(), 1});
+    const World world = ranToEnd(scene);
     CHECK(world.bodies->mass(0) < 0.02);
     CHECK(world.timeSteps.size() > 2);
     for (const TimeStepChange& change : world.timeSteps) CHECK(change.time == std::floor(change.time));
@@ -301,11 +300,11 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   scene.mechanics->contact = scenes::thesisContact;
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none"));
   scene.mechanics->contact = scenes::pairContact;
-  World world = makeWorld(scene, {bestIsa(), 1});
+  World world = makeWorld(scene);
   const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness, scenes::pairContact.damping,
                                     world.bodies->vertexMass[0]);
   CHECK(world.clock.timeStep == powerOfTwoBelow(0.8 * limit));
-  while (!finished(world)) step(world);
+  runToEnd(world);
   CHECK(world.cells.path.size() == 8);
   p.timeStep = 0.9 * limit;
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its contacts"));
@@ -320,7 +319,7 @@ TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps o
     scene.mechanics->contact->stiffness = 300;
     scene.mechanics->contact->damping = damping;
     scene.cells = {{.at = {-1.2, 0, 0}, .velocity = {1, 0, 0}}, {.at = {1.2, 0, 0}, .velocity = {-1, 0, 0}}};
-    World world = makeWorld(scene, {bestIsa(), 1});
+    World world = makeWorld(scene);
     world.clock.timeStep = times * contactLimit(Integrator::xpbd, 300, damping, world.bodies->vertexMass[0]);
     Worst largest;
     while (world.clock.time < 1) {

@@ -39,19 +39,11 @@ World pressedTogether(CellModel model, int level, double load, double stiffness,
   return world;
 }
 
-double fastest(const World& world) {
-  Worst speed;
-  for (int slot = 0; slot < 2; ++slot)
-    for (int v = 0; v < world.bodies->vertexCount(); ++v)
-      speed.see(norm(world.bodies->read(world.bodies->velocity, slot, v)));
-  return speed;
-}
-
 void comeToRest(World& world, double speed) {
   do {
     for (int i = 0; i < 100; ++i) step(world);
     REQUIRE(world.clock.step < 200'000);
-  } while (fastest(world) > speed);
+  } while (fastestVertex(*world.bodies) > speed);
 }
 
 /// A third of the faces around each vertex of the first cell that the other presses with at least half the pressure.

@@ -23,7 +23,12 @@ Scene varied(double cycle, std::uint64_t seed = 3) {
   return s;
 }
 
-/// Births by path: when the mother's cycle was due.
+/// [radii] By which a first cell stands off its place.
+Vector startDeviate(const Scene& scene, const CellPath& path) {
+  return {deviate(scene, path, Purpose::startVariation, 0), deviate(scene, path, Purpose::startVariation, 1),
+          deviate(scene, path, Purpose::startVariation, 2)};
+}
+
 }  // namespace
 
 TEST_CASE("Each cell has a pace of its own, and divides when the cycles of its line add up to it") {
@@ -102,18 +107,12 @@ TEST_CASE("A first cell stands off its place by a deviate along each axis") {
   scene.variation.start = 0.1;
   const double radius = scene.mechanics->physics.cell.radius;
   const Point egg = centreOf(makeWorld(scene), "");
-  const Vector expected{deviate(scene, {}, Purpose::startVariation, 0), deviate(scene, {}, Purpose::startVariation, 1),
-                        deviate(scene, {}, Purpose::startVariation, 2)};
-  CHECK(norm(egg - 0.1 * radius * expected) < 1e-14);
+  CHECK(norm(egg - 0.1 * radius * startDeviate(scene, {})) < 1e-14);
 
   scene.cells = {{.at = {-2, 0, 0}}, {.at = {2, 0, 0}, .scale = 0.5}};
   const World two = makeWorld(scene);
-  for (const auto& [path, at] : {std::pair("A", Point{-2, 0, 0}), std::pair("B", Point{2, 0, 0})}) {
-    const CellPath cell = CellPath::parse(path);
-    const Vector by{deviate(scene, cell, Purpose::startVariation, 0), deviate(scene, cell, Purpose::startVariation, 1),
-                    deviate(scene, cell, Purpose::startVariation, 2)};
-    CHECK(norm(centreOf(two, path) - at - 0.1 * radius * by) < 1e-14);
-  }
+  for (const auto& [path, at] : {std::pair("A", Point{-2, 0, 0}), std::pair("B", Point{2, 0, 0})})
+    CHECK(norm(centreOf(two, path) - at - 0.1 * radius * startDeviate(scene, CellPath::parse(path))) < 1e-14);
 }
 
 TEST_CASE("No first cell leaves the shell, and one that would stands against it") {

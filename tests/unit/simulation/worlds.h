@@ -19,14 +19,24 @@ inline void runToEnd(World& world) {
   while (!finished(world)) step(world);
 }
 
-inline World ranToEnd(const Scene& scene, const Execution& execution = {Isa::scalar, 1}) {
+inline void runTo(World& world, double time) {
+  while (world.clock.time < time) step(world);
+}
+
+inline World ranToEnd(const Scene& scene, const Execution& execution = {}) {
   World world = makeWorld(scene, execution);
   runToEnd(world);
   return world;
 }
 
+inline World ranTo(const Scene& scene, double time, const Execution& execution = {}) {
+  World world = makeWorld(scene, execution);
+  runTo(world, time);
+  return world;
+}
+
 /// A world in which the given bodies live, under paths of equal length, and never run a cell cycle.
-inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const Execution& execution = {Isa::scalar, 1},
+inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const Execution& execution = {},
                      std::unique_ptr<BiologicalUnit> biology = nullptr) {
   World world = biology ? makeWorld(scene, std::move(biology), execution) : makeWorld(scene, execution);
   const StateId state = world.cells.state[0];
@@ -44,6 +54,36 @@ inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const 
   beginWithBodies(world);
   return world;
 }
+
+/// The same of cells of the scene's mesh, at rest round these places.
+inline World ballsAt(const Scene& scene, const std::vector<Vector>& places) {
+  std::vector<Body> cells;
+  for (const Vector& place : places) cells.push_back(ballAt(scene.mechanics->mesh, place, 200));
+  return worldOf(scene, cells);
+}
+
+/// Spheres of radius 1 and mass 1 that never divide, without shell, drag, friction and damping.
+inline Scene looseBalls(std::vector<StartCell> cells) {
+  Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1000);
+  s.mechanics->physics.cell = {1, 1, CellModel::sphere};
+  s.mechanics->physics.timeStep = 0x1p-10;
+  s.mechanics->contact = ContactParameters{ContactLaw::pair, 30, 0, 0, 0.01, 1};
+  s.cells = std::move(cells);
+  return s;
+}
+
+/// Cells of one state that want nothing; what is tested says more.
+struct IdleUnit : BiologicalUnit {
+  StateId startState() const override { return 0; }
+  double cycleLength(StateId) const override { return 1; }
+  StateId runCellCycle(const CellContext& cell) override { return cell.state; }
+  bool wantsToDivide(const CellContext&) const override { return false; }
+  bool wantsToDie(const CellContext&) const override { return false; }
+  double wantsToGrow(const CellContext&) const override { return 0; }
+  double wantsToConnect(const CellContext&) const override { return 0; }
+  StateId daughterState(StateId mother, bool) override { return mother; }
+  std::string describe(StateId state) const override { return std::to_string(state); }
+};
 
 /// Balls on a cubic lattice of 2 × 2 × n with the given distance of their centres, each flying towards the
 /// middle and a little past it.
@@ -107,8 +147,11 @@ inline std::set<std::string> pairsOf(const World& world) {
   return pairs;
 }
 
-inline void runTo(World& world, double time) {
-  while (world.clock.time < time) step(world);
+/// The substances of each living cell.
+inline std::vector<std::string> statesOf(const World& world) {
+  std::vector<std::string> states;
+  for (StateId state : world.cells.state) states.push_back(world.biology->describe(state));
+  return states;
 }
 
 }  // namespace morula

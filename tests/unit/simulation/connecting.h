@@ -1,0 +1,25 @@
+#pragma once
+// Scenes of cells that connect.
+#include "worlds.h"
+
+namespace morula {
+
+/// Cells that touch and are cut across x.
+inline Scene connecting(const std::string& dna, const ConnectionParameters& parameters) {
+  Scene scene = scenes::withBodies(dna, 9);
+  scene.mechanics->contact = scenes::pairContact;
+  scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
+  scene.mechanics->connections = parameters;
+  scene.mechanics->physics.drag = 5;  // sisters that round off must not fly apart
+  return scene;
+}
+
+inline ConnectionParameters withPolicy(MakeConnections make, ConnectionsOnDivision onDivision) {
+  ConnectionParameters p;
+  p.make = make;
+  p.onDivision = onDivision;
+  p.strength = 0.05;
+  return p;
+}
+
+}  // namespace morula
