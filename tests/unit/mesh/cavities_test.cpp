@@ -42,11 +42,7 @@ std::vector<Mesh> moved(std::vector<Mesh> cells) {
   return cells;
 }
 
-Mesh ball(const Point& at) {
-  Mesh mesh = scaleToRadius(makeIcosphere(2), 1);
-  for (Point& x : mesh.vertices) x += at;
-  return mesh;
-}
+Mesh ball(const Vector& at) { return zoo::moved(scaleToRadius(makeIcosphere(2), 1), at); }
 
 /// Balls of radius 1, each touching twelve others.
 std::vector<Mesh> closePacked() {

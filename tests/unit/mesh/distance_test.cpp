@@ -9,15 +9,6 @@
 
 using namespace morula;
 
-namespace {
-
-Mesh moved(Mesh mesh, const Vector& by) {
-  for (Point& x : mesh.vertices) x += by;
-  return mesh;
-}
-
-}  // namespace
-
 TEST_CASE("A surface is nowhere from itself, however its vertices are numbered") {
   const Mesh ball = makeIcosphere(2);
   CHECK(measureSurfaceDistance(ball, ball) == 0);
@@ -49,7 +40,7 @@ TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and fa
   const Mesh cube = scenes::cube();  // of edge 1.1
   // Its far corners see the other's near face at 3.1 + 1.1, the near ones at 3.1 − 1.1 + 1.1.
   const double expected = std::sqrt((2.0 * 2.0 + 3.1 * 3.1) / 2);
-  CHECK(measureSurfaceDistance(cube, moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));
+  CHECK(measureSurfaceDistance(cube, zoo::moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));
 }
 
 TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
@@ -63,7 +54,7 @@ TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
 TEST_CASE("Small shifts come out to the last digits") {
   const Mesh cube = scenes::cube();
   // Along an axis: four of eight corners leave each cube's face by 1e-9, and lie above or under it.
-  const double distance = measureSurfaceDistance(cube, moved(cube, {1e-9, 0, 0}));
+  const double distance = measureSurfaceDistance(cube, zoo::moved(cube, {1e-9, 0, 0}));
   CHECK(distance > 0.5e-9);
   CHECK(distance < 1.001e-9);
 }
@@ -72,13 +63,15 @@ TEST_CASE("Of balls that overlap the deepest vertex is as deep as the balls, les
   const Mesh ball = makeIcosphere(3);
   for (const Vector& way : {Vector{1, 0, 0}, Vector{0, 0.6, -0.8}, Vector{1 / 3.0, 2 / 3.0, 2 / 3.0}})
     for (const double apart : {0.4, 1.2, 1.8}) {
-      const double depth = measureDepth(ball, moved(ball, apart * way));
+      const double depth = measureDepth(ball, zoo::moved(ball, apart * way));
       const double ofBalls = std::min(apart, 2 - apart);
       CHECK(depth < ofBalls);
-      CHECK(depth > ofBalls - 0.03);  // the nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less
+      CHECK(depth >
+            ofBalls -
+                0.03);  // the nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less
     }
-  CHECK(measureDepth(ball, moved(ball, {2.01, 0, 0})) == 0);
-  CHECK(measureDepth(ball, moved(ball, {1.2, 1.2, 1.2})) == 0);  // their boxes meet, they do not
+  CHECK(measureDepth(ball, zoo::moved(ball, {2.01, 0, 0})) == 0);
+  CHECK(measureDepth(ball, zoo::moved(ball, {1.2, 1.2, 1.2})) == 0);  // their boxes meet, they do not
 }
 
 TEST_CASE("Inside is where the surface winds around, not what lies in the box") {
@@ -87,7 +80,7 @@ TEST_CASE("Inside is where the surface winds around, not what lies in the box") 
   const Point corner = cube.vertices[7];
   CHECK(measureDepth(small, cube) == Approx(corner.x / 2));
   CHECK(measureDepth(cube, small) == 0);
-  CHECK(measureDepth(moved(tiny, 0.7 * corner), cube) > 0);
+  CHECK(measureDepth(zoo::moved(tiny, 0.7 * corner), cube) > 0);
   cube.vertices[7] = {};  // a dent
-  CHECK(measureDepth(moved(tiny, 0.7 * corner), cube) == 0);
+  CHECK(measureDepth(zoo::moved(tiny, 0.7 * corner), cube) == 0);
 }

@@ -45,6 +45,25 @@ TEST_CASE("Icospheres have five edges at the icosahedron's corners and six elsew
   for (std::size_t i = 0; i < neighbours.size(); ++i) REQUIRE(neighbours[i].size() == (i < 12 ? 5 : 6));
 }
 
+TEST_CASE("The icospheres' triangles stay near equilateral: the springs may take them as equal") {
+  for (int level = 0; level <= 4; ++level) {
+    const Mesh m = makeIcosphere(level);
+    double shortest = INFINITY, longest = 0, sharpest = -1, bluntest = 1;  // edges, and cosines of corners
+    for (const Face& face : m.faces)
+      for (int k = 0; k < 3; ++k) {
+        const Point& corner = m.vertices[face[k]];
+        const Vector u = m.vertices[face[(k + 1) % 3]] - corner, v = m.vertices[face[(k + 2) % 3]] - corner;
+        const double cosine = dot(u, v) / (norm(u) * norm(v));
+        shortest = std::min(shortest, norm(u)), longest = std::max(longest, norm(u));
+        sharpest = std::max(sharpest, cosine), bluntest = std::min(bluntest, cosine);
+      }
+    CAPTURE(level);
+    CHECK(sharpest < (level == 0 ? 0.5 + 1e-14 : 0.6));  // 53°
+    CHECK(bluntest > (level == 0 ? 0.5 - 1e-14 : 0.3));  // 72.5°
+    CHECK(longest / shortest < (level == 0 ? 1 + 1e-14 : 1.26));
+  }
+}
+
 TEST_CASE("The bits of the icospheres never change: results of old runs rest on them") {
   const char* const known[] = {"b6af971628377e559cd0f5270f2adf76", "3cb165d9b2933e19d7451a7fc198f096",
                                "14090d45d264f34056914aa6f9279f37", "26f5da2e0c571931d11d0aedf9110799",

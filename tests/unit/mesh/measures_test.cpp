@@ -100,38 +100,6 @@ TEST_CASE("Sphericity compares with the sphere of the same volume") {
   }
 }
 
-TEST_CASE("Quality is that of the worst corner and the extreme edges") {
-  const Mesh ico = makeIcosphere(0);
-  const Quality even = measureQuality(ico.vertices, ico.faces);
-  CHECK(even.sharpestCosine == Approx(0.5).epsilon(1e-14));
-  CHECK(even.bluntestCosine == Approx(0.5).epsilon(1e-14));
-  CHECK(even.longestEdge == Approx(even.shortestEdge).epsilon(1e-14));
-
-  const Mesh box = zoo::box({0, 0, 0}, {1, 1, 1});
-  const Quality half = measureQuality(box.vertices, box.faces);  // half squares: 45° and 90°
-  CHECK(half.sharpestCosine == Approx(std::sqrt(0.5)).epsilon(1e-15));
-  CHECK(std::abs(half.bluntestCosine) < 1e-15);
-  CHECK(half.shortestEdge == 1);
-  CHECK(half.longestEdge == std::sqrt(2.0));
-
-  // One flat triangle with 120° at the top, and one needle.
-  const std::vector<Point> points = {{-std::sqrt(3.0), 0, 0}, {std::sqrt(3.0), 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
-  const std::vector<Face> cap = {{0, 1, 2}}, needle = {{3, 4, 2}};
-  CHECK(measureQuality(points, cap).bluntestCosine == Approx(-0.5).epsilon(1e-14));
-  CHECK(measureQuality(points, cap).sharpestCosine == Approx(std::sqrt(0.75)).epsilon(1e-14));
-  CHECK(measureQuality(points, needle).sharpestCosine == 1);
-  CHECK(measureQuality(points, needle).shortestEdge == 0);
-
-  // The icospheres' triangles stay near equilateral: the springs may take them as equal.
-  for (int level = 1; level <= 4; ++level) {
-    const Mesh m = makeIcosphere(level);
-    const Quality q = measureQuality(m.vertices, m.faces);
-    CHECK(q.sharpestCosine < 0.6);  // 53°
-    CHECK(q.bluntestCosine > 0.3);  // 72.5°
-    CHECK(q.longestEdge / q.shortestEdge < 1.26);
-  }
-}
-
 TEST_CASE("Faces turned inward are counted") {
   Mesh m = makeIcosphere(2);
   CHECK(countFacesTurnedInward(m.vertices, m.faces, {0, 0, 0}) == 0);

@@ -1,5 +1,6 @@
 #pragma once
 // Closed meshes of many kinds, for properties that must hold of all of them.
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -93,6 +94,20 @@ inline std::vector<Animal> all() {
   zoo.push_back({"egg", scaled(makeIcosphere(2), {27, 15, 11})});
   zoo.push_back({"far away", moved(makeIcosphere(2), {1000, -2000, 3000})});
   return zoo;
+}
+
+/// As the text of an OBJ file.
+inline std::string objOf(const Mesh& mesh, const std::string& lineEnd = "\n") {
+  const auto shortest = [](double v) -> std::string {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, v).ptr};
+  };
+  std::string text;
+  for (const Point& v : mesh.vertices)
+    text += "v " + shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z) + lineEnd;
+  for (const Face& f : mesh.faces)
+    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + lineEnd;
+  return text;
 }
 
 inline double volumeOf(const Mesh& m) { return measureVolume(m.vertices, m.faces); }
