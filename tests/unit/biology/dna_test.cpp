@@ -1,13 +1,10 @@
 #include "biology/dna.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "base/error.h"
 #include "catch.h"
 #include "organism.h"
+#include "temporary_folder.h"
 #include "thesis_dna.h"
 
 using namespace morula;
@@ -20,12 +17,6 @@ std::string complaintAbout(const std::string& text, const std::string& file = "f
     parseDna(text, file, line, column, path, surroundings);
   } catch (const InputError& error) { return error.what(); }
   return "";
-}
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 /// g(product|input input): what was read, written again.
@@ -154,8 +145,8 @@ TEST_CASE("every bad DNA file gets exactly the expected complaints") {
     INFO(name);
     auto expected = entry.path();
     const DnaSurroundings nothing;
-    CHECK(complaintAbout(contentOf(entry.path()), name, 1, 1, "", &nothing) + "\n" ==
-          contentOf(expected.replace_extension(".expected")));
+    CHECK(complaintAbout(readText(entry.path()), name, 1, 1, "", &nothing) + "\n" ==
+          readText(expected.replace_extension(".expected")));
   }
   CHECK(files >= 20);
 }

@@ -1,11 +1,8 @@
 #include "biology/full_tree.h"
 
-#include <fstream>
-#include <sstream>
-
-#include "base/error.h"
 #include "catch.h"
 #include "organism.h"
+#include "temporary_folder.h"
 
 using namespace morula;
 
@@ -41,9 +38,8 @@ TEST_CASE("a prefix of the final substance tells the founder") {
 }
 
 TEST_CASE("the shipped file is what the generator writes") {
-  std::ostringstream shipped;
-  shipped << std::ifstream(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-1024.dna", std::ios::binary).rdbuf();
-  CHECK((shipped.str() == makeFullTreeDna(10)));  // in parentheses, lest 120 kB be printed
+  const std::string shipped = readText(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-1024.dna");
+  CHECK((shipped == makeFullTreeDna(10)));  // in parentheses, lest 120 kB be printed
 }
 
 TEST_CASE("trees of other sizes") {

@@ -23,11 +23,6 @@ struct Scene {
     for (const Vector& p : places) cells.push_back(shakenBody(zoo::moved(makeIcosphere(1), p), 0.05, 1));
     return cells;
   }
-  Vector forceOn(int slot) const {
-    Vector sum;
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += lab.force(slot, v);
-    return sum;
-  }
 };
 
 }  // namespace
@@ -38,9 +33,9 @@ TEST_CASE("Each of two connected cells is drawn to the other with k_c, however f
     Scene s({{}, distance * way, {9, 9, 9}});
     connect(s.connections, paths[0], paths[1], 0);
     addConnectionForces(s.connections, paths, s.lab.bodies);
-    CHECK(norm(s.forceOn(0) - 0.2 * way) < 1e-13);
-    CHECK(norm(s.forceOn(1) + 0.2 * way) < 1e-13);
-    CHECK(norm(s.forceOn(2)) == 0);
+    CHECK(norm(s.lab.forceOn(0) - 0.2 * way) < 1e-13);
+    CHECK(norm(s.lab.forceOn(1) + 0.2 * way) < 1e-13);
+    CHECK(norm(s.lab.forceOn(2)) == 0);
     CHECK(measureConnectionEnergy(s.connections, paths, s.lab.bodies) == Approx(0.2 * distance));
     // Spread evenly: it moves the cell without pulling it out of shape.
     for (int v = 0; v < s.lab.bodies.vertexCount(); ++v) CHECK(s.lab.force(0, v) == s.lab.force(0, 0));
@@ -54,8 +49,8 @@ TEST_CASE("A cell with two connections feels both") {
   connect(s.connections, paths[0], paths[1], 0);
   connect(s.connections, paths[2], paths[0], 0);
   addConnectionForces(s.connections, paths, s.lab.bodies);
-  CHECK(norm(s.forceOn(0) - Vector{0.2, 0.2, 0}) < 1e-13);
-  CHECK(norm(s.forceOn(0) + s.forceOn(1) + s.forceOn(2)) < 1e-15);
+  CHECK(norm(s.lab.forceOn(0) - Vector{0.2, 0.2, 0}) < 1e-13);
+  CHECK(norm(s.lab.forceOn(0) + s.lab.forceOn(1) + s.lab.forceOn(2)) < 1e-15);
 }
 
 TEST_CASE("What is released pulls no more; forces add to those that are there") {
@@ -65,14 +60,14 @@ TEST_CASE("What is released pulls no more; forces add to those that are there") 
   release(s.connections, paths[0], paths[1], 1, "gene");
   addConnectionForces(s.connections, paths, s.lab.bodies);
   addConnectionForces(s.connections, paths, s.lab.bodies);
-  CHECK(norm(s.forceOn(0) - Vector{0, 0.4, 0}) < 1e-13);
-  CHECK(norm(s.forceOn(1)) == 0);
+  CHECK(norm(s.lab.forceOn(0) - Vector{0, 0.4, 0}) < 1e-13);
+  CHECK(norm(s.lab.forceOn(1)) == 0);
 }
 
 TEST_CASE("Two cells with one centre have no direction and feel no force") {
   Scene s({{}, {}, {}});
   connect(s.connections, paths[0], paths[1], 0);
   addConnectionForces(s.connections, paths, s.lab.bodies);
-  CHECK(norm(s.forceOn(0)) == 0);
-  CHECK(norm(s.forceOn(1)) == 0);
+  CHECK(norm(s.lab.forceOn(0)) == 0);
+  CHECK(norm(s.lab.forceOn(1)) == 0);
 }

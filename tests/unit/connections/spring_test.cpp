@@ -7,11 +7,11 @@ using namespace morula;
 
 namespace {
 
-const std::vector<CellPath> pathsOfCells{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
+const std::vector<CellPath> pathsOfCells{CellPath::parse("AA"), CellPath::parse("AB")};
 
 struct Spring {
-  std::array<Vector, 2> forces{};  // on the two cells
-  double energy = 0;
+  std::array<Vector, 2> forces;  // on the two cells
+  double energy;
 };
 
 /// A spring between two round cells, the second one of `size`, so far apart. `volume`: of either, now.
@@ -28,12 +28,8 @@ Spring stretched(const ConnectionSpring& spring, const Vector& between, double s
   Connections c;
   c.parameters.spring = spring;
   connect(c, pathsOfCells[0], pathsOfCells[1], 0);
-  addConnectionForces(c, {pathsOfCells[0], pathsOfCells[1]}, lab.bodies);
-  Spring result;
-  for (int slot : {0, 1})
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v) result.forces[slot] += lab.force(slot, v);
-  result.energy = measureConnectionEnergy(c, {pathsOfCells[0], pathsOfCells[1]}, lab.bodies);
-  return result;
+  addConnectionForces(c, pathsOfCells, lab.bodies);
+  return {{lab.forceOn(0), lab.forceOn(1)}, measureConnectionEnergy(c, pathsOfCells, lab.bodies)};
 }
 
 }  // namespace
