@@ -83,10 +83,6 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
   return {code, readWhole(outFile), readWhole(errFile)};
 }
 
-Launched launch(const std::vector<std::string>& arguments, const Environment& environment) {
-  return launch(arguments, environment, {});
-}
-
 void waitUntil(const std::function<bool()>& holds) {
   for (int i = 0; i < 600'000; ++i) {
     if (holds()) return;

@@ -25,19 +25,9 @@ std::size_t occurrences(const std::string& text, const std::string& part);
 /// The built program, for tests that start it through a shell.
 std::string programFile();
 
-/// Runs `morula arguments…` in the source folder and waits for its end.
-Launched launch(const std::vector<std::string>& arguments, const Environment& environment = {});
-
-/// The same; calls `meanwhile` with the process's id while it runs.
-Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
-                const std::function<void(int)>& meanwhile);
-
-/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if it
-/// never comes to hold.
-void waitUntil(const std::function<bool()>& holds);
-
-/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time since.
-void waitUntilComputing(int process);
+/// Runs `morula arguments…` in the source folder, calls `meanwhile` with the process's id, and waits for its end.
+Launched launch(const std::vector<std::string>& arguments, const Environment& environment = {},
+                const std::function<void(int)>& meanwhile = {});
 
 /// The same with stderr on a terminal, which `err` holds what was written to. None where the system has no
 /// pseudo-terminals: then the test says so (skippedWithoutTerminal) and has nothing to look at.
@@ -46,6 +36,13 @@ std::optional<Launched> launchOnTerminal(const std::vector<std::string>& argumen
 
 /// What such a test says.
 inline constexpr auto skippedWithoutTerminal = "skipped: no pseudo-terminals here";
+
+/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if it
+/// never comes to hold.
+void waitUntil(const std::function<bool()>& holds);
+
+/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time since.
+void waitUntilComputing(int process);
 
 /// An empty folder that goes away with its owner.
 class TemporaryFolder {

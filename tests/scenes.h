@@ -2,7 +2,6 @@
 // Scenes that several kinds of tests share. All numbers are written out, so that better defaults do not
 // change them.
 #include <string>
-#include <vector>
 
 #include "mesh/measures.h"
 #include "simulation/world.h"

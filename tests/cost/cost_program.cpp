@@ -6,7 +6,6 @@
 //   cost_program work KERNEL ISA TURNS FOLDER
 //                                does it so often, for a program that counts instructions, and prints the
 //                                number of vertices in one turn; FOLDER keeps the packed cells
-#include <cstring>
 #include <iostream>
 #include <map>
 

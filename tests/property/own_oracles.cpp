@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "biology/sense.h"
 #include "contacts/contacts.h"
 #include "mesh/convex_shell.h"

@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <fstream>
 
-#include "base/error.h"
 #include "connections/connections.h"
 #include "scenario/scenario.h"
 #include "simulation/checkpoint.h"

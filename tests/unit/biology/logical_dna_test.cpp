@@ -1,6 +1,5 @@
 #include "biology/logical_dna.h"
 
-#include "base/error.h"
 #include "catch.h"
 #include "organism.h"
 #include "thesis_dna.h"

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "biology/biological_unit.h"
 #include "biology/dna.h"

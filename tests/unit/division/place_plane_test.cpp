@@ -4,7 +4,6 @@
 #include "base/maths.h"
 #include "catch.h"
 #include "cuts.h"
-#include "division/halves.h"
 
 using namespace morula;
 

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "base/error.h"
-#include "base/random.h"
 #include "catch.h"
 #include "known_cell.h"
 #include "unit/physics/lab.h"

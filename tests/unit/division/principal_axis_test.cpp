@@ -1,8 +1,6 @@
 // The longest direction of a cell, also where it has none: rounding must not decide where a cell divides.
 #include "division/principal_axis.h"
 
-#include <algorithm>
-
 #include "catch.h"
 #include "unit/physics/lab.h"
 

@@ -1,9 +1,7 @@
 // Voids whose volumes are known: cells that are the pieces of a thick polyhedral shell, walls and balls.
 #include "mesh/cavities.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "catch.h"
 #include "zoo.h"

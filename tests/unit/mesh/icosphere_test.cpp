@@ -1,6 +1,5 @@
 #include <set>
 
-#include "base/error.h"
 #include "base/hash.h"
 #include "catch.h"
 #include "mesh/measures.h"

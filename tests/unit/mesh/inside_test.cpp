@@ -1,6 +1,5 @@
 #include "base/random.h"
 #include "catch.h"
-#include "mesh/measures.h"
 #include "mesh_oracles.h"
 #include "zoo.h"
 

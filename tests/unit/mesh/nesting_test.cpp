@@ -1,7 +1,6 @@
 // A shape on a coarser mesh: which vertices it has, and what stays.
 #include "mesh/nesting.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "catch.h"

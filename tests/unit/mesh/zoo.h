@@ -1,7 +1,6 @@
 #pragma once
 // Closed meshes of many kinds, for properties that must hold of all of them.
 #include <charconv>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "base/random.h"
-#include "mesh/measures.h"
 #include "physics/stages.h"
 #include "unit/mesh/zoo.h"
 #include "worst.h"

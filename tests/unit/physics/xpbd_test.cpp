@@ -2,7 +2,6 @@
 // it.
 #include <algorithm>
 
-#include "base/maths.h"
 #include "catch.h"
 #include "lab.h"
 #include "physics/stability.h"

@@ -1,7 +1,6 @@
 // What cells perceive of a world: against what is put there by hand; and turning, naming or reckoning otherwise
 // changes nothing.
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "catch.h"

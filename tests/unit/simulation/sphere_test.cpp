@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/maths.h"
 #include "catch.h"
-#include "simulation/checkpoint.h"
 #include "worlds.h"
 
 using namespace morula;

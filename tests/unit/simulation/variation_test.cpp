@@ -1,7 +1,5 @@
 // What a seed varies: cycles, shares, the start; and unequal divisions of whole worlds.
-#include <map>
 
-#include "base/error.h"
 #include "base/random.h"
 #include "catch.h"
 #include "simulation/checkpoint.h"
