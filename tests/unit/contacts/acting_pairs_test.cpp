@@ -85,7 +85,6 @@ struct Motion {
 }  // namespace
 
 TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns and speeds up within the margin") {
-  const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas())
     for (Precision precision : {Precision::binary64, Precision::binary32})
       for (const auto& [law, speed] : {Motion{{}, 0}, Motion{{}, 30}, Motion{{ContactLaw::pair, 40, 20}, 1},
@@ -179,7 +178,6 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
 }
 
 TEST_CASE("Where little moves the choice is narrow and lasts") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
   const ActingPairs& acting = crowd.contacts.acting;
   Bodies& b = crowd.lab.bodies;
@@ -201,7 +199,6 @@ TEST_CASE("Where little moves the choice is narrow and lasts") {
 }
 
 TEST_CASE("Where choices end soon, because now one cell jumps and now another, all pairs are taken for a while") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
   Bodies& b = crowd.lab.bodies;
   const double jump = 0.05 * crowd.contacts.list.skin / crowd.contacts.skinShare;
@@ -217,7 +214,6 @@ TEST_CASE("Where choices end soon, because now one cell jumps and now another, a
 }
 
 TEST_CASE("Choices that searches end soon are no reason to take all pairs") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
   Bodies& b = crowd.lab.bodies;
   for (int i = 0; i < 20; ++i) {
@@ -229,7 +225,6 @@ TEST_CASE("Choices that searches end soon are no reason to take all pairs") {
 }
 
 TEST_CASE("Snapshots count by how much they may change gaps, and the choice holds up to its margin") {
-  const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas()) {
     Crowd crowd(limp(), {ContactLaw::pair, 40, 2}, ball, heap(ball, 9, 1.8, 0), isa);
     Bodies& b = crowd.lab.bodies;

@@ -191,7 +191,6 @@ TEST_CASE("Surfaces that come near draw each other from R on, most at 0.38 R") {
 }
 
 TEST_CASE("A pair's two strengths in the list are the same to the bit, and those of its cells' kinds") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), sticky(3), ball, heap(ball, 9, 1.9, 0.5));
   Contacts& c = crowd.contacts;
   AdhesionKinds kinds{{}, 2, {1, 2, 2, 5}};

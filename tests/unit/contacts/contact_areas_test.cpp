@@ -72,7 +72,6 @@ TEST_CASE("A row of balls touches pair by pair, in order, whatever the slots") {
 }
 
 TEST_CASE("Areas do not depend on when the list was built") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 1));
   crowd.step(0x1p-8);
   const auto lazy = measureContactAreas(crowd.contacts, crowd.lab.bodies);

@@ -5,6 +5,9 @@
 
 namespace morula {
 
+/// The mesh of most cells of these tests.
+inline const Mesh ball = makeIcosphere(1);
+
 struct Crowd {
   Lab lab;
   Contacts contacts;

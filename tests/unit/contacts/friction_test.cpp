@@ -65,7 +65,6 @@ TEST_CASE("Damping acts against approach only; cells that are torn apart feel no
 
 TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel none") {
   for (const Vector& all : {Vector{}, Vector{0.5, 1, -2}}) {
-    const Mesh ball = makeIcosphere(1);
     auto cells = heap(ball, 9, 1.6, 0);
     for (Body& cell : cells)
       for (Vector& u : cell.velocity) u = all;

@@ -46,7 +46,6 @@ std::size_t pairsIn(const ListsByVertex& lists) {
 }  // namespace
 
 TEST_CASE("The list holds the pairs within reach and no others, for cells of different sizes, heaped or strewn") {
-  const Mesh ball = makeIcosphere(1);
   for (Isa isa : availableIsas())
     for (int count : {1, 2, 7, 8, 9, 17})
       for (double spacing : {0.1, 1.0, 1.8, 300.0}) {
@@ -61,7 +60,6 @@ TEST_CASE("The list holds the pairs within reach and no others, for cells of dif
 }
 
 TEST_CASE("After moves of less than half the skin the list still holds every pair within reach") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
   Bodies& b = crowd.lab.bodies;
   const double skin = crowd.contacts.list.skin;
@@ -83,7 +81,6 @@ TEST_CASE("After moves of less than half the skin the list still holds every pai
 }
 
 TEST_CASE("One vertex that moves by half the skin renews the list") {
-  const Mesh ball = makeIcosphere(1);
   for (int slot : {0, 8}) {
     Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
     Bodies& b = crowd.lab.bodies;
@@ -98,7 +95,6 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
 }
 
 TEST_CASE("Random moves, step after step: the list is right each time it is new") {
-  const Mesh ball = makeIcosphere(1);
   // So weak that contacts do not throw vertices farther than the skin in each step.
   Crowd crowd(limp(), {ContactLaw::pair, 0.3, 0}, ball, heap(ball, 9, 1.8, 3));
   Bodies& b = crowd.lab.bodies;
@@ -116,7 +112,6 @@ TEST_CASE("Random moves, step after step: the list is right each time it is new"
 }
 
 TEST_CASE("Forces do not depend on when the list was built: the same bits if it is built at each step") {
-  const Mesh ball = makeIcosphere(1);
   PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
@@ -138,7 +133,6 @@ TEST_CASE("Forces do not depend on when the list was built: the same bits if it 
 }
 
 TEST_CASE("Two threads build the list that one does") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 33, 1.8, 0));
   const AlignedVector<std::int32_t> indices = crowd.contacts.list.indices;
   for (int threads : {2, 3, 7}) {
@@ -149,7 +143,6 @@ TEST_CASE("Two threads build the list that one does") {
 }
 
 TEST_CASE("Whether lists are too long, and whose, does not depend on the number of threads") {
-  const Mesh ball = makeIcosphere(1);
   Crowd crowd(limp(), {}, ball, heap(ball, 25, 0.8, 0));
   NeighbourList& list = crowd.contacts.list;
   const double whole = double(list.pairs) * list.bytesPerNeighbour;

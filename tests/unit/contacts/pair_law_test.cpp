@@ -106,7 +106,6 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
 TEST_CASE("In single precision forces are the same but for its rounding") {
   PhysicsParameters p = limp();
   p.precision = Precision::binary32;
-  const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
     const Crowd crowd = evaluated({p, law, ball, heap(ball, 9, 1.6, 0.5)});
     double largest;
@@ -134,7 +133,6 @@ TEST_CASE("Energies that are measured are those of the equations, and their halv
 
 TEST_CASE("How deep the deepest overlap of each block is, is that of the equations") {
   for (const auto& [name, law] : cases) {
-    const Mesh ball = makeIcosphere(1);
     const Crowd crowd = evaluated({limp(), law, ball, heapOf(ball, 9, 1.6, 0.03, 3)});
     const PairOracle oracle(crowd.lab.bodies, law);
     CAPTURE(name);
@@ -184,7 +182,6 @@ TEST_CASE("Two balls that overlap are pushed apart along the line between them; 
 
 TEST_CASE(
     "The force is continuous where pairs come into reach and where they begin to overlap, with damping and adhesion") {
-  const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
     const Body left = ballAt(ball, {});
     Body right = ballAt(ball, {2.9, 0.1, 0.05});
@@ -211,7 +208,6 @@ TEST_CASE(
 }
 
 TEST_CASE("A ring that folds, its normal turning over through nothing, gives no jump and no large force") {
-  const Mesh ball = makeIcosphere(1);
   for (const auto& [name, law] : cases) {
     Body left = shakenBody(ball, 0, 0), right = left;
     for (Point& x : right.position) x = Vector{1.9, 0, 0} + Vector{-x.x, -x.y, x.z};  // turned half round
@@ -245,7 +241,6 @@ TEST_CASE("A ring that folds, its normal turning over through nothing, gives no 
 }
 
 TEST_CASE("Vertices at one place, or with parallel normals, do not make a force infinite") {
-  const Mesh ball = makeIcosphere(1);
   const Body one = shakenBody(ball, 0, 0);
   Body needle = one;  // all but one of its vertices in two points
   for (std::size_t v = 1; v < needle.position.size(); ++v)

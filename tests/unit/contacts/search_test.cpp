@@ -108,7 +108,6 @@ std::vector<Body> moved(std::vector<Body> cells, const Vector& by) {
 }  // namespace
 
 TEST_CASE("Random crowds of cells of like sizes, dense to strewn") {
-  const Mesh ball = makeIcosphere(1);
   for (int count : {2, 8, 9, 20})
     for (double spacing : {0.3, 1.6, 1.9, 300.0}) {
       CAPTURE(count, spacing);
@@ -117,7 +116,6 @@ TEST_CASE("Random crowds of cells of like sizes, dense to strewn") {
 }
 
 TEST_CASE("Radii that differ by a factor of forty") {
-  const Mesh ball = makeIcosphere(1);
   auto cells = heap(ball, 12, 1.7, 0);
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i].restScale = i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.4 : 2;
   check(cells, ball, 1000);
@@ -131,7 +129,6 @@ TEST_CASE("Other meshes: few vertices, many, and one with a hole") {
 }
 
 TEST_CASE("Cells at one place: vertices coincide, and everything is everybody's neighbour") {
-  const Mesh ball = makeIcosphere(1);
   check(std::vector<Body>(9, shakenBody(ball, 0, 0)), ball, 9 * 42 * 8);
   std::vector<Body> points(9, shakenBody(ball, 0, 0));  // each cell in one point: lists longer than a short sort bears
   for (Body& b : points)
@@ -139,13 +136,9 @@ TEST_CASE("Cells at one place: vertices coincide, and everything is everybody's 
   check(points, ball, 9 * 42 * 8 * 42);
 }
 
-TEST_CASE("One cell has no neighbours") {
-  const Mesh ball = makeIcosphere(1);
-  check({shakenBody(ball, 0.02, 0)}, ball, 0);
-}
+TEST_CASE("One cell has no neighbours") { check({shakenBody(ball, 0.02, 0)}, ball, 0); }
 
 TEST_CASE("Cells far from each other: memory and result do not depend on the distance") {
-  const Mesh ball = makeIcosphere(1);
   for (double distance : {1e3, 1e6, 1e12}) {
     auto cells = heap(ball, 4, 1.8, 0);
     const auto other = moved(heap(ball, 4, 1.8, 0, 1), {distance, -distance / 3, distance / 7});
@@ -158,7 +151,6 @@ TEST_CASE("Cells far from each other: memory and result do not depend on the dis
 }
 
 TEST_CASE("Huge coordinates, where the distance of two numbers is a fair part of the reach") {
-  const Mesh ball = makeIcosphere(1);
   for (double far : {1e6, 1e12, 1e14, 1e15}) {
     CAPTURE(far);
     check(moved(heap(ball, 9, 1.8, 0), {far, -far, far}), ball, 20);
@@ -166,7 +158,6 @@ TEST_CASE("Huge coordinates, where the distance of two numbers is a fair part of
 }
 
 TEST_CASE("Vertices that are nowhere, or whose squares overflow, have no neighbours and do no harm to others") {
-  const Mesh ball = makeIcosphere(1);
   for (double lost : {std::numeric_limits<double>::quiet_NaN(), double(INFINITY), -double(INFINITY), 1e200, -1e308}) {
     auto cells = heap(ball, 9, 1.8, 0);
     cells[0].position[0].x = -lost;
@@ -185,7 +176,6 @@ TEST_CASE("Vertices that are nowhere, or whose squares overflow, have no neighbo
 
 TEST_CASE("Points at the edges of bins") {
   // On a lattice of the bins' size, and a rounding or less beside it.
-  const Mesh ball = makeIcosphere(1);
   std::vector<Body> cells(12, shakenBody(ball, 0, 0));
   Crowd probe(limp(), {}, ball, cells);
   const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
@@ -234,7 +224,6 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
 }
 
 TEST_CASE("Cells on the move: trees that are refitted stay right, and are not built anew") {
-  const Mesh ball = makeIcosphere(1);
   PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   auto cells = heap(ball, 9, 1.8, 3);
@@ -270,7 +259,6 @@ TEST_CASE("A list serves crowds that grow and shrink, and another mesh") {
 }
 
 TEST_CASE("Counters tell the work: the same for every instruction set and number of threads") {
-  const Mesh ball = makeIcosphere(1);
   const Crowd crowd(limp(), {}, ball, heap(ball, 27, 1.8, 0));
   const std::uint64_t cells = 27, vertices = 27 * 42;
   for (ContactSearch search : valuesOf<ContactSearch>()) {
@@ -289,7 +277,6 @@ TEST_CASE("Counters tell the work: the same for every instruction set and number
 }
 
 TEST_CASE("Without a skin there is a search at every step, and the same motion") {
-  const Mesh ball = makeIcosphere(1);
   auto cells = heap(ball, 9, 1.8, 0.5);
   PhysicsParameters p = softCell();
   for (Body& b : cells) b.pressureConstant = 4 * b.mass;

@@ -30,7 +30,6 @@ Vector penetration(const SeenVertex& i, const std::vector<SeenVertex>& all) {
 }  // namespace
 
 TEST_CASE("Contact forces are eq. 4.8 over all pairs of vertices, by brute force") {
-  const Mesh ball = makeIcosphere(1);
   PhysicsParameters springs = limp();
   springs.membrane.stiffness = 5;  // so that f_other is something
   for (const PhysicsParameters& p : {limp(), springs})
@@ -62,7 +61,6 @@ TEST_CASE("Contact forces are eq. 4.8 over all pairs of vertices, by brute force
 }
 
 TEST_CASE("Its stiffness grows with the inverse square of the time step") {
-  const Mesh ball = makeIcosphere(1);
   const auto push = [&](double timeStep) {
     Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
     crowd.lawTimeStep = timeStep;
@@ -73,7 +71,6 @@ TEST_CASE("Its stiffness grows with the inverse square of the time step") {
 }
 
 TEST_CASE("Nothing acts back on the other cell: it does not keep momentum, and that is why it is not the default") {
-  const Mesh ball = makeIcosphere(1);
   const Crowd crowd = evaluated({limp(), thesis, ball, heap(ball, 2, 1.6, 0)});
   Vector sum;
   double size = 0;
