@@ -164,16 +164,15 @@ Json drawDna(Draw& draw) {
   return text;
 }
 
+/// Where the key with this path stands: "a.b" at "/a/b".
+Json::json_pointer placeOf(std::string path) {
+  std::ranges::replace(path, '.', '/');
+  return Json::json_pointer("/" + path);
+}
+
 const Json* find(const Json& scenario, const std::string& path) {
-  const Json* at = &scenario;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    const auto member = at->is_object() ? at->find(path.substr(begin, end - begin)) : at->end();
-    if (!at->is_object() || member == at->end()) return nullptr;
-    at = &*member;
-    begin = end + 1;
-  }
-  return at;
+  const Json::json_pointer place = placeOf(path);
+  return scenario.contains(place) ? &scenario[place] : nullptr;
 }
 
 Json drawParameter(Draw& draw, const Parameter& p, const Json& scenario) {
@@ -182,6 +181,14 @@ Json drawParameter(Draw& draw, const Parameter& p, const Json& scenario) {
   if (p.allowed.starts_with("a file")) return draw.one(files);
   const Json* now = find(scenario, p.path);
   return drawValue(draw, p.schema, now ? *now : p.write(defaults));
+}
+
+/// Without what stands there.
+Json without(Json tree, const Json::json_pointer& place) {
+  Json& above = tree[place.parent_pointer()];
+  if (above.is_array()) above.erase(std::stoul(place.back()));
+  else above.erase(place.back());
+  return tree;
 }
 
 /// A base as a tree: what it says, and nothing that is at its default.
@@ -240,29 +247,23 @@ void keepSmall(Json& scenario) {
 }  // namespace
 
 void setKey(Json& scenario, const std::string& path, const Json& value) {
-  const std::size_t dot = path.rfind('.');
-  const std::string above = dot == path.npos ? "" : path.substr(0, dot),
-                    key = path.substr(dot == path.npos ? 0 : dot + 1);
-  Json* at = &scenario;
-  for (std::size_t begin = 0; !above.empty() && begin <= above.size();) {
-    const std::size_t end = std::min(above.find('.', begin), above.size());
-    if (value.is_null() && (!at->is_object() || !at->contains(above.substr(begin, end - begin)))) return;
-    at = &(*at)[above.substr(begin, end - begin)];
-    begin = end + 1;
-  }
+  const Json::json_pointer place = placeOf(path);
   if (value.is_null()) {
-    if (at->is_object()) at->erase(key);
+    if (scenario.contains(place)) scenario = without(std::move(scenario), place);
     return;
   }
+  Json& at = scenario[place.parent_pointer()];
+  const std::size_t dot = path.rfind('.');
+  const std::string above = path.substr(0, dot == path.npos ? 0 : dot);
   if (const Section* section = parameterTable().section(above);
-      section && section->members == Section::Members::exactlyOne && at->is_object())
+      section && section->members == Section::Members::exactlyOne && at.is_object())
     for (const Parameter* other : parameterTable().parametersOf(above)) {
       const Parameter* own = parameterTable().parameter(path);
       if (own && own->needs.empty() && !own->joins && !own->beside && other != own && other->needs.empty() &&
           !other->joins && !other->beside)
-        at->erase(other->key());
+        at.erase(other->key());
     }
-  (*at)[key] = value;
+  at[place.back()] = value;
 }
 
 Drawn drawScene(std::uint64_t seed) {
@@ -344,14 +345,6 @@ std::vector<Json::json_pointer> placesIn(const Json& tree) {
   std::vector<Json::json_pointer> all;
   collect(tree, Json::json_pointer(), all);
   return all;
-}
-
-/// Without what stands there.
-Json without(Json tree, const Json::json_pointer& place) {
-  Json& above = tree[place.parent_pointer()];
-  if (above.is_array()) above.erase(std::stoul(place.back()));
-  else above.erase(place.back());
-  return tree;
 }
 
 /// Simpler things to stand in a value's place, the simplest first.

@@ -94,7 +94,7 @@ struct Balance {
   void watch(World& world) {
     const Quiet before(world);
     const double begin = measureEnergy(world).total();
-    double taken = 0, power = measureDissipation(world), least = begin;
+    double taken = 0, power = measureDissipation(world);
     for (int i = 0; i < watched; ++i) {
       step(world);
       const double now = measureDissipation(world);
@@ -103,8 +103,7 @@ struct Balance {
     }
     if (!(Quiet(world) == before)) return;
     const Energy end = measureEnergy(world);
-    least = begin - 2 * end.adhesion;
-    worst = std::max(worst, std::abs(end.total() + taken - begin) / least);
+    worst = std::max(worst, std::abs(end.total() + taken - begin) / (begin - 2 * end.adhesion));
     ++whiles;
   }
 };
