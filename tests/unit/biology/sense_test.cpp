@@ -67,9 +67,7 @@ Dna dnaThatSenses(const std::string& text, std::set<std::string> sensed) {
 }
 
 SenseParameters sensing(const char* substance, SenseKind kind, Threshold is, const char* of = "") {
-  SenseParameters sense;
-  sense.substance = substance;
-  sense.kind = kind;
+  SenseParameters sense{substance, kind};
   sense.is = is;
   sense.of = of;
   return sense;

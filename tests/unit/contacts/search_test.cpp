@@ -48,7 +48,7 @@ struct Expected {
   }
 };
 
-/// Searches once more, among where the cells are now.
+/// Searches anew, where the cells are now.
 void renew(NeighbourList& list, const Crowd& crowd, int threads = 1) {
   list.skin = crowd.contacts.list.skin;
   list.reference = crowd.lab.bodies.position;

@@ -23,8 +23,7 @@ struct Wish final : IdleUnit {
 }  // namespace
 
 TEST_CASE("At division sisters are connected, from their birth on") {
-  World world =
-      makeWorld(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  World world = makeWorld(connecting(scenes::uniqueFour, MakeConnections::atDivision, ConnectionsOnDivision::plane));
   CHECK(pairsOf(world) == none);
   runTo(world, 1.01);
   CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
@@ -32,8 +31,8 @@ TEST_CASE("At division sisters are connected, from their birth on") {
 }
 
 TEST_CASE("The plane decides: a connection goes to the daughter on the other cell's side") {
-  const World world = ranTo(
-      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)), 2.02);
+  const World world =
+      ranTo(connecting(scenes::uniqueFour, MakeConnections::atDivision, ConnectionsOnDivision::plane), 2.02);
   // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
@@ -55,7 +54,7 @@ struct CapOff final : DivisionPolicy {
 TEST_CASE("The plane decides, or who is nearer: a small daughter beyond it may be nearer than her large sister") {
   for (const auto policy : {ConnectionsOnDivision::plane, ConnectionsOnDivision::nearest})
     for (const bool bigOneIsA : {false, true}) {
-      Scene scene = connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, policy));
+      Scene scene = connecting(scenes::everybodyDivides, MakeConnections::atDivision, policy);
       scene.mechanics->mesh = makeIcosphere(3);
       World world = ballsAt(scene, {{}, {0.5, 2.1, 0}});  // on the large side, beside the cap
       world.divisionPolicy = std::make_unique<CapOff>(bigOneIsA);
@@ -71,8 +70,7 @@ TEST_CASE("The plane decides, or who is nearer: a small daughter beyond it may b
 }
 
 TEST_CASE("Both keep: each daughter has every connection of her mother") {
-  World world =
-      ranTo(connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)), 2.02);
+  World world = ranTo(connecting(scenes::uniqueFour, MakeConnections::atDivision, ConnectionsOnDivision::both), 2.02);
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AA-BA", "AA-BB", "AB-BA", "AB-BB", "BA-BB"});
 }
 
@@ -91,14 +89,14 @@ TEST_CASE("What both keep is released where the cells are too far apart, and the
 
 TEST_CASE("By gene: neighbours that want to connect do, at their cell cycle, and no others") {
   const std::string dna = "START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(connect|a1)\n";
-  World world = inShell(connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane)));
+  World world = inShell(connecting(dna, MakeConnections::byGene, ConnectionsOnDivision::plane));
   runTo(world, 1.9);
   CHECK(pairsOf(world) == none);  // not at division
   runTo(world, 2.02);
   REQUIRE(pairsOf(world) == std::set<std::string>{"A-B"});
   CHECK(world.connections->history[0].made == Approx(2).margin(0.02));
 
-  Scene apart = connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
+  Scene apart = connecting(dna, MakeConnections::byGene, ConnectionsOnDivision::plane);
   apart.mechanics->contact.reset();
   World strangers = inShell(apart);
   runTo(strangers, 2.02);
@@ -109,7 +107,7 @@ TEST_CASE("By gene: the two cells' wishes are added") {
   const auto after = [](const std::string& ofA, const std::string& ofB) {
     const std::string dna =
         "START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(" + ofA + "|A)\ng6(" + ofB + "|B)\n";
-    World world = inShell(connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane)));
+    World world = inShell(connecting(dna, MakeConnections::byGene, ConnectionsOnDivision::plane));
     runTo(world, 2.02);
     return pairsOf(world).size();
   };
@@ -120,7 +118,7 @@ TEST_CASE("By gene: the two cells' wishes are added") {
 }
 
 TEST_CASE("By gene: a cell acts at its own cell cycle only") {
-  const Scene scene = connecting(scenes::uniqueFour, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
+  const Scene scene = connecting(scenes::uniqueFour, MakeConnections::byGene, ConnectionsOnDivision::plane);
   std::vector<Body> row;  // AA touches AB, AB touches BA
   for (int i = 0; i < 3; ++i) row.push_back(ballAt(scene.mechanics->mesh, {1.8 * i, 0, 0}, 200));
   using enum CellChange;
@@ -144,7 +142,7 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
 
 TEST_CASE("By gene: a release ends what division made") {
   World world = inShell(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(release|A)\n",
-                                   withPolicy(MakeConnections::both, ConnectionsOnDivision::plane)));
+                                   MakeConnections::both, ConnectionsOnDivision::plane));
   runTo(world, 1.5);
   CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
   runTo(world, 2.02);
@@ -154,7 +152,7 @@ TEST_CASE("By gene: a release ends what division made") {
 
 TEST_CASE("A cell that dies is released from all") {
   const World world = ranTo(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n",
-                                       withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)),
+                                       MakeConnections::atDivision, ConnectionsOnDivision::plane),
                             2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"B"});
   CHECK(pairsOf(world) == none);
@@ -164,7 +162,7 @@ TEST_CASE("A cell that dies is released from all") {
 
 TEST_CASE("A cell that divides while its partner dies takes nothing over") {
   const World world = ranTo(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
-                                       withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)),
+                                       MakeConnections::atDivision, ConnectionsOnDivision::both),
                             2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"BA-BB"});

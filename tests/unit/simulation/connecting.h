@@ -22,4 +22,8 @@ inline ConnectionParameters withPolicy(MakeConnections make, ConnectionsOnDivisi
   return p;
 }
 
+inline Scene connecting(const std::string& dna, MakeConnections make, ConnectionsOnDivision onDivision) {
+  return connecting(dna, withPolicy(make, onDivision));
+}
+
 }  // namespace morula

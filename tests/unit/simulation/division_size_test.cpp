@@ -20,8 +20,7 @@ Scene growing(std::optional<DivisionSize> size, double rate = 0.125) {
   p.growth = GrowthParameters{rate};
   s.cycle.length = 0x1p-4;
   s.cycle.divisionSize = size;
-  s.stop = {};
-  s.stop.time = 16;
+  s.stop = {.cycles = {}, .time = 16, .cells = {}};
   s.cells = {{.at = {-4, 0, 0}, .scale = 0.75}, {.at = {0, 0, 0}, .scale = 0.85}, {.at = {4, 0, 0}, .scale = 0.95}};
   return s;
 }
@@ -95,8 +94,7 @@ TEST_CASE("So it is with membranes, and unequal cuts are grown up for") {
   scene.mechanics->physics.drag = 4;
   scene.cycle.length = 0.125;
   scene.cycle.divisionSize = DivisionSize{DivisionSize::Rule::sizer, 1.25};
-  scene.stop = {};
-  scene.stop.time = 6;
+  scene.stop = {.cycles = {}, .time = 6, .cells = {}};
   const auto lives = livesOf(scene);
   REQUIRE(lives.size() >= 3);
   for (const auto& [path, life] : lives) CHECK(life.size == Approx(1.25).margin(0.01));
@@ -138,8 +136,7 @@ TEST_CASE(
       scene.mechanics->physics.drag = 2;
       scene.mechanics->physics.growth = GrowthParameters{0.25, 1.25};
       scene.cells = {{.at = {-4, 0, 0}}, {.at = {4, 0, 0}, .scale = 1.25}};
-      scene.stop = {};
-      scene.stop.time = 4;
+      scene.stop = {.cycles = {}, .time = 4, .cells = {}};
       if (model == CellModel::sphere) scene.mechanics->physics.timeStep = 0x1p-6;
       const World world = ranToEnd(scene);
       CAPTURE(nameOf(model), gene);

@@ -21,8 +21,7 @@ std::multiset<int> countsOf(const World& world) {
 TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
   // Each cell keeps its bridges and makes one with each daughter it gives off: a binomial tree
   // [Spradling 1993; de Cuevas & Spradling 1998].
-  World world = makeWorld(
-      connecting(scenes::everybodyDivides, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::a)));
+  World world = makeWorld(connecting(scenes::everybodyDivides, MakeConnections::atDivision, ConnectionsOnDivision::a));
   while (world.cells.path.size() < 16) step(world);
   CHECK(countsOf(world) == std::multiset<int>{1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4});
   CHECK(world.connections->active.size() == 15);
@@ -47,9 +46,8 @@ TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer,
 
 TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that asks for it") {
   using enum CellChange;
-  World world = ballsAt(
-      connecting(scenes::everybodyDivides, withPolicy(MakeConnections::byContact, ConnectionsOnDivision::plane)),
-      {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
+  World world = ballsAt(connecting(scenes::everybodyDivides, MakeConnections::byContact, ConnectionsOnDivision::plane),
+                        {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
   connectNeighbours(world, Observation(world), {none, none, none, none});
   CHECK(pairsOf(world).empty());
   connectNeighbours(world, Observation(world), {cycled, none, none, cycled});
@@ -61,7 +59,7 @@ TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that 
 TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends what holds") {
   const auto after = [](const std::string& gene) {
     Scene scene = connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\n" + gene,
-                             withPolicy(MakeConnections::byContact, ConnectionsOnDivision::plane));
+                             MakeConnections::byContact, ConnectionsOnDivision::plane);
     scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
     const World world = ranTo(scene, 3.02);
     return pairsOf(world).size();

@@ -92,8 +92,7 @@ TEST_CASE("Neighbours are those of the contacts' list, by path, each from both s
 
 TEST_CASE("Balls touch over the disc in which they meet, each pair of them that does") {
   Scene scene = scenes::spheres();
-  scene.stop = {};
-  scene.stop.cells = 16;
+  scene.stop = {.cycles = {}, .time = {}, .cells = 16};
   const World world = ranToEnd(scene);
   const Bodies& b = *world.bodies;
   const Observation now(world);

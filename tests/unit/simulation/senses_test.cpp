@@ -13,9 +13,7 @@ namespace {
 
 SenseParameters sense(const char* substance, SenseKind kind, Threshold is, const char* of = "",
                       std::optional<double> number = {}) {
-  SenseParameters s;
-  s.substance = substance;
-  s.kind = kind;
+  SenseParameters s{substance, kind};
   s.is = is;
   s.of = of;
   s.number = number;

@@ -2,23 +2,22 @@
 #include <functional>
 
 #include "catch.h"
-#include "scenes.h"
-#include "simulation/hash.h"
+#include "worlds.h"
 
 using namespace morula;
 
 namespace {
 
+const std::string rests = "START: a0\ng1(a0|a0)\n";
+
 std::string endOf(Scene scene, std::uint64_t seed) {
   scene.seed = seed;
-  const World world = ranToEnd(scene);
-  return hashState(world).whole.text();
+  return stateHash(ranToEnd(scene)).text();
 }
 
 }  // namespace
 
 TEST_CASE("a scene says that it uses its seed exactly if another seed gives another result") {
-  const std::string rests = "START: a0\ng1(a0|a0)\n";
   const std::vector<std::pair<std::string, Scene>> scenes{{"lineage", scenes::lineageOnly(scenes::uniqueFour, 4)},
                                                           {"bodies", scenes::withBodies(scenes::everybodyDivides, 2)},
                                                           {"bodies at rest", scenes::withBodies(rests, 2)},
@@ -43,7 +42,6 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
 }
 
 TEST_CASE("a scene whose rules or variation draw uses its seed exactly if another seed gives another result") {
-  const std::string rests = "START: a0\ng1(a0|a0)\n";
   const auto changes = std::vector<std::pair<const char*, std::function<void(Scene&)>>>{
       {"nothing", [](Scene&) {}},
       {"rule without noise",

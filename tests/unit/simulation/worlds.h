@@ -1,7 +1,9 @@
 #pragma once
 // Worlds for tests: of a scene, or of cells put together by hand.
 #include <cmath>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -33,6 +35,23 @@ inline World ranTo(const Scene& scene, double time, const Execution& execution =
   World world = makeWorld(scene, execution);
   runTo(world, time);
   return world;
+}
+
+/// How what is done fails, if it does.
+inline std::optional<NumericalError> failureOf(const std::function<void()>& what) {
+  try {
+    what();
+    return {};
+  } catch (const NumericalError& error) { return error; }
+}
+
+/// [length] The farthest that two worlds with the same cells have a vertex apart.
+inline double farthestApart(const World& one, const World& other) {
+  Worst farthest;
+  for (int slot : one.bodies->slots)
+    for (int v = 0; v < one.bodies->vertexCount(slot); ++v)
+      farthest.see(norm(one.bodies->vertex(slot, v) - other.bodies->vertex(slot, v)));
+  return farthest;
 }
 
 /// A world in which the given bodies live, under paths of equal length, and never run a cell cycle.
