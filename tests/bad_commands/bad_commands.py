@@ -97,9 +97,12 @@ def try_one(command, folder):
 
 def as_written(line, tried):
     """The line with what it says, or a line for each of its alternatives where they say different things."""
-    texts = {text if not chosen else re.sub(rf"(morula:?( study)? |study ){re.escape(chosen)}\b", r"\1\\1", text)
-             for _, chosen, text in tried}
-    return [(line, texts.pop())] if len(texts) == 1 else [("$ " + command, text) for command, _, text in tried]
+    # Alike as they are ("(?!)" fits nothing), but for the verb's name, or but for the word wherever it stands.
+    for before in ("(?!)", r"(?:morula:?(?: study)? |study )", r"(?<!\w)"):
+        texts = {re.sub(rf"({before}){re.escape(chosen)}(?!\w)", r"\1\\1", text) for _, chosen, text in tried}
+        if len(texts) == 1:
+            return [(line, texts.pop())]
+    return [("$ " + command, text) for command, _, text in tried]
 
 
 def judge(table, work):
