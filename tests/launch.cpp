@@ -21,7 +21,7 @@ namespace morula::test {
 namespace {
 
 /// In the child: becomes the program.
-[[noreturn]] void become(const std::vector<std::string>& arguments, const Environment& environment, int out, int err) {
+[[noreturn]] void become(const Words& arguments, const Environment& environment, int out, int err) {
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
@@ -67,8 +67,12 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 
 std::string programFile() { return MORULA_PROGRAM; }
 
-Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
-                const std::function<void(int)>& meanwhile) {
+Words joined(Words first, const Words& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
+Launched launch(const Words& arguments, const Environment& environment, const std::function<void(int)>& meanwhile) {
   const TemporaryFolder folder;
   const auto outFile = folder / "out", errFile = folder / "err";
   const int out = open(outFile.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
@@ -81,6 +85,13 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
   if (meanwhile) meanwhile(process);
   const int code = waitFor(process);
   return {code, readWhole(outFile), readWhole(errFile)};
+}
+
+Launched endsWith(int code, const Words& arguments, const Environment& environment) {
+  const Launched launched = launch(arguments, environment);
+  CAPTURE(arguments, launched.out, launched.err);
+  REQUIRE(launched.code == code);
+  return launched;
 }
 
 void waitUntil(const std::function<bool()>& holds) {
@@ -114,7 +125,7 @@ void waitUntilComputing(int process) {
   waitUntil([&] { return double(cpuTime() - begun) >= seconds * double(sysconf(_SC_CLK_TCK)); });
 }
 
-std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment) {
+std::optional<Launched> launchOnTerminal(const Words& arguments, const Environment& environment) {
   const Terminal ends = openTerminal();
   if (ends.program < 0) return {};
   const TemporaryFolder folder;
@@ -153,18 +164,25 @@ void refuses(const Launched& launched, int code, const std::string& because) {
   CHECK_THAT(launched.err, ContainsSubstring(because));
 }
 
-void refuses(const std::vector<std::string>& arguments, int code, const std::string& because) {
+void refuses(const Words& arguments, int code, const std::string& because) {
   refuses(launch(arguments), code, because);
 }
 
-nlohmann::json jsonOf(std::vector<std::string> arguments, int code) {
+nlohmann::json jsonOf(Words arguments, int code) {
   arguments.push_back("--json");
-  const auto run = launch(arguments);
-  INFO(run.err);
-  REQUIRE(run.code == code);
-  const auto json = nlohmann::json::parse(run.out);
+  const auto json = nlohmann::json::parse(endsWith(code, arguments).out);
   CHECK(json["morula"] == 1);
   return json;
+}
+
+void accept(const std::string& scenario, const std::string& why) {
+  succeeds({"review", scenario, "--accept", "--by", "tests", "--why", why, "--quiet"}, {{"CI", ""}});
+}
+
+Launched runText(const std::string& scenario, const Words& more) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "s.yaml", scenario);
+  return launch(joined({"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures"}, more));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {

@@ -16,6 +16,10 @@ struct Launched {
 
 using Environment = std::map<std::string, std::string>;
 
+/// Of a command line.
+using Words = std::vector<std::string>;
+Words joined(Words first, const Words& more);
+
 /// A shipped scenario that is quick to run: four cells with bodies that divide, a check and a golden file.
 inline const std::string uniqueFour = "scenarios/thesis/unique-four.yaml";
 
@@ -25,14 +29,20 @@ std::size_t occurrences(const std::string& text, const std::string& part);
 /// The built program, for tests that start it through a shell.
 std::string programFile();
 
-/// Runs `morula arguments…` in the source folder, calls `meanwhile` with the process's id, and waits for its end.
-Launched launch(const std::vector<std::string>& arguments, const Environment& environment = {},
+/// Runs `morula arguments…` in the source folder and waits for its end; calls `meanwhile` with the process's id while it
+/// runs.
+Launched launch(const Words& arguments, const Environment& environment = {},
                 const std::function<void(int)>& meanwhile = {});
 
-/// The same with stderr on a terminal, which `err` holds what was written to. None where the system has no
+/// The same; stops the test, and shows what was said, unless it ends with `code`.
+Launched endsWith(int code, const Words& arguments, const Environment& environment = {});
+inline Launched succeeds(const Words& arguments, const Environment& environment = {}) {
+  return endsWith(0, arguments, environment);
+}
+
+/// As `launch`, with stderr on a terminal, which `err` holds what was written to. None where the system has no
 /// pseudo-terminals: then the test says so (skippedWithoutTerminal) and has nothing to look at.
-std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
-                                         const Environment& environment = {});
+std::optional<Launched> launchOnTerminal(const Words& arguments, const Environment& environment = {});
 
 /// What such a test says.
 inline constexpr auto skippedWithoutTerminal = "skipped: no pseudo-terminals here";
@@ -60,9 +70,13 @@ class TemporaryFolder {
 
 /// It ended with this code, printed nothing on stdout, and said so.
 void refuses(const Launched& launched, int code, const std::string& because);
-void refuses(const std::vector<std::string>& arguments, int code, const std::string& because);
+void refuses(const Words& arguments, int code, const std::string& because);
 /// What it prints as JSON with --json, which begins with "morula": 1; it ends with `code`.
-nlohmann::json jsonOf(std::vector<std::string> arguments, int code = 0);
+nlohmann::json jsonOf(Words arguments, int code = 0);
+/// Accepts the scenario's result, as people may outside of continuous integration.
+void accept(const std::string& scenario, const std::string& why = "the first one");
+/// Runs a scenario in a folder of its own, without pictures.
+Launched runText(const std::string& scenario, const Words& more = {});
 /// The text with `by` in place of the first `what`, which is in it.
 std::string replaced(std::string text, const std::string& what, const std::string& by);
 

@@ -17,27 +17,18 @@ const std::string swinging =
 struct Bench {
   TemporaryFolder folder;
   Bench() { writeWhole(folder / "swinging.yaml", swinging); }
-  std::vector<std::string> arguments(const std::vector<std::string>& more, const std::string& scenario) const {
-    std::vector<std::string> all{"accuracy", folder / scenario, "--out", folder.path(), "--rounds", "1"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  Launched accuracy(const std::vector<std::string>& more, const std::string& scenario = "swinging.yaml") const {
-    return launch(arguments(more, scenario));
+  Words words(const Words& more) const {
+    return joined({"accuracy", folder / "swinging.yaml", "--out", folder.path(), "--rounds", "1"}, more);
   }
   /// Outside of continuous integration, where goldens may be written.
-  Launched accuracyOfPeople(const std::vector<std::string>& more) const {
-    return launch(arguments(more, "swinging.yaml"), {{"CI", ""}});
-  }
+  Launched accuracyOfPeople(const Words& more) const { return launch(words(more), {{"CI", ""}}); }
 };
 
 }  // namespace
 
 TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a picture") {
   const Bench bench;
-  const auto run = bench.accuracy({"--json", "--target", "1e-3", "--quiet", "--level", "0"});
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
+  const auto run = succeeds(bench.words({"--json", "--target", "1e-3", "--quiet", "--level", "0"}));
   CHECK(run.err.empty());
   const auto json = Json::parse(run.out);
   CHECK(json["morula"] == 1);
@@ -64,53 +55,33 @@ TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a 
   for (const auto& s : json["speed_at_error"]) CHECK(s["cpu_seconds"] > 0);
 
   // The settings that it names are settings that run takes.
-  std::vector<std::string> again{
-      "run", bench.folder / "swinging.yaml", "--no-pictures", "--quiet", "--db", bench.folder / "db"};
-  for (const auto& change : json["target"]["settings"]["set"]) {
-    again.push_back("--set");
-    again.push_back(change);
-  }
+  Words again{"run", bench.folder / "swinging.yaml", "--no-pictures", "--quiet", "--db", bench.folder / "db"};
+  for (const auto& change : json["target"]["settings"]["set"]) again.insert(again.end(), {"--set", change});
   CHECK(launch(again).code == 0);
 }
 
 TEST_CASE("accuracy for people: series, orders, speeds and the line to use") {
   const Bench bench;
-  const auto run = bench.accuracy({"--target", "1e-2", "--only", "--integrator", "rk4"});
-  REQUIRE(run.code == 0);
+  const auto run = succeeds(bench.words({"--target", "1e-2", "--only", "--integrator", "rk4"}));
   CHECK_THAT(run.out, ContainsSubstring("velocity-verlet (the scenario's own)"));
   CHECK_THAT(run.out, ContainsSubstring("they agree"));
   CHECK_THAT(run.out, ContainsSubstring("order"));
   CHECK_THAT(run.out, ContainsSubstring("--set physics.integrator="));
   CHECK_THAT(run.out, !ContainsSubstring("explicit-euler"));
-  CHECK(bench.accuracy({"--target", "1e-30", "--only", "--integrator", "rk4"}).code == 1);
+  CHECK(launch(bench.words({"--target", "1e-30", "--only", "--integrator", "rk4"})).code == 1);
 }
 
-TEST_CASE("accuracy refuses what makes no sense, and says what would") {
+TEST_CASE("accuracy refuses what has no error") {  // mistakes of words: bad_commands
   const Bench bench;
-  const auto refused = [&](const std::vector<std::string>& more, int code, const std::string& text) {
-    refuses(bench.accuracy(more), code, text);
-  };
-  refused({"--until", "0"}, 2, "--until: 0 is out of range; needs a number > 0");
-  refused({"--until", "7"}, 2, "--until: 7 is after the scene's end; needs at most 1");
-  refused({"--until", "1e-9"}, 3, "nothing to compare");
-  refused({"--target", "small"}, 2, "--target: 'small'");
-  refused({"--integrator", "leapfrog"}, 2, "'leapfrog' is not known; needs velocity-verlet");
-  refused({"--quick", "--target", "1e-2"}, 2, "--quick is a first look");
-  refused({"--level", "9"}, 2, "--level: 9 is out of range");
-  refused({"--set", "physics.integrator=explicit-euler", "--set", "physics.drag=0"}, 3, "physics.drag > 0");
-  CHECK(launch({"accuracy", bench.folder / "none.yaml"}).code == 6);
-  const auto genes = launch({"accuracy", "scenarios/thesis/elegans-1024.yaml"});
-  CHECK(genes.code == 3);
-  CHECK_THAT(genes.err, ContainsSubstring("lineage-only"));
+  refuses(bench.words({"--until", "1e-9"}), 3, "nothing to compare");
+  refuses(bench.words({"--set", "physics.integrator=explicit-euler", "--set", "physics.drag=0"}), 3,
+          "physics.drag > 0");
 }
 
 TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
   const Bench bench;
-  const auto run =
-      bench.accuracy({"--json", "--bullet", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"});
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
-  const auto json = Json::parse(run.out);
+  const auto json =
+      jsonOf(bench.words({"--bullet", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"}));
   std::size_t bullets = 0;
   for (const auto& row : json["rows"]) bullets += row["engine"].get<std::string>().starts_with("bullet-");
   if (bullets == 0) {
@@ -127,31 +98,24 @@ TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
 
 TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and of no other") {
   const Bench bench;
-  const auto accept = [&] {
-    return launch({"review", bench.folder / "swinging.yaml", "--accept", "--why", "first", "--by", "me", "--quiet"},
-                  {{"CI", ""}});
-  };
-  const std::vector<std::string> quick{"--into-golden",   "--quiet",    "--only", "--integrator",
-                                       "velocity-verlet", "--halvings", "2"};
+  const std::string scenario = bench.folder / "swinging.yaml", golden = bench.folder / "swinging.golden";
+  const Words quick{"--into-golden", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"};
   CHECK(bench.accuracyOfPeople(quick).code == 3);  // there is no golden
-  REQUIRE(accept().code == 0);
-  auto changed = quick;
-  changed.insert(changed.end(), {"--set", "physics.drag=3"});
-  CHECK(bench.accuracyOfPeople(changed).code == 2);
-  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") == std::string::npos);
+  accept(scenario);
+  CHECK(bench.accuracyOfPeople(joined(quick, {"--set", "physics.drag=3"})).code == 2);
+  CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
   const auto run = bench.accuracyOfPeople(quick);
   CAPTURE(run.err);
   REQUIRE(run.code == 0);
   CHECK(run.out.find("as it is   error ") != std::string::npos);
-  for (const char* line : {"\nerror position ", "\nerror pressure "})
-    CHECK_THAT(readWhole(bench.folder / "swinging.golden"), ContainsSubstring(line));
-  CHECK_THAT(readWhole(bench.folder / "swinging.golden"), !ContainsSubstring("\nerror neighbours "));
-  CHECK_THAT(launch({"accuracy", "--stated", bench.folder / "swinging.golden"}).out, ContainsSubstring("swinging |"));
-  CHECK(launch({"check", bench.folder / "swinging.yaml"}).code == 0);
-  REQUIRE(accept().code == 0);  // the same scenario: its error stays
-  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") != std::string::npos);
-  writeWhole(bench.folder / "swinging.yaml", swinging + "  precision: single\n");
+  CHECK_THAT(readWhole(golden), ContainsSubstring("\nerror position ") && ContainsSubstring("\nerror pressure ") &&
+                                    !ContainsSubstring("\nerror neighbours "));
+  CHECK_THAT(launch({"accuracy", "--stated", golden}).out, ContainsSubstring("swinging |"));
+  CHECK(launch({"check", scenario}).code == 0);
+  accept(scenario);  // the same one: its error stays
+  CHECK_THAT(readWhole(golden), ContainsSubstring("\nerror "));
+  writeWhole(scenario, swinging + "  precision: single\n");
   CHECK(bench.accuracyOfPeople(quick).code == 3);  // accept its result first
-  REQUIRE(accept().code == 0);
-  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") == std::string::npos);
+  accept(scenario);
+  CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
 }

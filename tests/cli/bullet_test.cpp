@@ -3,10 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
-using namespace morula;
 using namespace morula::test;
 using Json = nlohmann::json;
 
@@ -28,8 +27,7 @@ check: {bullet: )";
 bool hasBullet(const std::string& err) { return err.find("the same in Bullet") != err.npos; }
 
 std::int64_t count(const std::string& file, const std::string& what) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
-  return db.integer("SELECT count(*) FROM " + what);
+  return integerIn(file, "SELECT count(*) FROM " + what);
 }
 
 }  // namespace
@@ -37,9 +35,7 @@ std::int64_t count(const std::string& file, const std::string& what) {
 TEST_CASE("run stores what Bullet made of the same scene, says so, and draws the two side by side") {
   const TemporaryFolder folder;
   writeWhole(folder / "one.yaml", one + "{}}\n");
-  const auto run = launch({"run", folder / "one.yaml", "--out", folder.path()});
-  INFO(run.err + run.out);
-  CHECK(run.code == 0);
+  const auto run = succeeds({"run", folder / "one.yaml", "--out", folder.path()});
   const std::string db = folder / "one-0/run.db";
   CHECK(count(db, "check_result WHERE kind = 'bullet' AND passed") == 1);
   if (!hasBullet(run.err)) {
@@ -75,9 +71,7 @@ TEST_CASE("A run that is farther from Bullet than it may be differs, and nothing
 TEST_CASE("check --beside prints a table for people, rows for programs, and both into the reports") {
   const TemporaryFolder folder;
   const std::string file = "scenarios/hard/drag-thick.yaml";
-  const auto run = launch({"check", file, "--beside", "thesis,b1", "--reports", folder.path()});
-  INFO(run.err);
-  CHECK(run.code == 0);
+  const auto run = succeeds({"check", file, "--beside", "thesis,b1", "--reports", folder.path()});
   CHECK(
       run.out.starts_with("| case | ours | thesis' contact law | Bullet, B1 |\n|---|---|---|---|\n"
                           "| `drag-thick` | holds | holds | "));
@@ -86,13 +80,4 @@ TEST_CASE("check --beside prints a table for people, rows for programs, and both
   REQUIRE(json["beside"].size() == 3);
   CHECK(json["beside"][1]["engine"] == "thesis");
   CHECK(json["beside"][1]["verdict"] == "holds");
-}
-
-TEST_CASE("Mistakes beside are told, and the worker is not for people") {
-  const std::string file = "scenarios/hard/drag-thick.yaml";
-  CHECK(launch({"check", file, "--beside", "bulet"}).code == 2);
-  CHECK(launch({"check", file, "--cpu-limit", "3"}).code == 2);
-  CHECK(launch({"check", file, "--beside", "b1", "--cpu-limit", "0"}).code == 2);
-  CHECK(launch({"--help"}).out.find("engine-worker") == std::string::npos);
-  CHECK(launch({"engine-worker"}).code == 3);  // nothing on its stdin
 }

@@ -6,9 +6,9 @@
 #include <regex>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
 #include "store/store.h"
+#include "stored.h"
 
 using namespace morula::test;
 using Json = nlohmann::json;
@@ -28,7 +28,7 @@ record: {pictures: 1}
 struct RunWithPictures {
   TemporaryFolder folder;
   std::string database = folder / "run.db", crate = folder / "crate", id;
-  explicit RunWithPictures(const std::vector<std::string>& more = {}, int code = 0) {
+  explicit RunWithPictures(const Words& more = {}, int code = 0) {
     writeWhole(folder / "small.yaml", sceneOfTwoFiles);
     writeWhole(folder / "two words.dna", "START: a0\ng1(divide|a0)\n");
     run(more, code);
@@ -36,20 +36,12 @@ struct RunWithPictures {
       if (fs::exists(folder / "small-0/" + picture))
         fs::copy_file(folder / "small-0/" + picture, folder / picture, fs::copy_options::overwrite_existing);
   }
-  void run(const std::vector<std::string>& more, int code = 0) {
-    std::vector<std::string> arguments{"run",   folder / "small.yaml", "--db",  database,
-                                       "--out", folder.path(),         "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const auto launched = launch(arguments);
-    INFO(launched.err);
-    REQUIRE(launched.code == code);
-    id = Json::parse(launched.out)["run_id"];
+  void run(const Words& more, int code = 0) {
+    const Words words{"run", folder / "small.yaml", "--db", database, "--out", folder.path()};
+    id = jsonOf(joined(words, more), code)["run_id"];
   }
-  Json exported(std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"export", database, "--ro-crate", crate});
-    const auto launched = launch(more);
-    INFO(launched.err);
-    REQUIRE(launched.code == 0);
+  Json exported(const Words& more = {}) {
+    succeeds(joined({"export", database, "--ro-crate", crate}, more));
     return Json::parse(readWhole(crate + "/ro-crate-metadata.json"));
   }
 };
@@ -252,32 +244,13 @@ TEST_CASE("a failed run's crate says so, and why") {
 
 TEST_CASE("without a folder the runs are listed") {
   RunWithPictures stored({"--no-pictures"});
-  const auto list = launch({"export", stored.database});
-  CHECK(list.code == 0);
-  CHECK_THAT(list.out, ContainsSubstring(stored.id));
-  const Json json = Json::parse(launch({"export", stored.database, "--json"}).out);
+  CHECK_THAT(succeeds({"export", stored.database}).out, ContainsSubstring(stored.id));
+  const Json json = jsonOf({"export", stored.database});
   CHECK(json["runs"][0]["run_id"] == stored.id);
   CHECK(json["runs"][0]["status"] == "done");
 
   // Tables of others, whatever they are called.
-  morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
-      .execute("CREATE TABLE \"a\"\"b\" (\"x\"\"y\" TEXT)");
-  const auto tables = launch({"export", stored.database, "--list"});
-  INFO(tables.err);
-  CHECK(tables.code == 0);
-  CHECK_THAT(tables.out, ContainsSubstring("\n  a\"b ") && ContainsSubstring("which run it is"));
-}
-
-TEST_CASE("what cannot be exported") {
-  RunWithPictures stored({"--no-pictures"});
-  CHECK(launch({"export"}).code == 2);
-  CHECK(launch({"export", stored.folder / "none.db"}).code == 6);
-  CHECK(launch({"export", stored.database, "--run", "ffff", "--ro-crate", stored.crate}).code == 6);
-  CHECK(!fs::exists(stored.crate));
-  CHECK(launch({"export", stored.database, "--agent", "nobody"}).code == 2);
-  CHECK(launch({"export", stored.database, "--ro-crate", stored.crate, "--pictures", stored.folder / "none"}).code ==
-        6);
-  const auto full = launch({"export", stored.database, "--ro-crate", stored.folder.path()});
-  CHECK(full.code == 6);
-  CHECK_THAT(full.err, ContainsSubstring("is there already"));
+  change(stored.database, "CREATE TABLE \"a\"\"b\" (\"x\"\"y\" TEXT)");
+  CHECK_THAT(succeeds({"export", stored.database, "--list"}).out,
+             ContainsSubstring("\n  a\"b ") && ContainsSubstring("which run it is"));
 }

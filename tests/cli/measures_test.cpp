@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "golden/facts.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -19,14 +19,14 @@ const std::string pairOfBalls =
     "physics: {mesh: {icosphere: 1}, drag: 50, shell: {sphere: 3}, contact: {}}\n";
 
 template <class Of>
-std::vector<std::string> names() {
-  std::vector<std::string> all;
+Words names() {
+  Words all;
   for (const auto& m : sampledMeasures<Of>()) all.push_back(m.name);
   return all;
 }
 
-std::string last(const std::filesystem::path& file, const std::string& table, const std::string& column) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+std::string last(const std::string& file, const std::string& table, const std::string& column) {
+  Database db = opened(file);
   Statement s(db, "SELECT CAST(" + column + " AS REAL) FROM " + table + " LIMIT 1");
   REQUIRE(s.next());
   return s.isNull(0) ? "null" : json(s.real(0)).dump();
@@ -37,10 +37,7 @@ std::string last(const std::filesystem::path& file, const std::string& table, co
 TEST_CASE("Each measure that samples hold is in the database, in JSON, in goldens and in the list") {
   const TemporaryFolder folder;
   writeWhole(folder / "pair.yaml", pairOfBalls);
-  const auto run = launch({"run", folder / "pair.yaml", "--no-pictures", "--json", "--db", folder / "pair.db"});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  const json sample = json::parse(run.out).at("sample");
+  const json sample = jsonOf({"run", folder / "pair.yaml", "--no-pictures", "--db", folder / "pair.db"}).at("sample");
   REQUIRE(sample.at("cell_sample").size() == 2);
   const json& cell = sample.at("cell_sample").at(0);
   const auto list = json::parse(launch({"schema", "--measures"}).out);
@@ -99,12 +96,9 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
 
   write("shell-share of A*, count of skin, generation, clone_spread of generation 1");
   const std::string db = folder / "four.db";
-  const auto run = launch({"run", folder / "four.yaml", "--no-pictures", "--quiet", "--db", db});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
+  succeeds({"run", folder / "four.yaml", "--no-pictures", "--quiet", "--db", db});
   const auto rows = [&](const std::string& condition) {
-    Database file(db, Database::Mode::existing, std::chrono::seconds(1));
-    return file.integer("SELECT count(*) FROM measure WHERE time = (SELECT max(time) FROM sample) AND " + condition);
+    return integerIn(db, "SELECT count(*) FROM measure WHERE time = (SELECT max(time) FROM sample) AND " + condition);
   };
   CHECK(rows("name = 'shell_share of A*' AND scope = 'cell' AND a LIKE 'A%'") == 4);
   CHECK(rows("name = 'shell_share of A*'") == 4);
@@ -115,9 +109,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   for (const char* what : {"shell_share of A*", "generation of generation 3", "cell.volume of skin", "count of skin",
                            "count of BB*", "volume of AAA", "pair.area of A*"}) {
     INFO(what);
-    const auto chart = launch({"chart", db, what, "-o", folder / "chart.svg", "--quiet"});
-    CHECK(chart.err == "");
-    CHECK(chart.code == 0);
+    CHECK(succeeds({"chart", db, what, "-o", folder / "chart.svg", "--quiet"}).err == "");
     CHECK_THAT(readWhole(folder / "chart.svg"), ContainsSubstring("<svg"));
   }
   const auto saysOf = [&](const char* what) { return launch({"chart", db, what, "-o", folder / "chart.svg"}).err; };
@@ -125,10 +117,8 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   CHECK_THAT(saysOf("age of skn"),
              ContainsSubstring("age of skn: no cell ever holds a substance 'skn'; did you mean skin?"));
   CHECK_THAT(saysOf("volumee of A"), ContainsSubstring("there is no measure 'volumee'; did you mean volume?"));
-  const auto coloured =
-      launch({"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"});
-  CHECK(coloured.err == "");
-  CHECK(coloured.code == 0);
+  CHECK(succeeds({"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"})
+            .err == "");
   CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "shell_share of A B", "-o", folder / "a.png"}).err,
              ContainsSubstring("'A B' selects no cells"));
   CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "clone_radius", "-o", folder / "a.png"}).err,
@@ -142,8 +132,8 @@ TEST_CASE("schema --measures --markdown prints scenarios/MEASURES.md") {
 
 TEST_CASE("displacement and contact_duration are rows of the database where a scenario asks for them") {
   const TemporaryFolder folder;
-  const auto rows = [](const std::filesystem::path& file, const std::string& condition) {
-    Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  const auto rows = [](const std::string& file, const std::string& condition) {
+    Database db = opened(file);
     std::vector<double> all;
     for (Statement s(db, "SELECT value FROM measure WHERE " + condition + " ORDER BY time"); s.next();)
       all.push_back(s.real(0));
@@ -151,7 +141,7 @@ TEST_CASE("displacement and contact_duration are rows of the database where a sc
   };
   const std::string record = "record: {every: 0.0625, measures: [contact_duration, displacement]}\n";
   writeWhole(folder / "pair.yaml", pairOfBalls + record);
-  REQUIRE(launch({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"}).code == 0);
+  succeeds({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"});
   CHECK(rows(folder / "pair.db", "scope='pair' AND name='contact_duration' AND a='A' AND b='B'") ==
         std::vector<double>{0, 0.0625, 0.125});
   CHECK(rows(folder / "pair.db", "name='displacement'").empty());  // no division made them
@@ -161,9 +151,7 @@ TEST_CASE("displacement and contact_duration are rows of the database where a sc
              "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a1|a0)\ncycle: {length: 0.125}\n"
              "stop: {time: 0.375}\nphysics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n" +
                  record);
-  const auto two = launch({"run", folder / "two.yaml", "--no-pictures", "--quiet", "--db", folder / "two.db"});
-  INFO(two.err);
-  REQUIRE(two.code == 0);
+  succeeds({"run", folder / "two.yaml", "--no-pictures", "--quiet", "--db", folder / "two.db"});
   const auto ways = rows(folder / "two.db", "scope='cell' AND name='displacement' AND a='A'");
   REQUIRE(ways.size() >= 4);
   CHECK(ways.front() < ways.back());

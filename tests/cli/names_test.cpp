@@ -19,13 +19,12 @@ TEST_CASE("names stand at the lines of a lineage, from the scenario and from the
   const TemporaryFolder folder;
   const auto scenario = folder / "worm.yaml", database = folder / "worm.db";
   writeWhole(scenario, worm);
-  REQUIRE(launch({"run", scenario, "--db", database, "--quiet", "--no-pictures"}).code == 0);
+  succeeds({"run", scenario, "--db", database, "--quiet", "--no-pictures"});
   for (const auto& file : {scenario, database}) {
     INFO(file);
-    const auto text = launch({"lineage", file});
-    CHECK_THAT(text.out, ContainsSubstring("egg  P0  divided"));
-    CHECK_THAT(text.out, ContainsSubstring("    BB  P1p  alive"));
-    const Json json = Json::parse(launch({"lineage", file, "--json"}).out);
+    CHECK_THAT(launch({"lineage", file}).out,
+               ContainsSubstring("egg  P0  divided") && ContainsSubstring("    BB  P1p  alive"));
+    const Json json = jsonOf({"lineage", file});
     CHECK(json["cells"][1]["path"] == "A");
     CHECK(json["cells"][1]["name"] == "AB");
   }
@@ -38,8 +37,7 @@ TEST_CASE("a failure names its cell, and says her path") {
   // A step that is short enough for the egg, and too long for her daughters' daughters' light vertices.
   writeWhole(scenario, worm + "physics: {time_step: 0.0078125, mesh: {icosphere: 1}}\n");
   const auto run =
-      launch({"run", scenario, "--db", folder / "worm.db", "--quiet", "--no-pictures", "--set", "stop.cycles=6"});
-  CHECK(run.code == 4);
+      endsWith(4, {"run", scenario, "--db", folder / "worm.db", "--quiet", "--no-pictures", "--set", "stop.cycles=6"});
   CHECK_THAT(run.err, ContainsSubstring("P1app (path BABB): physics.time_step 0.0078125 is above"));
 }
 
@@ -47,7 +45,7 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
   const TemporaryFolder folder;
   const auto scenario = folder / "worm.yaml", database = folder / "worm.db";
   writeWhole(scenario, worm);
-  REQUIRE(launch({"run", scenario, "--db", database, "--quiet", "--no-pictures"}).code == 0);
+  succeeds({"run", scenario, "--db", database, "--quiet", "--no-pictures"});
   for (const auto& file : {scenario, database}) {
     INFO(file);
     CHECK(launch({"lineage", file, "--cell", "P1"}).out ==
@@ -60,7 +58,7 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
     const auto egg = launch({"lineage", file, "--cell", "egg"}).out;
     CHECK_THAT(egg, ContainsSubstring("path       egg\nname       P0\n"));
     CHECK_THAT(egg, !ContainsSubstring("mother"));
-    const Json json = Json::parse(launch({"lineage", file, "--cell", "AB", "--json"}).out);
+    const Json json = jsonOf({"lineage", file, "--cell", "AB"});
     CHECK(json["scenario"] == "worm");
     Json cell = json["cell"];
     CHECK(cell["mother"] == Json{{"path", ""}, {"name", "P0"}});
@@ -68,8 +66,8 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
     REQUIRE(cell["daughters"].size() == 2);
     CHECK(cell["daughters"][1] == Json{{"path", "AB"}, {"name", "ABp"}});
     for (const char* relative : {"mother", "sister", "daughters"}) cell.erase(relative);
-    CHECK(cell == Json::parse(launch({"lineage", file, "--json"}).out)["cells"][1]);  // the name comes before the path
-    const Json root = Json::parse(launch({"lineage", file, "--cell", "P0", "--json"}).out)["cell"];
+    CHECK(cell == jsonOf({"lineage", file})["cells"][1]);  // the name comes before the path
+    const Json root = jsonOf({"lineage", file, "--cell", "P0"})["cell"];
     CHECK(root["mother"].is_null());
     CHECK(root["sister"].is_null());
   }
@@ -78,23 +76,14 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
 TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is near") {
   const TemporaryFolder folder;
   const auto scenario = folder / "worm.yaml";
-  std::string scene = worm;
-  scene.replace(scene.find("B: P1"), 5, "B: EMS");
-  writeWhole(scenario, scene);
-  for (const auto& [cell, problem] : std::vector<std::pair<std::string, std::string>>{
-           {"EMz", "--cell: 'EMz' is no cell's name or path; did you mean EMS?"},
-           {"Z", "--cell: 'Z' is no cell's name or path; needs egg, or a path of the letters A and B"},
-           {"ABpa",
-            "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
-            "that 'morula lineage' lists without --cell"}}) {
-    const auto refused = launch({"lineage", scenario, "--cell", cell});
-    CHECK(refused.code == 2);
-    CHECK(refused.out.empty());
-    CHECK_THAT(refused.err, ContainsSubstring(problem));
-  }
-  const auto drawn = launch({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"});
-  CHECK(drawn.code == 2);
-  CHECK_THAT(drawn.err, ContainsSubstring("--cell and --output: give one of them"));
+  writeWhole(scenario, replaced(worm, "B: P1", "B: EMS"));
+  refuses({"lineage", scenario, "--cell", "EMz"}, 2, "--cell: 'EMz' is no cell's name or path; did you mean EMS?");
+  refuses({"lineage", scenario, "--cell", "Z"}, 2,
+          "--cell: 'Z' is no cell's name or path; needs egg, or a path of the letters A and B");
+  refuses({"lineage", scenario, "--cell", "ABpa"}, 2,
+          "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
+          "that 'morula lineage' lists without --cell");
+  refuses({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"}, 2, "--cell and --output: give one of them");
   // A dead cell has no daughters, and her line ends with her.
   writeWhole(scenario,
              "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");

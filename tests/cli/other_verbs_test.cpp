@@ -27,9 +27,7 @@ TEST_CASE("validate tells all files' mistakes, and passes good ones") {
 }
 
 TEST_CASE("validate --resolved leaves nothing to defaults") {
-  const auto run = launch({"validate", uniqueFour, "--resolved", "--set", "physics.drag=0.25"});
-  REQUIRE(run.code == 0);
-  const auto resolved = Json::parse(run.out);
+  const auto resolved = Json::parse(succeeds({"validate", uniqueFour, "--resolved", "--set", "physics.drag=0.25"}).out);
   CHECK(resolved["physics"]["drag"] == 0.25);
   CHECK(resolved["physics"]["integrator"] == "velocity-verlet");
 }
@@ -48,26 +46,20 @@ TEST_CASE("init writes a scenario that is right, and nothing over a file that is
   const auto file = folder / "my first.yaml";
   CHECK(launch({"init", file}).code == 0);
   CHECK(jsonOf({"validate", file})["scenarios"][0]["scenario"] == "my-first");
-  const auto again = launch({"init", file});
-  CHECK(again.code == 6);
-  CHECK(again.err.find("is there already") != std::string::npos);
+  refuses({"init", file}, 6, "is there already");
   CHECK(launch({"init", file, "--force"}).code == 0);
   CHECK(launch({"init"}).out.find("name: my-organism") != std::string::npos);
 }
 
 TEST_CASE("the worm-sized DNA is what the documented command writes") {
-  const auto run = launch({"init", "--dna", "full-tree", "--levels", "10"});
-  CHECK(run.code == 0);
-  CHECK(run.out == readWhole("scenarios/thesis/elegans-1024.dna"));
+  CHECK(succeeds({"init", "--dna", "full-tree", "--levels", "10"}).out ==
+        readWhole("scenarios/thesis/elegans-1024.dna"));
 }
 
 TEST_CASE("lineage: the same tree from the scenario and from the database") {
   const TemporaryFolder folder;
-  const auto run = launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"});
-  REQUIRE(run.code == 0);
-  const auto prescribed = launch({"lineage", uniqueFour});
-  CHECK(prescribed.code == 0);
-  CHECK(prescribed.out == launch({"lineage", folder / "four.db"}).out);
+  succeeds({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"});
+  CHECK(succeeds({"lineage", uniqueFour}).out == launch({"lineage", folder / "four.db"}).out);
   const auto json = jsonOf({"lineage", uniqueFour});
   REQUIRE(json["cells"].size() == 7);
   CHECK(json["cells"][0]["path"] == "");
@@ -103,14 +95,10 @@ TEST_CASE("render draws a scenario and a stored run alike") {
   const auto a = jsonOf({"render", uniqueFour, "--time", "1.5", "--size", "200", "-o", folder / "a.png"});
   CHECK(a["pictures"][0] == folder / "a.png");
   CHECK(a["time"] == 1.5);
-  const auto b = launch({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
-  CHECK(b.code == 0);
+  const auto b = succeeds({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
   CHECK(b.out == folder / "b.png" + "\n");
   CHECK(readWhole(folder / "a.png") == readWhole(folder / "b.png"));
   CHECK(readWhole(folder / "a.png").substr(1, 3) == "PNG");
-  const auto bodiless = launch({"render", "scenarios/thesis/elegans-1024.yaml"});
-  CHECK(bodiless.code == 2);
-  CHECK(bodiless.err.find("needs lineage") != std::string::npos);
 }
 
 TEST_CASE("review accepts with a reason, and check then passes until something changes") {
@@ -119,11 +107,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   writeWhole(scenario, withoutBodies);
   const auto missing = jsonOf({"check", scenario}, 1);
   CHECK(missing["results"][0]["passed"] == false);
-  CHECK(launch({"review", scenario, "--accept", "--by", "tests"}).code == 2);
-  const auto accepted =
-      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
-  INFO(accepted.err);
-  REQUIRE(accepted.code == 0);
+  accept(scenario);
   CHECK(fs::exists(folder / "small.golden"));
 
   const auto json = jsonOf({"check", scenario});
@@ -138,9 +122,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
 
   writeWhole(scenario, withoutBodies + "seed: 7\n");
   CHECK(launch({"check", scenario}).code == 1);
-  const auto run = launch({"run", scenario, "--out", folder.path()});
-  CHECK(run.code == 1);
-  CHECK(run.out.find("FAIL") != std::string::npos);
+  CHECK_THAT(endsWith(1, {"run", scenario, "--out", folder.path()}).out, ContainsSubstring("FAIL"));
   CHECK(launch({"run", scenario, "--out", folder.path(), "--no-check"}).code == 0);
 }
 
@@ -152,10 +134,7 @@ TEST_CASE("a golden with physics holds for any instruction set and number of thr
       "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, contact: {}}\n"
       "record: {every: 0.25}\n";
   writeWhole(scenario, text);
-  const auto accepted =
-      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
-  INFO(accepted.err);
-  REQUIRE(accepted.code == 0);
+  accept(scenario);
   CHECK(launch({"check", scenario}).code == 0);
   CHECK(launch({"check", scenario, "--isa", "scalar", "--threads", "2"}).code == 0);
 
@@ -171,8 +150,6 @@ TEST_CASE("a golden with physics holds for any instruction set and number of thr
 TEST_CASE("with CI set nobody accepts") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", withoutBodies);
-  const auto run =
-      launch({"review", folder / "small.yaml", "--accept", "--by", "tests", "--why", "no"}, {{"CI", "true"}});
-  CHECK(run.code == 3);
+  endsWith(3, {"review", folder / "small.yaml", "--accept", "--by", "tests", "--why", "no"}, {{"CI", "true"}});
   CHECK(!fs::exists(folder / "small.golden"));
 }

@@ -2,31 +2,17 @@
 #include <set>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
-using morula::Database;
 
 namespace {
 
-/// [1] Of the run in a database, by a query for one number.
-double numberIn(const std::string& file, const std::string& sql) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
-  morula::Statement statement(db, sql);
-  REQUIRE(statement.next());
-  return statement.real(0);
-}
-
 /// Runs a scenario into a database, and says where that is.
-std::string runInto(const TemporaryFolder& folder, const std::string& scenario,
-                    const std::vector<std::string>& options = {}) {
+std::string runInto(const TemporaryFolder& folder, const std::string& scenario, const Words& options = {}) {
   const std::string file = folder / "run.db";
-  std::vector<std::string> arguments{"run", "scenarios/patterns/" + scenario, "--no-pictures", "--db", file};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const auto run = launch(arguments);
-  INFO(run.err);
-  REQUIRE(run.code == 0);
+  succeeds(joined({"run", "scenarios/patterns/" + scenario, "--no-pictures", "--db", file}, options));
   return file;
 }
 
@@ -54,19 +40,19 @@ TEST_CASE("a cyst has sixteen cells and fifteen bridges: two cells with 4, two w
   const std::string ends =
       "(SELECT a AS path FROM connection WHERE released IS NULL UNION ALL "
       "SELECT b FROM connection WHERE released IS NULL)";
-  CHECK(numberIn(file, "SELECT count(*) FROM connection WHERE released IS NULL") == 15);
+  CHECK(realIn(file, "SELECT count(*) FROM connection WHERE released IS NULL") == 15);
   for (const auto& [bridges, cells] : {std::pair{1, 8}, {2, 4}, {3, 2}, {4, 2}})
-    CHECK(numberIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
-                             " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
+    CHECK(realIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
+                           " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
   // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. Of the first and the ninth, which hold
   // four bridges each, the one between them is drawn out a little, and they do not touch.
-  CHECK(numberIn(file,
-                 "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
-                 "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 14);
-  CHECK(numberIn(file,
-                 "WITH l AS (SELECT * FROM cell_sample WHERE time = (SELECT max(time) FROM cell_sample)) "
-                 "SELECT max((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z)) "
-                 "FROM connection c JOIN l p ON p.path = c.a JOIN l q ON q.path = c.b WHERE released IS NULL") <
+  CHECK(realIn(file,
+               "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
+               "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 14);
+  CHECK(realIn(file,
+               "WITH l AS (SELECT * FROM cell_sample WHERE time = (SELECT max(time) FROM cell_sample)) "
+               "SELECT max((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z)) "
+               "FROM connection c JOIN l p ON p.path = c.a JOIN l q ON q.path = c.b WHERE released IS NULL") <
         0.9 * 0.9);
 }
 
@@ -74,12 +60,12 @@ TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
   const TemporaryFolder folder;
   const std::string file = runInto(folder, "sticky-pairs.yaml");
   const auto area = [&](const std::string& a, const std::string& b) {
-    return numberIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
+    return realIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
   };
   CHECK(area("AAA", "AAB") > 1.5 * area("AB", "BAA"));
   CHECK(area("AB", "BAA") > 1);
   // What does not stick lies side by side, and presses on nothing.
-  CHECK(numberIn(file, "SELECT count(*) FROM contact WHERE time = 5") == 2);
+  CHECK(realIn(file, "SELECT count(*) FROM contact WHERE time = 5") == 2);
 }
 
 TEST_CASE("tissues that differ in adhesion sort, the one that sticks more inside; equal ones do not") {
@@ -88,11 +74,11 @@ TEST_CASE("tissues that differ in adhesion sort, the one that sticks more inside
     const TemporaryFolder folder, control;
     const std::string number = std::to_string(seed);
     const std::string sorted = runInto(folder, "sorting.yaml", {"--seed", number});
-    sorts += numberIn(sorted, shareWithin) >= 0.8;
-    redInside += numberIn(sorted, distanceOf(true)) < numberIn(sorted, distanceOf(false)) - 0.2;
+    sorts += realIn(sorted, shareWithin) >= 0.8;
+    redInside += realIn(sorted, distanceOf(true)) < realIn(sorted, distanceOf(false)) - 0.2;
     const std::string equal =
         runInto(control, "sorting.yaml", {"--seed", number, "--set", "physics.contact.adhesion=3"});
-    equalSorts += numberIn(equal, shareWithin) >= 0.6;
+    equalSorts += realIn(equal, shareWithin) >= 0.6;
   }
   CHECK(sorts >= 9);
   CHECK(redInside >= 9);

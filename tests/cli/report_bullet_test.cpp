@@ -3,10 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
-using namespace morula;
 using namespace morula::test;
 using Json = nlohmann::json;
 
@@ -55,10 +54,7 @@ std::string bytesOf(float x) {
 }
 
 double volumeIn(const std::string& database, const std::string& table) {
-  Database db(database, Database::Mode::existing, std::chrono::seconds(1));
-  Statement s(db, "SELECT volume FROM " + table + " ORDER BY time DESC LIMIT 1");
-  REQUIRE(s.start().next());
-  return s.real(0);
+  return realIn(database, "SELECT volume FROM " + table + " ORDER BY time DESC LIMIT 1");
 }
 
 struct Made {
@@ -67,16 +63,11 @@ struct Made {
   bool hasBullet = false;
   Made() {
     writeWhole(folder / "one.yaml", oneCell);
-    const auto run = launch({"run", folder / "one.yaml", "--out", folder.path(), "--no-pictures"});
-    INFO(run.err);
-    REQUIRE(run.code == 0);
+    const auto run = succeeds({"run", folder / "one.yaml", "--out", folder.path(), "--no-pictures"});
     hasBullet = run.err.find("the same in Bullet") != run.err.npos;
   }
-  std::string report(std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"report", database, "-o", page, "--quiet"});
-    const auto launched = launch(more);
-    INFO(launched.err);
-    REQUIRE(launched.code == 0);
+  std::string report(const Words& more) {
+    succeeds(joined({"report", database, "-o", page, "--quiet"}, more));
     return readWhole(page);
   }
 };
@@ -120,9 +111,8 @@ TEST_CASE("A page shows ours, Bullet's and their distance, held to what is store
 TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from it first") {
   const TemporaryFolder folder;
   writeWhole(folder / "one.yaml", oneCell);
-  std::string far = oneCell;
-  writeWhole(folder / "far.yaml", far.replace(far.find("bullet: {}"), 10, "bullet: {positions: 1e-30}")
-                                      .replace(far.find("name: one"), 9, "name: far"));
+  writeWhole(folder / "far.yaml",
+             replaced(replaced(oneCell, "bullet: {}", "bullet: {positions: 1e-30}"), "name: one", "name: far"));
   const auto check =
       launch({"check", folder / "one.yaml", folder / "far.yaml", "--reports", folder / "out", "--quiet"});
   CHECK(check.code == 1);  // neither has a golden
@@ -138,14 +128,10 @@ TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from 
 TEST_CASE("accuracy --json makes a page: its verdict, the cheapest settings, where it comes from, the same bytes") {
   const TemporaryFolder folder;
   writeWhole(folder / "one.yaml", oneCell);
-  const auto run = launch({"accuracy", folder / "one.yaml", "--quick", "--json", "--quiet", "--out", folder.path()});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  writeWhole(folder / "a.json", run.out);
+  writeWhole(folder / "a.json",
+             succeeds({"accuracy", folder / "one.yaml", "--quick", "--json", "--quiet", "--out", folder.path()}).out);
   const auto page = [&] {
-    const auto report = launch({"report", folder / "a.json", "-o", folder / "a.html"});
-    INFO(report.err);
-    REQUIRE(report.code == 0);
+    succeeds({"report", folder / "a.json", "-o", folder / "a.html"});
     return readWhole(folder / "a.html");
   };
   const std::string first = page();

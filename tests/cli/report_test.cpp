@@ -24,19 +24,19 @@ struct RunToReport {
   TemporaryFolder folder;
   std::string database = folder / "run.db", page = folder / "page.html";
   RunToReport() { writeWhole(folder / "small.yaml", summarisedScene); }
-  void run(std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"run", folder / "small.yaml", "--db", database, "--no-pictures", "--quiet"});
-    const auto launched = launch(more);
-    INFO(launched.err);
-    REQUIRE(launched.code == 0);
+  void run(const Words& more = {}) {
+    succeeds(joined({"run", folder / "small.yaml", "--db", database, "--no-pictures", "--quiet"}, more));
   }
-  std::string report(std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"report", database, "-o", page});
-    const auto launched = launch(more);
-    INFO(launched.err);
-    REQUIRE(launched.code == 0);
-    CHECK(launched.out == page + "\n");
+  std::string report(const Words& more = {}) { return reportOf(database, more); }
+  std::string reportOf(const std::string& what, const Words& more) {
+    CHECK(succeeds(joined({"report", what, "-o", page}, more)).out == page + "\n");
     return readWhole(page);
+  }
+  /// Runs the study in a folder, which is returned.
+  std::string runStudy(const std::string& text) {
+    writeWhole(folder / "two.study.yaml", text);
+    succeeds({"study", "run", folder / "two.study.yaml", "--out", folder / "study", "--no-predict", "--quiet"});
+    return folder / "study";
   }
 };
 
@@ -87,9 +87,8 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
 TEST_CASE("A run that failed says why, first of all") {
   RunToReport stored;
   // Without pressure enough the shell turns the egg inside out in some twenty steps.
-  REQUIRE(launch({"run", "scenarios/thesis/unique-four.yaml", "--db", stored.database, "--out", stored.folder.path(),
-                  "--quiet", "--set", "physics.pressure.constant=3"})
-              .code == 4);
+  endsWith(4, {"run", uniqueFour, "--db", stored.database, "--out", stored.folder.path(), "--quiet", "--set",
+               "physics.pressure.constant=3"});
   const std::string page = stored.report();
   CHECK_THAT(page, ContainsSubstring("The run failed: "));
   CHECK_THAT(page, ContainsSubstring("There are faults."));
@@ -99,35 +98,25 @@ TEST_CASE("A check leaves a page of what differs") {
   const TemporaryFolder folder;
   const std::string scenario = folder / "small.yaml";
   writeWhole(scenario, summarisedScene);
-  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}}).code == 0);
-  REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 0);
+  accept(scenario);
+  succeeds({"check", scenario, "--reports", folder / "out"});
   CHECK_THAT(readWhole(folder / "out/report.html"), ContainsSubstring("1 of 1 scenario passes"));
-  std::string other = summarisedScene;
-  writeWhole(scenario, other.replace(other.find("stop: {time: 1.5}"), 17, "stop: {time: 1.6}"));
-  REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 1);
+  writeWhole(scenario, replaced(summarisedScene, "stop: {time: 1.5}", "stop: {time: 1.6}"));
+  endsWith(1, {"check", scenario, "--reports", folder / "out"});
   const std::string page = readWhole(folder / "out/report.html");
   CHECK_THAT(page, ContainsSubstring("1 of 1 scenario differs"));
   CHECK_THAT(page, ContainsSubstring("stop.time: 1.5 → 1.6"));
   CHECK_THAT(page, ContainsSubstring("same lineage") || ContainsSubstring("lineage: "));
   CHECK_THAT(page, ContainsSubstring("./morula explain"));
-  const auto again = launch({"report", folder / "out", "-o", folder / "again.html"});
-  INFO(again.err);
-  CHECK(again.code == 0);
+  succeeds({"report", folder / "out", "-o", folder / "again.html"});
 }
 
 TEST_CASE("A page of a study: its verdicts first, then every value and its runs") {
   RunToReport stored;
-  writeWhole(stored.folder / "two.study.yaml",
-             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
-             "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
-  const auto ran = launch(
-      {"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study", "--no-predict", "--quiet"});
-  INFO(ran.err);
-  REQUIRE(ran.code == 0);
-  const auto launched = launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2"});
-  INFO(launched.err);
-  REQUIRE(launched.code == 0);
-  const std::string page = readWhole(stored.page);
+  const std::string study = stored.runStudy(
+      "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
+      "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
+  const std::string page = stored.reportOf(study, {"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
   CHECK_THAT(page, ContainsSubstring("Every run is done, and sane"));
   CHECK_THAT(page,
@@ -138,34 +127,20 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
   CHECK_THAT(page, ContainsSubstring("the pictures that the study keeps in"));
   // Not all runs: those that are here are said, and the others found by their names.
-  const auto few =
-      launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2", "--run", "more, seed 1"});
-  INFO(few.err);
-  REQUIRE(few.code == 0);
-  CHECK_THAT(readWhole(stored.page), ContainsSubstring("1 of 2 runs are here, first the conditions"));
-  CHECK_THAT(readWhole(stored.page), !ContainsSubstring("less, seed 1"));
-  refuses({"report", stored.folder / "study", "-o", stored.page, "--run", "more, seed 9"}, 6, "more, seed 9");
+  CHECK_THAT(stored.reportOf(study, {"--frames", "2", "--run", "more, seed 1"}),
+             ContainsSubstring("1 of 2 runs are here, first the conditions") && !ContainsSubstring("less, seed 1"));
+  refuses({"report", study, "-o", stored.page, "--run", "more, seed 9"}, 6, "more, seed 9");
 }
 
 TEST_CASE("Any condition and seed of a study can be explored, as many as asked for and as fit") {
   RunToReport stored;
-  writeWhole(stored.folder / "two.study.yaml",
-             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    little: {physics.drag: 1}\n"
-             "    some: {physics.drag: 1.1}\n    much: {physics.drag: 9}\nseeds: 1..3\nmeasures: [sphericity]\n");
-  std::string scenario = readWhole(stored.folder / "small.yaml");
-  writeWhole(stored.folder / "small.yaml", scenario + "variation: {share: 0.05}\n");
-  const auto ran = launch(
-      {"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study", "--no-predict", "--quiet"});
-  INFO(ran.err);
-  REQUIRE(ran.code == 0);
-  const auto titles = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> words{"report", stored.folder / "study", "-o", stored.page, "--frames", "3"};
-    words.insert(words.end(), options.begin(), options.end());
-    const auto launched = launch(words);
-    INFO(launched.err);
-    REQUIRE(launched.code == 0);
-    const std::string page = readWhole(stored.page);
-    std::vector<std::string> found;
+  writeWhole(stored.folder / "small.yaml", summarisedScene + "variation: {share: 0.05}\n");
+  const std::string study = stored.runStudy(
+      "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    little: {physics.drag: 1}\n"
+      "    some: {physics.drag: 1.1}\n    much: {physics.drag: 9}\nseeds: 1..3\nmeasures: [sphericity]\n");
+  const auto titles = [&](const Words& options) {
+    const std::string page = stored.reportOf(study, joined({"--frames", "3"}, options));
+    Words found;
     const std::string before = "\"title\":\"";
     for (auto at = page.find(before); at != page.npos; at = page.find(before, at + 1))
       found.push_back(page.substr(at + before.size(), page.find('"', at + before.size()) - at - before.size()));
@@ -181,17 +156,9 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
   CHECK(titles({"--size-limit", "20k"}).size() < 9);
 }
 
-TEST_CASE("What report refuses, and why") {
+TEST_CASE("A page is written over no page of others") {
   RunToReport stored;
   stored.run();
-  refuses({"report"}, 2, "what");
-  refuses({"report", stored.folder / "none.db"}, 6, "no such file or folder");
-  refuses({"report", stored.folder / "small.yaml"}, 2, "is a scenario; report needs a database");
-  refuses({"report", stored.database, "-o", stored.folder / "page.pdf"}, 2, "does not end in .html");
-  refuses({"report", stored.database, "--frames", "-1"}, 2, "--frames");
-  refuses({"report", stored.database, "--run", "ffff"}, 6, "ffff");
   writeWhole(stored.folder / "mine.html", "<p>by hand</p>");
   refuses({"report", stored.database, "-o", stored.folder / "mine.html"}, 6, "mine.html");
-  const TemporaryFolder empty;
-  refuses({"report", empty.path()}, 2, "no database");
 }

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "database/store_error.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
 using morula::Database;
@@ -40,7 +40,7 @@ check: {}
 
 /// All rows of all tables but when and how the run was made, and what it was resumed from.
 std::string contentOf(const std::string& file) {
-  Database db(file, Database::Mode::existing, std::chrono::seconds(60));
+  Database db = opened(file);
   std::string text;
   Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
   while (tables.next()) {
@@ -59,19 +59,17 @@ std::string contentOf(const std::string& file) {
 }
 
 /// 0 while there is no row, no table or no file.
-std::int64_t number(const std::string& file, const std::string& sql) {
+std::int64_t checkpointStep(const std::string& file) {
   if (!fs::exists(file)) return 0;
   try {
-    return Database(file, Database::Mode::existing, std::chrono::seconds(1)).integer(sql);
+    return integerIn(file, "SELECT max(step) FROM checkpoint");
   } catch (const morula::StoreError&) { return 0; }
 }
 
-std::int64_t checkpointStep(const std::string& file) { return number(file, "SELECT max(step) FROM checkpoint"); }
-
-/// Sends the signal once there is a checkpoint behind `step`.
-Launched stopBehind(std::int64_t step, int signal, const std::string& file, const std::vector<std::string>& how) {
+/// Sends the signal once the run computes.
+Launched stopComputing(int signal, const Words& how) {
   return launch(how, {}, [&](int process) {
-    waitUntil([&] { return checkpointStep(file) > step; });
+    waitUntilComputing(process);
     kill(process, signal);
   });
 }
@@ -89,26 +87,21 @@ std::map<std::string, std::string> filesIn(const std::string& folder) {
 TEST_CASE("killed three times and resumed, a run leaves the same database and the same pictures") {
   const TemporaryFolder folder;
   writeWhole(folder / "stopped.yaml", sceneWithAll);
-  const auto arguments = [&](const std::string& out, std::vector<std::string> more) {
-    more.insert(more.begin(), {"run", folder / "stopped.yaml", "--out", folder / out});
-    return more;
-  };
-  REQUIRE(launch(arguments("whole", {})).code == 0);
   const std::string whole = folder / "whole/stopped-0", stopped = folder / "stopped/stopped-0";
+  succeeds({"run", folder / "stopped.yaml", "--out", folder / "whole"});
+  const Words resume{"run", folder / "stopped.yaml", "--out", folder / "stopped", "--resume"};
   std::int64_t step = 0;
-  const std::vector<std::vector<std::string>> ways{{"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow"}};
-  for (const auto& way : ways) {
-    auto how = arguments("stopped", {"--checkpoint-every", "50", "--resume"});
-    how.insert(how.end(), way.begin(), way.end());
-    const auto run = stopBehind(step, SIGKILL, stopped + "/run.db", how);
+  for (const Words& way : {Words{"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow"}}) {
+    const auto run = launch(joined(joined(resume, {"--checkpoint-every", "50"}), way), {}, [&](int process) {
+      waitUntil([&] { return checkpointStep(stopped + "/run.db") > step; });
+      kill(process, SIGKILL);
+    });
     INFO(run.err);
     CHECK(run.code == 128 + SIGKILL);
     CHECK(checkpointStep(stopped + "/run.db") > step);
     step = checkpointStep(stopped + "/run.db");
   }
-  const auto end = launch(arguments("stopped", {"--resume", "--json"}));
-  INFO(end.err);
-  REQUIRE(end.code == 0);
+  const auto end = succeeds(joined(resume, {"--json"}));
   CHECK(Json::parse(end.out)["resumed_at"] == step);
   CHECK_THAT(end.err, ContainsSubstring("stopped goes on from step " + std::to_string(step)));
   const auto content = contentOf(whole + "/run.db");
@@ -123,96 +116,57 @@ TEST_CASE("killed three times and resumed, a run leaves the same database and th
 TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is told") {
   const TemporaryFolder folder;
   writeWhole(folder / "stopped.yaml", sceneWithAll);
-  const std::vector<std::string> how{
-      "run", folder / "stopped.yaml", "--db", folder / "run.db", "--no-pictures", "--out", folder.path()};
   const auto database = folder / "run.db";
-  const auto run = launch(how, {}, [&](int process) {
-    waitUntilComputing(process);
-    kill(process, SIGINT);
-  });
+  const Words how{"run", folder / "stopped.yaml", "--db", database, "--no-pictures", "--out", folder.path()};
+  const auto run = stopComputing(SIGINT, how);
   CHECK(run.code == 130);
   CHECK_THAT(run.out, ContainsSubstring("--resume"));
   CHECK(checkpointStep(database) > 0);
   const auto content = contentOf(database);
   CHECK_THAT(content, ContainsSubstring("'killed'"));
 
-  auto again = how;
-  again.push_back("--resume");
+  const Words again = joined(how, {"--resume"});
   SECTION("to the end") {
-    const auto end = launch(again);
-    INFO(end.err);
-    CHECK(end.code == 0);
+    succeeds(again);
     auto other = how;
     std::replace(other.begin(), other.end(), database, folder / "whole.db");
-    REQUIRE(launch(other).code == 0);
+    succeeds(other);
     CHECK(contentOf(database) == contentOf(folder / "whole.db"));
   }
   SECTION("forgotten, it is told, and nothing is lost") {
     const auto step = checkpointStep(database);
-    const auto forgotten = launch(how, {}, [&](int process) {
-      waitUntilComputing(process);
-      kill(process, SIGKILL);
-    });
+    const auto forgotten = stopComputing(SIGKILL, how);
     CHECK_THAT(forgotten.err, ContainsSubstring("--resume goes on from there"));
     CHECK(checkpointStep(database) == step);
     CHECK(launch(again).code == 0);
     CHECK_THAT(contentOf(database), ContainsSubstring("'done'"));
   }
   SECTION("recorded in another way it is refused, and nothing is lost") {
-    Database(database, Database::Mode::existing, std::chrono::seconds(5))
-        .execute("UPDATE checkpoint SET hash_every = NULL");
-    const auto end = launch(again);
-    INFO(end.err);
-    CHECK(end.code == 2);
-    CHECK_THAT(end.err, ContainsSubstring("samples every 0.25 and no state hashes, and now it is samples "
-                                          "every 0.25 and state hashes every 64"));
+    change(database, "UPDATE checkpoint SET hash_every = NULL");
+    refuses(again, 2,
+            "samples every 0.25 and no state hashes, and now it is samples every 0.25 and state hashes every 64");
     CHECK(checkpointStep(database) > 0);
   }
   SECTION("a damaged checkpoint is refused") {
-    {
-      Database db(database, Database::Mode::existing, std::chrono::seconds(5));
-      db.execute("UPDATE checkpoint SET state = substr(state, 1, 1000)");
-    }
-    const auto end = launch(again);
-    INFO(end.err);
-    CHECK(end.code == 6);
-    CHECK_THAT(end.err, ContainsSubstring("cannot be resumed: checkpoint: it is cut short"));
-    CHECK_THAT(end.err, ContainsSubstring("leave out --resume"));
+    change(database, "UPDATE checkpoint SET state = substr(state, 1, 1000)");
+    CHECK_THAT(endsWith(6, again).err, ContainsSubstring("cannot be resumed: checkpoint: it is cut short") &&
+                                           ContainsSubstring("leave out --resume"));
   }
   SECTION("another seed is another run, which says what differs") {
-    again.insert(again.end(), {"--seed", "5", "--set", "stop.time=0.1"});
-    const auto end = launch(again);
-    INFO(end.err);
-    CHECK(end.code == 0);
-    CHECK_THAT(end.err, ContainsSubstring("nothing to resume"));
-    CHECK_THAT(end.err, ContainsSubstring("seed (0 then, 5 now)"));
-    CHECK_THAT(end.err, ContainsSubstring("starting from the beginning"));
+    CHECK_THAT(succeeds(joined(again, {"--seed", "5", "--set", "stop.time=0.1"})).err,
+               ContainsSubstring("nothing to resume") && ContainsSubstring("seed (0 then, 5 now)") &&
+                   ContainsSubstring("starting from the beginning"));
   }
 }
 
 TEST_CASE("with nothing to resume, a run says so and starts from the beginning") {
   const TemporaryFolder folder;
-  const std::vector<std::string> how{"run",
-                                     "scenarios/thesis/elegans-128.yaml",
-                                     "--db",
-                                     folder / "run.db",
-                                     "--no-pictures",
-                                     "--set",
-                                     "stop={cycles: 2}",
-                                     "--out",
-                                     folder.path(),
-                                     "--resume"};
-  const auto first = launch(how);
-  INFO(first.err);
-  CHECK(first.code == 0);
-  CHECK_THAT(first.err, ContainsSubstring("nothing to resume: there is no unfinished run of elegans-128 in"));
-  const auto second = launch(how);
-  CHECK(second.code == 0);
-  CHECK_THAT(second.err, ContainsSubstring(" is finished; starting from the beginning"));
-}
-
-TEST_CASE("mistakes on the command line") {
-  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--checkpoint-every", "0"}).code == 2);
-  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--checkpoint-every", "1.5"}).code == 2);
-  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--resume", "--dry-run"}).code == 2);
+  const std::string scenario = "scenarios/thesis/elegans-128.yaml", database = folder / "run.db";
+  const auto said = [&] {
+    return succeeds({"run", scenario, "--db", database, "--no-pictures", "--set", "stop={cycles: 2}", "--out",
+                     folder.path(), "--resume"})
+        .err;
+  };
+  CHECK_THAT(said(), ContainsSubstring("nothing to resume: there is no unfinished run of elegans-128 in"));
+  CHECK_THAT(said(), ContainsSubstring(" is finished; starting from the beginning"));
 }

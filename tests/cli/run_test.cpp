@@ -29,9 +29,7 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 
 TEST_CASE("the README's first command: simulates, stores, checks, draws, and says where") {
   const TemporaryFolder folder;
-  const auto run = launch({"run", uniqueFour, "--out", folder.path()});
-  INFO(run.err);
-  CHECK(run.code == 0);
+  const auto run = succeeds({"run", uniqueFour, "--out", folder.path()});
   const auto results = folder / "unique-four-20080617/";
   for (const auto* file : {"run.db", "organism.png", "wireframe.png", "lineage.png", "sequence/0000.png"}) {
     INFO(file);
@@ -64,10 +62,8 @@ TEST_CASE("JSON: one object with the contract's members, and nothing else on std
 TEST_CASE("the same run has the same id and bits, however it is computed") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", small);
-  const auto run = [&](std::vector<std::string> how) {
-    how.insert(how.begin(), "run");
-    how.insert(how.end(), {folder / "small.yaml", "--out", folder.path(), "--no-pictures"});
-    const auto json = jsonOf(how);
+  const auto run = [&](const Words& how) {
+    const auto json = jsonOf(joined({"run", folder / "small.yaml", "--out", folder.path(), "--no-pictures"}, how));
     return json["run_id"].get<std::string>() + " " + json["state_hash"].get<std::string>();
   };
   const auto first = run({});
@@ -99,8 +95,7 @@ TEST_CASE("a dry run writes nothing") {
   CHECK(json["runs"][1]["status"] == "planned");
   CHECK(json["runs"][1]["until"] == 6);
   CHECK(!fs::exists(folder / "results"));
-  const auto run = launch({"run", uniqueFour, "--dry-run", "--out", folder / "results"});
-  CHECK(run.code == 0);
+  const auto run = succeeds({"run", uniqueFour, "--dry-run", "--out", folder / "results"});
   CHECK(run.out.find("would run until time 6") != std::string::npos);
   CHECK(!fs::exists(folder / "results"));
 }
@@ -109,9 +104,7 @@ TEST_CASE("a numerical failure is stored and gives exit 4") {
   const TemporaryFolder folder;
   // Daughters with forty times their mother's membrane crumple at once.
   const auto run =
-      launch({"run", uniqueFour, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
-  INFO(run.err);
-  CHECK(run.code == 4);
+      endsWith(4, {"run", uniqueFour, "--out", folder.path(), "--set", "physics.membrane.production=40", "--json"});
   const auto json = Json::parse(run.out);
   CHECK(json["status"] == "failed");
   CHECK(json["state_hash"].is_null());
@@ -136,10 +129,8 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
   }
 }
 
-TEST_CASE("quiet is quiet, and a full disk is no success") {
-  const TemporaryFolder folder;
-  writeWhole(folder / "small.yaml", small);
-  const auto run = launch({"run", folder / "small.yaml", "--out", folder.path(), "--no-pictures", "--quiet"});
+TEST_CASE("quiet is quiet") {
+  const Launched run = runText(small, {"--quiet"});
   CHECK(run.code == 0);
   CHECK(run.err.empty());
 }

@@ -11,8 +11,9 @@
 #include <tuple>
 
 #include "catch.h"
-#include "database/database.h"
+#include "files/text.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
 using morula::Database;
@@ -33,45 +34,42 @@ const std::map<std::string, std::vector<std::size_t>> madeAgain{
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
-std::vector<std::string> wordsOf(const std::string& line) {
+Words wordsOf(const std::string& line) {
   std::istringstream stream(line);
-  std::vector<std::string> words;
+  Words words;
   for (std::string word; stream >> word;) words.push_back(word);
   return words;
 }
 
-/// The lines after `$ morula …` in a block of code, and the text before the block.
-struct Answer {
-  std::string text;
-  std::vector<std::string> command;  // without the program's name
-  std::vector<std::string> claims;   // "conditions measure=clone_radius labels.division=longest mean 0.742"
+/// What a document shows in a block of code: a command, and lines of what it prints. "…" stands for lines, and at the end of one
+/// for its rest. Of an answer to a question each line is a claim.
+struct Shown {
+  std::string text;  // before the block
+  Words command;     // without the program's name
+  Words lines;       // "conditions measure=clone_radius labels.division=longest mean 0.742"
 };
 
-std::vector<Answer> answersOf(const std::string& markdown) {
-  std::vector<Answer> answers;
+std::vector<Shown> shownIn(const std::string& markdown) {
+  std::vector<Shown> shown;
   std::istringstream stream(markdown);
   std::string paragraph;
-  bool inBlock = false, isAnswer = false;
+  bool inBlock = false, isShown = false;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("```")) {
-      inBlock = !inBlock;
-      if (!inBlock) paragraph.clear(), isAnswer = false;
-      continue;
-    }
-    if (!inBlock) {
+      inBlock = !inBlock, isShown = false;
+      if (!inBlock) paragraph.clear();
+    } else if (!inBlock) {
       if (line.starts_with("#") || line.starts_with("|")) paragraph.clear();
       else if (!line.empty()) paragraph += line + ' ';
-      continue;
-    }
-    if (line.starts_with("$ morula study compare ")) {
-      auto command = wordsOf(line);
-      answers.push_back({paragraph, {command.begin() + 2, command.end()}, {}});
-      isAnswer = true;
-    } else if (isAnswer) {
-      answers.back().claims.push_back(line);
+    } else if (line.starts_with("$ morula ")) {
+      const auto words = wordsOf(line);
+      shown.push_back({paragraph, {words.begin() + 2, words.end()}, {}});
+      isShown = true;
+    } else if (isShown) {
+      shown.back().lines.push_back(line);
     }
   }
-  return answers;
+  return shown;
 }
 
 /// A number as people read it; texts as they are.
@@ -91,7 +89,7 @@ Json member(const Json& object, const std::string& path) {
 }
 
 /// The only entry of a list whose members are as the words say, "measure=clone_radius".
-Json entryOf(const Json& list, const std::vector<std::string>& words) {
+Json entryOf(const Json& list, const Words& words) {
   Json found;
   int count = 0;
   for (const Json& entry : list) {
@@ -121,22 +119,14 @@ struct KeptRun {
   std::vector<std::tuple<double, std::string, double>> values;  // time, measure, value
 };
 
-std::vector<std::string> cellsOf(const std::string& line) {
-  std::vector<std::string> cells{""};
-  for (const char c : line)
-    if (c == ',') cells.emplace_back();
-    else cells.back() += c;
-  return cells;
-}
-
 std::vector<KeptRun> keptRuns(const std::string& study) {
   std::istringstream lines(readWhole(sourceFile("golden/" + familyOf(study) + study + ".csv")));
   std::string line;
   std::getline(lines, line);
-  const auto head = cellsOf(line);
+  const auto head = morula::partsOf(line, ',');
   std::vector<KeptRun> runs;
   while (std::getline(lines, line)) {
-    const auto cells = cellsOf(line);
+    const auto cells = morula::partsOf(line, ',');
     if (runs.empty() || runs.back().task != cells[0]) runs.push_back({cells[0], cells[1], "", {}});
     if (cells[1] == "failed") runs.back().reason = line.substr(line.find(",failed,") + 8);
     else
@@ -161,23 +151,16 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   if (std::filesystem::exists(file)) return file;
   INFO(study);
   const auto kept = keptRuns(study);
-  std::vector<std::string> command{
-      "study", "run", "scenarios/" + familyOf(study) + study + ".study.yaml", "--out", to, "--no-predict", "--quiet"};
+  Words command{"study",        "run",    "scenarios/" + familyOf(study) + study + ".study.yaml", "--out", to,
+                "--no-predict", "--quiet"};
   const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
   std::vector<std::size_t> made = madeAgain.at(study);
   if (whole)
     for (made.clear(); made.size() < kept.size();) made.push_back(made.size());
-  for (const std::size_t number : made) {
-    command.push_back("--task");
-    command.push_back(kept.at(number).task);
-  }
-  const auto run = launch(command);
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  const auto merged = launch({"study", "merge", to, "--quiet"});
-  INFO(merged.err);
-  REQUIRE(merged.code == (whole ? 0 : 5));  // most runs are missing
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  for (const std::size_t number : made) command.insert(command.end(), {"--task", kept.at(number).task});
+  succeeds(command);
+  endsWith(whole ? 0 : 5, {"study", "merge", to, "--quiet"});  // most runs are missing
+  Database db = opened(file);
   CHECK(db.integer("SELECT count(*) FROM task") == static_cast<std::int64_t>(kept.size()));
   CHECK(db.integer("SELECT count(*) FROM task WHERE status <> 'missing'") == static_cast<std::int64_t>(made.size()));
   db.execute("BEGIN; CREATE TEMPORARY TABLE copy AS SELECT * FROM run LIMIT 1");
@@ -208,27 +191,6 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   }
   db.execute("COMMIT");
   return file;
-}
-
-/// What a document shows: a command, and lines of what it prints. "…" stands for lines, and at the end of one for its rest.
-struct Shown {
-  std::vector<std::string> command;  // without the program's name
-  std::vector<std::string> lines;
-};
-
-std::vector<Shown> shownIn(const std::string& markdown) {
-  std::vector<Shown> shown;
-  std::istringstream stream(markdown);
-  bool isShown = false;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("```")) isShown = false;
-    else if (line.starts_with("$ morula ")) {
-      const auto words = wordsOf(line);
-      shown.push_back({{words.begin() + 2, words.end()}, {}});
-      isShown = true;
-    } else if (isShown && line != "…") shown.back().lines.push_back(line);
-  }
-  return shown;
 }
 
 std::string trimmed(const std::string& line) {
@@ -265,12 +227,8 @@ TEST_CASE("Every line that the tutorial shows is what its command prints") {
     // The whole study takes minutes: databaseOf makes some of its runs. Pictures need them all.
     if ((verb == "study" && command[1] == "run") || std::ranges::find(command, "--pictures") != command.end()) continue;
     if (verb == "run" || verb == "study") command.insert(command.end(), {"--out", temporary / "results"});
-    std::string text;
-    for (const std::string& word : command) text += word + ' ';
-    INFO(text);
-    const auto run = launch(command);
-    INFO(run.err);
-    CHECK(run.code == 0);
+    CAPTURE(command);
+    const auto run = succeeds(command);
     for (const std::string& line : one.lines) {
       INFO(line);
       CHECK(isPrinted(line, run.out + run.err));
@@ -281,22 +239,18 @@ TEST_CASE("Every line that the tutorial shows is what its command prints") {
 TEST_CASE("every answer of the shipped studies is what its command says") {
   const TemporaryFolder temporary;
   const auto family = GENERATE(std::string("policies"), std::string("worm"));
-  const auto answers = answersOf(readWhole(sourceFile("scenarios/" + family + "/README.md")));
+  auto answers = shownIn(readWhole(sourceFile("scenarios/" + family + "/README.md")));
+  std::erase_if(answers, [](const Shown& one) { return one.command[0] != "study" || one.command[1] != "compare"; });
   CHECK(answers.size() >= (family == "worm" ? 4 : 10));
-  std::map<std::vector<std::string>, Json> said;  // by command
-  for (const Answer& answer : answers) {
+  std::map<Words, Json> said;  // by command
+  for (const Shown& answer : answers) {
     INFO(answer.text);
     REQUIRE(answer.command.size() >= 3);
-    REQUIRE(answer.claims.size() >= 1);
+    REQUIRE(answer.lines.size() >= 1);
     auto command = answer.command;
     command[2] = databaseOf(temporary, command[2].substr(0, command[2].find('/')));
-    if (!said.contains(command)) {
-      const auto run = launch(command);
-      INFO(run.err);
-      REQUIRE(run.code == 0);
-      said.emplace(command, Json::parse(run.out));
-    }
-    for (const std::string& claim : answer.claims) {
+    if (!said.contains(command)) { said.emplace(command, Json::parse(succeeds(command).out)); }
+    for (const std::string& claim : answer.lines) {
       INFO(claim);
       const auto words = wordsOf(claim);
       std::size_t chosen = 1;  // words that choose the entry
@@ -325,13 +279,11 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
     CHECK(claim["holds"] == true);
   }
   // The results of another law, as a changed simulator might give them.
-  Database(database, Database::Mode::existing, std::chrono::seconds(1))
-      .execute(
-          "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id FROM "
-          "replicate JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
-          "condition))");
-  const auto failing = launch({"study", "check", database, "--reports", temporary / "reports"});
-  CHECK(failing.code == 1);
+  change(database,
+         "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id FROM "
+         "replicate JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
+         "condition))");
+  const auto failing = endsWith(1, {"study", "check", database, "--reports", temporary / "reports"});
   CHECK_THAT(failing.out,
              ContainsSubstring("models: 2 of 3 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
                                "within 5%\n        clone_radius: 67 % wider under shell") &&
@@ -350,18 +302,12 @@ TEST_CASE("the statistics in the golden of elegans-128 are those of its study") 
   }
   const std::string golden = temporary / "golden/thesis/elegans-128.golden", before = readWhole(golden);
   CHECK_THAT(before, ContainsSubstring("\nstatistic clone_radius against half-step difference "));
-  const auto run = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
-                           "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml", "--quiet"},
-                          {{"CI", ""}});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
+  const std::string scenario = temporary / "scenarios/thesis/elegans-128.yaml";
+  const Words command{"study",  "compare", databaseOf(temporary, "elegans-128"), "--by", "settings", "--into-golden",
+                      scenario, "--quiet"};
+  succeeds(command, {{"CI", ""}});
   CHECK(readWhole(golden) == before);
   // Of another scenario it says nothing.
-  writeWhole(temporary / "scenarios/thesis/elegans-128.yaml",
-             readWhole(temporary / "scenarios/thesis/elegans-128.yaml") + "\n");
-  const auto other = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
-                             "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml"},
-                            {{"CI", ""}});
-  CHECK(other.code == 3);
-  CHECK_THAT(other.err, ContainsSubstring("of another scenario"));
+  writeWhole(scenario, readWhole(scenario) + "\n");
+  CHECK_THAT(endsWith(3, command, {{"CI", ""}}).err, ContainsSubstring("of another scenario"));
 }

@@ -6,15 +6,13 @@
 using namespace morula::test;
 
 TEST_CASE("cells that die all at once while they touch end the run, by either law, as meshes and as balls") {
-  const TemporaryFolder folder;
   for (const char* const physics : {"contact: {}", "contact: {law: thesis}", "contact: {}, cell: {model: sphere}"}) {
-    writeWhole(folder / "s.yaml",
-               std::string("morula: 1\nname: all-die\ndna: |\n  START: a\n  g1(die|a)\n"
-                           "cells: [{at: [-0.9, 0, 0]}, {at: [0.9, 0, 0]}, {at: [0, 1.6, 0]}]\nstop: {time: 3}\n"
-                           "record: {every: 0.1, measures: [energy]}\nphysics: {drag: 2, mesh: {icosphere: 1}, ") +
-                   physics + "}\n");
+    const auto run =
+        runText(std::string("morula: 1\nname: all-die\ndna: |\n  START: a\n  g1(die|a)\n"
+                            "cells: [{at: [-0.9, 0, 0]}, {at: [0.9, 0, 0]}, {at: [0, 1.6, 0]}]\nstop: {time: 3}\n"
+                            "record: {every: 0.1, measures: [energy]}\nphysics: {drag: 2, mesh: {icosphere: 1}, ") +
+                physics + "}\n");
     CAPTURE(physics);
-    const auto run = launch({"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures"});
     CAPTURE(run.err);
     CHECK(run.code == 0);
     CHECK(run.out.find("0 cells at time 1") != std::string::npos);

@@ -83,8 +83,6 @@ World ranToEnd(const Scene& scene, bool manyAtOnce) {
   return world;
 }
 
-std::vector<std::uint32_t> byPath(const World& world) { return orderByPath(world.lineage); }
-
 }  // namespace
 
 TEST_CASE("the lineage with bodies is the lineage without") {
@@ -99,7 +97,7 @@ TEST_CASE("the lineage with bodies is the lineage without") {
     automatic += !scene.mechanics->physics.timeStep;
     REQUIRE(world.lineage.entries.size() == lineage.lineage.entries.size());
     REQUIRE(world.cells.path == lineage.cells.path);
-    const auto a = byPath(world), b = byPath(lineage);
+    const auto a = orderByPath(world.lineage), b = orderByPath(lineage.lineage);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const LineageEntry &x = world.lineage.entries[a[i]], &y = lineage.lineage.entries[b[i]];
       REQUIRE(x.path == y.path);
@@ -142,25 +140,15 @@ TEST_CASE("a heavy cell's steps are no longer than its cycles") {
 }
 
 TEST_CASE("a time step longer than the shortest cycle, or than the run, is refused with both numbers") {
-  const auto refused = [](const std::vector<std::string>& changes) {
-    std::vector<std::string> words{"validate", "scenarios/thesis/unique-four.yaml"};
-    for (const auto& change : changes) words.insert(words.end(), {"--set", change});
-    const auto run = launch(words);
-    CHECK(run.code == 3);
-    return run.err;
+  const auto refused = [](const std::string& change, const std::string& because) {
+    refuses({"validate", uniqueFour, "--set", "physics.time_step=0.001", "--set", change}, 3, because);
   };
-  const std::string cycle = refused({"physics.time_step=0.001", "cycle.length=0.0005"});
-  CHECK(cycle.find("physics.time_step: 0.001 is longer than the shortest cell cycle, cycle.length 5e-04") !=
-        std::string::npos);
-  const std::string substance = refused({"physics.time_step=0.001", "cycle.per-substance={a1: 0.0005}"});
-  CHECK(substance.find("cycle.per-substance.a1 5e-04") != std::string::npos);
-  const std::string whole = refused({"physics.time_step=0.001", "stop.time=0.0005"});
-  CHECK(whole.find("physics.time_step: 0.001 is longer than the whole run, which stops at 5e-04") != std::string::npos);
+  refused("cycle.length=0.0005", "physics.time_step: 0.001 is longer than the shortest cell cycle, cycle.length 5e-04");
+  refused("cycle.per-substance={a1: 0.0005}", "cycle.per-substance.a1 5e-04");
+  refused("stop.time=0.0005", "physics.time_step: 0.001 is longer than the whole run, which stops at 5e-04");
 }
 
 TEST_CASE("cycles too short for their run are refused, not counted one after the other") {
-  const auto run = launch(
-      {"validate", "scenarios/thesis/elegans-1024.yaml", "--set", "cycle.length=1e-20", "--set", "stop={time: 1}"});
-  CHECK(run.code == 3);
-  CHECK(run.err.find("cycle.length: 1e-20 is too short") != std::string::npos);
+  refuses({"validate", "scenarios/thesis/elegans-1024.yaml", "--set", "cycle.length=1e-20", "--set", "stop={time: 1}"},
+          3, "cycle.length: 1e-20 is too short");
 }

@@ -8,12 +8,9 @@ using namespace morula::test;
 namespace {
 
 Launched twoCells(double apart, int icosphere) {
-  const TemporaryFolder folder;
-  writeWhole(folder / "s.yaml", "morula: 1\nname: two\ndna: |\n  START: a\n  g1(a|a)\ncells: [{at: [0, 0, 0]}, {at: [" +
-                                    std::to_string(apart) +
-                                    ", 0, 0]}]\nstop: {time: 0.5}\nphysics:\n  mesh: {icosphere: " +
-                                    std::to_string(icosphere) + "}\n  drag: 2\n  contact: {}\n");
-  return launch({"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures"});
+  return runText("morula: 1\nname: two\ndna: |\n  START: a\n  g1(a|a)\ncells: [{at: [0, 0, 0]}, {at: [" +
+                 std::to_string(apart) + ", 0, 0]}]\nstop: {time: 0.5}\nphysics:\n  mesh: {icosphere: " +
+                 std::to_string(icosphere) + "}\n  drag: 2\n  contact: {}\n");
 }
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }

@@ -4,18 +4,17 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
-using morula::Database;
 namespace fs = std::filesystem;
 
 TEST_CASE("a stored run whose record was changed is neither replayed, drawn, explained nor exported") {
   const TemporaryFolder folder;
   const std::string scenario = folder / "small.yaml", whole = folder / "run.db", db = folder / "changed.db";
   writeWhole(scenario, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
-  REQUIRE(launch({"run", scenario, "--db", whole, "--no-pictures", "--out", folder / "out"}).code == 0);
+  succeeds({"run", scenario, "--db", whole, "--no-pictures", "--out", folder / "out"});
 
   const std::string ofRole = " WHERE hash = (SELECT hash FROM run_document WHERE role = '";
   const std::string edit = "UPDATE document SET content = CAST(replace(CAST(content AS TEXT), '3', '2') AS BLOB)";
@@ -28,19 +27,14 @@ TEST_CASE("a stored run whose record was changed is neither replayed, drawn, exp
         std::string("UPDATE run SET build_id = 'other'"), std::string("UPDATE run SET scenario_hash = 'other'")}) {
     CAPTURE(sql);
     fs::copy_file(whole, db, fs::copy_options::overwrite_existing);
-    Database(db, Database::Mode::existing, std::chrono::seconds(5)).execute(sql);
-    const auto replayed = launch({"replay", db});
-    CHECK(replayed.code == 1);
-    CHECK_THAT(replayed.out, ContainsSubstring("its record was changed") && ContainsSubstring("recomputed"));
+    change(db, sql);
+    CHECK_THAT(endsWith(1, {"replay", db}).out,
+               ContainsSubstring("its record was changed") && ContainsSubstring("recomputed"));
     const std::string crate = folder / "crate";
-    for (const std::vector<std::string>& verb : {std::vector<std::string>{"export", db, "--ro-crate", crate},
-                                                 {"render", db, "-o", folder / "x.png"},
-                                                 {"explain", scenario, "--db", db}}) {
-      const auto run = launch(verb);
-      CAPTURE(verb[0]);
-      CHECK(run.code == 6);
-      CHECK_THAT(run.err, ContainsSubstring("was changed since it was stored"));
-    }
+    for (const Words& verb : {Words{"export", db, "--ro-crate", crate},
+                              {"render", db, "-o", folder / "x.png"},
+                              {"explain", scenario, "--db", db}})
+      refuses(verb, 6, "was changed since it was stored");
     CHECK_FALSE(fs::exists(crate));
   }
   CHECK(launch({"replay", whole}).code == 0);

@@ -19,7 +19,7 @@ TEST_CASE("a study runs where its parent ignores the ends of others, and where t
   writeWhole(folder / "few.study.yaml",
              "morula-study: 1\nname: few\nbase: small.yaml\nseeds: 1\nmeasures: [cells]\n"
              "vary: {cycles: {two: {stop.cycles: 2}, three: {stop.cycles: 3}}}\n");
-  std::vector<std::string> places{"env --ignore-signal=CHLD "};
+  Words places{"env --ignore-signal=CHLD "};
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which read the map of their own memory in /proc
   places.push_back("unshare -m sh -c 'mount -t tmpfs none /proc && exec \"$@\"' x ");
 #endif

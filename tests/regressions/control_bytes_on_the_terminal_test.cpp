@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "hostile.h"
+#include "stored.h"
 
 using namespace morula::test;
 
@@ -20,7 +20,7 @@ const std::string escape = "\x1b]0;owned\x07",
                       "abc",
                   noText = "\xff\xfe";
 // What the readers of YAML let pass, and what they refuse at once.
-const std::vector<std::string> hostile{"a" + c1 + direction + "\x7f", escape + "\r" + noText};
+const Words hostile{"a" + c1 + direction + "\x7f", escape + "\r" + noText};
 
 void checkClean(const Launched& run) {
   CAPTURE(run.code, run.out, run.err);
@@ -46,20 +46,17 @@ TEST_CASE("control bytes in scenarios, names and options are shown, not sent") {
       checkClean(launch({"validate", "--json", scenario}));
     }
     writeWhole(scenario, smallScene);
-    for (const auto& words : std::vector<std::vector<std::string>>{{"--set", "summary=" + bytes},
-                                                                   {"--set", bytes + "=1"},
-                                                                   {"--set", "name=" + bytes},
-                                                                   {"--set", bytes},
-                                                                   {"--seed", bytes},
-                                                                   {"--" + bytes},
-                                                                   {bytes},
-                                                                   {"--set", "colours={" + bytes + ": '#ffffff'}"}})
-      for (const char* verb : {"validate", "run"}) {
-        auto all = std::vector<std::string>{verb, scenario};
-        all.insert(all.end(), words.begin(), words.end());
-        if (all[0] == "run") all.insert(all.end(), {"--dry-run", "--json"});
-        checkClean(launch(all));
-      }
+    for (const Words& words : {Words{"--set", "summary=" + bytes},
+                               {"--set", bytes + "=1"},
+                               {"--set", "name=" + bytes},
+                               {"--set", bytes},
+                               {"--seed", bytes},
+                               {"--" + bytes},
+                               {bytes},
+                               {"--set", "colours={" + bytes + ": '#ffffff'}"}}) {
+      checkClean(launch(joined({"validate", scenario}, words)));
+      checkClean(launch(joined({"run", scenario, "--dry-run", "--json"}, words)));
+    }
     checkClean(launch({bytes}));
     checkClean(launch({"lineage", "--run", bytes, scenario}));
     checkClean(launch({"explain", "--with", folder / bytes, scenario}));
@@ -108,17 +105,14 @@ TEST_CASE("control bytes in a database are shown or refused") {
   const TemporaryFolder folder;
   const auto original = folder / "original.db", database = folder / "run.db";
   writeWhole(folder / "small.yaml", smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", original, folder / "small.yaml"}).code == 0);
+  succeeds({"run", "--quiet", "--no-check", "--no-pictures", "--db", original, folder / "small.yaml"});
   for (const auto& bytes : hostile)
-    for (const char* change : {"UPDATE run SET scenario = ?", "UPDATE run SET started = ?",
-                               "UPDATE run SET failure = ?", "UPDATE run SET command = ?", "UPDATE run SET cpu = ?",
-                               "UPDATE cell SET state = ?", "UPDATE run_document SET role = ?"}) {
-      CAPTURE(bytes, change);
+    for (const char* sql : {"UPDATE run SET scenario = ?", "UPDATE run SET started = ?", "UPDATE run SET failure = ?",
+                            "UPDATE run SET command = ?", "UPDATE run SET cpu = ?", "UPDATE cell SET state = ?",
+                            "UPDATE run_document SET role = ?"}) {
+      CAPTURE(bytes, sql);
       std::filesystem::copy_file(original, database, std::filesystem::copy_options::overwrite_existing);
-      {
-        morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
-        morula::Statement(db, change).run(bytes);
-      }
+      change(database, sql, bytes);
       checkClean(launch({"export", database}));
       checkClean(launch({"lineage", database}));
     }

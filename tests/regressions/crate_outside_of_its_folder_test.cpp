@@ -4,19 +4,28 @@
 #include <set>
 
 #include "catch.h"
-#include "database/database.h"
 #include "hostile.h"
+#include "stored.h"
 
 using namespace morula::test;
 namespace fs = std::filesystem;
 
-TEST_CASE("export: names from a database stay in the crate") {
-  const TemporaryFolder folder;
+namespace {
+
+/// A run in the folder `in`: its database.
+std::string storedIn(const TemporaryFolder& folder) {
   const auto database = folder / "in/run.db";
   writeWhole(folder / "small.yaml", smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
-                  folder / "small.yaml"})
-              .code == 0);
+  succeeds({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
+            folder / "small.yaml"});
+  return database;
+}
+
+}  // namespace
+
+TEST_CASE("export: names from a database stay in the crate") {
+  const TemporaryFolder folder;
+  const std::string database = storedIn(folder);
   const std::string outside = folder / "outside";
   int number = 0;
   for (const std::string& name :
@@ -25,10 +34,7 @@ TEST_CASE("export: names from a database stay in the crate") {
         std::string("\x1b[31m\n\xff"), std::string("run.db"), std::string("resolved.json"), std::string()})
     for (const char* column : {"role", "path"}) {
       CAPTURE(name, column);
-      {
-        morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
-        morula::Statement(db, std::string("UPDATE run_document SET ") + column + " = ?").run(name);
-      }
+      change(database, std::string("UPDATE run_document SET ") + column + " = ?", name);
       const auto crate = folder / ("out/crate" + std::to_string(++number));
       const auto run = launch({"export", database, "--ro-crate", crate});
       CAPTURE(run.err);
@@ -50,18 +56,11 @@ TEST_CASE("export: names from a database stay in the crate") {
 
 TEST_CASE("export: no file is copied because a database names its scenario elsewhere") {
   const TemporaryFolder folder;
-  const auto database = folder / "in/run.db";
-  writeWhole(folder / "small.yaml", smallScene);
+  const std::string database = storedIn(folder);
   writeWhole(folder / "secret.golden", "morula golden 1\nhunter2\n");
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
-                  folder / "small.yaml"})
-              .code == 0);
-  {
-    morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
-    morula::Statement(db, "UPDATE run_document SET path = ? WHERE role = 'scenario'").run(folder / "secret.yaml");
-  }
+  change(database, "UPDATE run_document SET path = ? WHERE role = 'scenario'", folder / "secret.yaml");
   fs::create_symlink("../secret.golden", folder / "in/organism.png");
-  REQUIRE(launch({"export", database, "--ro-crate", folder / "crate"}).code == 0);
+  succeeds({"export", database, "--ro-crate", folder / "crate"});
   for (const auto& entry : fs::recursive_directory_iterator(folder / "crate"))
     if (entry.is_regular_file()) CHECK(readWhole(entry.path().string()).find("hunter2") == std::string::npos);
 }

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "database/database.h"
 #include "hostile.h"
 #include "store/store.h"
+#include "stored.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -14,32 +14,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Database opened(const std::string& file) { return {file, Database::Mode::existing, std::chrono::seconds(1)}; }
-
 /// A database of one run with all tables filled, whose tables no longer promise anything about what they hold.
 struct Loose {
   Loose() {
     writeWhole(folder / "small.yaml", smallScene);
     writeWhole(folder / "body.yaml", smallBody);
     for (const char* scene : {"small.yaml", "body.yaml"})
-      REQUIRE(launch({"run", "--quiet", "--no-pictures", "--set", "record.every=0.0078125", "--db", original,
-                      folder / scene})
-                  .code == 0);
-    {
-      auto db = opened(original);
-      db.execute("PRAGMA writable_schema = ON");
-      for (const char* change : {"' STRICT, ', ' '", "' STRICT', ''", "'NOT NULL', ''"})
-        db.execute(std::string("UPDATE sqlite_schema SET sql = replace(sql, ") + change + ")");
-      db.execute("PRAGMA writable_schema = RESET");
-    }
+      succeeds(
+          {"run", "--quiet", "--no-pictures", "--set", "record.every=0.0078125", "--db", original, folder / scene});
+    auto db = opened(original);
+    db.execute("PRAGMA writable_schema = ON");
+    for (const char* promise : {"' STRICT, ', ' '", "' STRICT', ''", "'NOT NULL', ''"})
+      db.execute(std::string("UPDATE sqlite_schema SET sql = replace(sql, ") + promise + ")");
+    db.execute("PRAGMA writable_schema = RESET");
   }
   /// False if SQLite itself refuses the change.
   bool damage(const std::string& sql) {
     fs::copy_file(original, damaged, fs::copy_options::overwrite_existing);
     try {
-      auto db = opened(damaged);
-      db.execute("PRAGMA ignore_check_constraints = ON; PRAGMA foreign_keys = OFF; PRAGMA synchronous = OFF");
-      db.execute(sql);
+      change(damaged,
+             "PRAGMA ignore_check_constraints = ON; PRAGMA foreign_keys = OFF; PRAGMA synchronous = OFF; " + sql);
     } catch (const FileError&) { return false; }
     return true;
   }

@@ -17,7 +17,7 @@ const std::string comparedScene =
     "contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
 
 /// True if the words stand in this order.
-bool inOrder(const std::string& text, const std::vector<std::string>& words) {
+bool inOrder(const std::string& text, const Words& words) {
   std::size_t at = 0;
   for (const auto& word : words) {
     at = text.find(word, at);
@@ -32,40 +32,32 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
   const TemporaryFolder folder;
   const std::string file = folder / "pair.yaml", db = folder / "run.db";
   writeWhole(file, comparedScene);
-  REQUIRE(launch({"review", file, "--accept", "--by", "tests", "--why", "the first"}, {{"CI", ""}}).code == 0);
-  REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
+  accept(file);
+  succeeds({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"});
   CHECK_THAT(readWhole(folder / "pair.golden"), ContainsSubstring("\nparameter physics.pressure.constant 155\n"));
 
   writeWhole(file, replaced(comparedScene, "constant: 155", "constant: 155.5"));
-  const std::vector<std::string> words{"changed   physics.pressure.constant: 155 → 155.5\n",
-                                       "lineage   the same\n",
-                                       "moved     cell ",
-                                       " radii of the egg\n",
-                                       "volume    ",
-                                       " %\n",
-                                       "pressure  ",
-                                       " %\n"};
-  auto andCause = words;
-  andCause.insert(andCause.end(),
-                  {"FAIL  scenario: INPUT_CHANGED, the scenario changed\n", "from it follow: bits; step_hashes"});
-  for (const auto& verb : {std::vector<std::string>{"check", file}, {"explain", file}, {"review", file}}) {
-    const auto run = launch(verb);
-    CAPTURE(verb[0]);
-    INFO(run.out << run.err);
-    CHECK(run.code == 1);
-    CHECK(inOrder(run.out, andCause));
+  const Words words{"changed   physics.pressure.constant: 155 → 155.5\n",
+                    "lineage   the same\n",
+                    "moved     cell ",
+                    " radii of the egg\n",
+                    "volume    ",
+                    " %\n",
+                    "pressure  ",
+                    " %\n"};
+  const Words cause{"FAIL  scenario: INPUT_CHANGED, the scenario changed\n", "from it follow: bits; step_hashes"};
+  for (const char* verb : {"check", "explain", "review"}) {
+    const auto run = endsWith(1, {verb, file});
+    INFO(run.out);
+    CHECK(inOrder(run.out, joined(words, cause)));
     CHECK(run.out.find("FAIL", run.out.find("FAIL") + 1) == run.out.npos);
     CHECK_THAT(run.out, !ContainsSubstring(" ulp"));
   }
-  const auto stored = launch({"explain", file, "--db", db});
-  INFO(stored.out << stored.err);
-  CHECK(stored.code == 1);
-  CHECK(inOrder(stored.out, words));
-  const Json json = Json::parse(launch({"explain", file, "--json"}).out);
+  CHECK(inOrder(endsWith(1, {"explain", file, "--db", db}).out, words));
+  const Json json = jsonOf({"explain", file}, 1);
   REQUIRE(json["changed"].size() == 1);
   CHECK(json["changed"][0] == Json{{"key", "physics.pressure.constant"}, {"expected", "155"}, {"actual", "155.5"}});
-  const Json checked = Json::parse(launch({"check", file, "--json"}).out);
-  CHECK(checked["results"][0]["field"] == "physics.pressure.constant");
+  CHECK(jsonOf({"check", file}, 1)["results"][0]["field"] == "physics.pressure.constant");
 
   writeWhole(file, replaced(comparedScene, "length: 0.125", "length: 0.0625"));
   const auto other = launch({"check", file});

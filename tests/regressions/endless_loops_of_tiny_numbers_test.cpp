@@ -15,22 +15,13 @@ TEST_CASE("tiny and huge numbers are refused with the range") {
   for (const char* change :
        {"physics.cell.radius=1e-300", "physics.cell.radius=1e300", "physics.cell.mass=1e-40", "record.every=1e-300",
         "record.pictures=1e-300", "physics.contact.radius=1e-31", "physics.drag=1e31", "cycle.length=1e-300"})
-    for (const char* verb : {"validate", "parts"}) {
-      CAPTURE(change, verb);
-      const auto run = launch({verb, "scenarios/thesis/unique-four.yaml", "--set", change});
-      CAPTURE(run.err);
-      CHECK(run.code == 3);
-      CHECK(run.err.find("from 1e-30 to 1e+30") != std::string::npos);
-    }
+    for (const char* verb : {"validate", "parts"})
+      refuses({verb, uniqueFour, "--set", change}, 3, "from 1e-30 to 1e+30");
 }
 
 TEST_CASE("intervals that make more samples or pictures than anybody can look at are refused") {
-  for (const char* change : {"record.every=1e-12", "record.pictures=1e-6"}) {
-    CAPTURE(change);
-    const auto run = launch({"validate", "scenarios/thesis/unique-four.yaml", "--set", change});
-    CHECK(run.code == 3);
-    CHECK(run.err.find("needs at least") != std::string::npos);
-  }
+  for (const char* change : {"record.every=1e-12", "record.pictures=1e-6"})
+    refuses({"validate", uniqueFour, "--set", change}, 3, "needs at least");
 }
 
 TEST_CASE("the next multiple is the one that counting up finds") {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
 using Json = nlohmann::json;
@@ -42,15 +42,17 @@ struct Cell {
 /// The first cell at the end.
 Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const std::string& timeStep) {
   const std::string file = folder / ("level" + level + ".db");
-  const auto run =
-      launch({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db", file, "--out",
-              folder.path(), "--set", "physics.mesh.icosphere=" + level, "--set", "physics.time_step=" + timeStep});
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
-  morula::Database db(file, morula::Database::Mode::existing, std::chrono::seconds(5));
+  succeeds({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db", file, "--out", folder.path(),
+            "--set", "physics.mesh.icosphere=" + level, "--set", "physics.time_step=" + timeStep});
+  morula::Database db = opened(file);
   morula::Statement row(db, "SELECT x, volume, pressure FROM cell_sample ORDER BY time DESC, path LIMIT 1");
   REQUIRE(row.next());
   return {row.real(0), row.real(1), row.real(2)};
+}
+
+Json accuracyOf(const TemporaryFolder& folder, const std::string& scenario) {
+  return jsonOf({"accuracy", folder / scenario, "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings",
+                 "1", "--rounds", "1", "--out", folder.path()});
 }
 
 }  // namespace
@@ -58,11 +60,7 @@ Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const st
 TEST_CASE("accuracy: the stated error of the mesh is what a mesh two levels finer shows") {
   const TemporaryFolder folder;
   writeWhole(folder / "pair.yaml", pair);
-  const auto run = launch({"accuracy", folder / "pair.yaml", "--json", "--quiet", "--only", "--integrator",
-                           "velocity-verlet", "--halvings", "1", "--rounds", "1", "--out", folder.path()});
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
-  const Json json = Json::parse(run.out), mesh = json["mesh"];
+  const Json json = accuracyOf(folder, "pair.yaml"), mesh = json["mesh"];
   CAPTURE(mesh.dump(1));
   REQUIRE(mesh["levels"].size() == 3);
   CHECK(mesh["levels"][2]["icosphere"] == 3);
@@ -88,11 +86,7 @@ TEST_CASE("accuracy: spheres have no error of a mesh, and of a mesh from a file 
                "morula: 1\nname: one\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 0.25}\n"
                "cells:\n  - {at: [0, 0, 0]}\n  - {at: [1.5, 0, 0]}\nphysics:\n  drag: 4\n  contact: {}\n" +
                    physics);
-    const auto run = launch({"accuracy", folder / "one.yaml", "--json", "--quiet", "--only", "--integrator",
-                             "velocity-verlet", "--halvings", "1", "--rounds", "1", "--out", folder.path()});
-    CAPTURE(run.err);
-    REQUIRE(run.code == 0);
-    return Json::parse(run.out);
+    return accuracyOf(folder, "one.yaml");
   };
   const Json spheres = report("  cell: {model: sphere}\n");
   CHECK(spheres["mesh"]["error"] == 0);

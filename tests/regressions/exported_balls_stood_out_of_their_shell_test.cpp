@@ -14,11 +14,8 @@ TEST_CASE("the vertices of an exported ball lie on it, and within its shell") {
              "morula: 1\nname: ball\ndna: 'START: a0'\nstop: {time: 0.25}\ndivision: {plane: random}\n"
              "physics: {time_step: 0.0625, drag: 10, mesh: {icosphere: 1}, shell: {sphere: 1},\n"
              "          cell: {model: sphere, radius: 0.99}}\n");
-  const auto run = launch({"run", folder / "ball.yaml", "--no-pictures", "--db", folder / "ball.db"});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  REQUIRE(launch({"export", folder / "ball.db", "--format", "ply", "--time", "0.25", "-o", folder / "a.ply"}).code ==
-          0);
+  succeeds({"run", folder / "ball.yaml", "--no-pictures", "--db", folder / "ball.db"});
+  succeeds({"export", folder / "ball.db", "--format", "ply", "--time", "0.25", "-o", folder / "a.ply"});
   const std::string file = readWhole(folder / "a.ply"), end = "end_header\n";
   const std::size_t stride = 3 * sizeof(float) + 3 + sizeof(int), begin = file.find(end) + end.size();
   REQUIRE(file.find("element vertex 42\n") < begin);

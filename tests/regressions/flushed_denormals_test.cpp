@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -25,12 +25,10 @@ Seen runWith(const std::string& rounding, const std::string& threads) {
                    {"ASAN_OPTIONS", "verify_asan_link_order=0:detect_leaks=0"}};
   const auto file = folder / "runs.db";
   const auto run =
-      launch({"run", "scenarios/hard/denormal-velocity.yaml", "--json", "--quiet", "--no-pictures", "--no-check",
-              "--threads", threads, "--set", "stop.time=0.25", "--db", file, "--out", folder / "out"},
-             environment);
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
-  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+      succeeds({"run", "scenarios/hard/denormal-velocity.yaml", "--json", "--quiet", "--no-pictures", "--no-check",
+                "--threads", threads, "--set", "stop.time=0.25", "--db", file, "--out", folder / "out"},
+               environment);
+  Database db = opened(file);
   Statement environmentOfRun(db, "SELECT fp_environment FROM run");
   REQUIRE(environmentOfRun.next());
   return {nlohmann::json::parse(run.out).at("state_hash"), environmentOfRun.text(0)};

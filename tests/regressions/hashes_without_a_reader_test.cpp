@@ -4,32 +4,27 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
-using morula::Database;
 using Json = nlohmann::json;
 
 TEST_CASE("a run that is not checked stores no hashes, and each table says why it is there") {
   const TemporaryFolder folder;
   const std::string file = folder / "small.yaml";
   writeWhole(file, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 3}\ncheck: {}\n");
-  const auto tablesAfter = [&](const std::string& db, std::vector<std::string> more) {
-    more.insert(more.begin(), {"run", file, "--db", db, "--no-pictures", "--out", folder / "out"});
-    REQUIRE(launch(more).code == 0);
-    const auto list = launch({"export", db, "--list", "--json"});
-    INFO(list.err);
-    REQUIRE(list.code == 0);
+  const auto tablesAfter = [&](const std::string& db, const Words& more) {
+    succeeds(joined({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}, more));
     std::map<std::string, Json> tables;
-    const Json json = Json::parse(list.out);
+    const Json json = jsonOf({"export", db, "--list"});
     for (const auto& t : json["tables"]) tables[t["table"]] = t;
     return tables;
   };
   auto checked = tablesAfter(folder / "checked.db", {});
   CHECK(checked["cell_hash"]["rows"] > 3);
   CHECK(checked["cell_hash"]["bytes"] > 0);
-  Database db(folder / "checked.db", Database::Mode::existing, std::chrono::seconds(5));
+  morula::Database db = opened(folder / "checked.db");
   CHECK(db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table'") ==
         static_cast<std::int64_t>(checked.size()));
   for (const auto& [name, table] : checked) {
@@ -37,16 +32,15 @@ TEST_CASE("a run that is not checked stores no hashes, and each table says why i
     CHECK(table["why"] != "");
     CHECK(table["rows"] == db.integer("SELECT count(*) FROM " + name));
   }
-  for (const auto& more : {std::vector<std::string>{"--no-check"}, {"--seed", "7"}, {"--set", "stop.time=2"}}) {
+  for (const Words& more : {Words{"--no-check"}, {"--seed", "7"}, {"--set", "stop.time=2"}}) {
     CAPTURE(more[0]);
     auto unchecked = tablesAfter(folder / ("un" + more[0].substr(2) + ".db"), more);
     CHECK(unchecked["cell_hash"]["rows"] == 0);
     CHECK(unchecked["step_hash"]["rows"] == 0);
     CHECK(unchecked["cell"]["rows"] == 3);
   }
-  const auto explained = launch({"explain", file, "--db", folder / "unno-check.db"});
-  CHECK(explained.code == 3);
-  CHECK_THAT(explained.err, ContainsSubstring("kept no chain") && ContainsSubstring("without --no-check"));
+  CHECK_THAT(endsWith(3, {"explain", file, "--db", folder / "unno-check.db"}).err,
+             ContainsSubstring("kept no chain") && ContainsSubstring("without --no-check"));
   CHECK(launch({"replay", folder / "unno-check.db"}).code == 0);
   CHECK_THAT(launch({"export", folder / "checked.db", "--list"}).out, ContainsSubstring("which cells differ"));
 }

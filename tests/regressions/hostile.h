@@ -1,5 +1,8 @@
 #pragma once
-// What several of these tests need: a scene that takes a moment, and what a terminal must never be sent.
+// What several of these tests need: a scene that takes a moment, limits of the system, and what a terminal must never be
+// sent.
+#include <sys/resource.h>
+
 #include <string>
 
 #include "launch.h"
@@ -15,6 +18,21 @@ inline const std::string smallScene =
 inline const std::string smallBody =
     "morula: 1\nname: body\ndna: |\n  START: a0\n  g1(a1|a0)\nstop: {time: 0.03125}\n"
     "physics: {time_step: 0.0078125, mesh: {icosphere: 1}}\n";
+
+/// Programs started meanwhile have no more of it than so many bytes.
+class Limit {
+ public:
+  Limit(decltype(RLIMIT_AS) of, rlim_t bytes) : of_(of) {
+    getrlimit(of_, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(of_, &limit);
+  }
+  ~Limit() { setrlimit(of_, &before_); }
+
+ private:
+  decltype(RLIMIT_AS) of_;
+  rlimit before_{};
+};
 
 /// The first byte that a terminal would obey, as text; "" if there is none. Line ends and tabs are ours.
 inline std::string harmfulByte(const std::string& text) {

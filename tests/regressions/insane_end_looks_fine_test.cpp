@@ -40,12 +40,8 @@ struct Run {
   Json json;
 };
 
-Run run(const std::string& scenario, std::vector<std::string> more = {}) {
-  const TemporaryFolder folder;
-  writeWhole(folder / "s.yaml", scenario);
-  std::vector<std::string> arguments{"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures", "--json"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  Run r{launch(arguments), {}};
+Run run(const std::string& scenario, const Words& more = {}) {
+  Run r{runText(scenario, joined({"--json"}, more)), {}};
   if (!r.launched.out.empty()) r.json = Json::parse(r.launched.out);
   return r;
 }
@@ -60,7 +56,7 @@ Json failedOf(const Run& r) {
 }  // namespace
 
 TEST_CASE("cells that end in one another fail the run, with and without --no-check") {
-  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--no-check"}, {"--seed", "7"}}) {
+  for (const Words& more : {Words{}, {"--no-check"}, {"--seed", "7"}}) {
     const Run r = run(overlapping(), more);
     CAPTURE(r.launched.err, r.launched.out);
     CHECK(r.launched.code == 1);
@@ -104,12 +100,8 @@ TEST_CASE("a scene that is about an end that is not sane says so, and must then 
 TEST_CASE("the results of a run that is not sane are stored as such, and no golden is made of them") {
   const TemporaryFolder folder;
   writeWhole(folder / "s.yaml", overlapping());
-  const auto check = launch({"check", folder / "s.yaml", "--json"});
-  CHECK(check.code == 1);
-  CHECK(check.out.find("\"kind\": \"sanity\"") != std::string::npos);
-  const auto accepted = launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"},
-                               {{"CI", ""}, {"GITHUB_ACTIONS", ""}});
-  CAPTURE(accepted.out, accepted.err);
-  CHECK(accepted.code == 3);
-  CHECK(accepted.err.find("nothing accepted") != std::string::npos);
+  CHECK_THAT(endsWith(1, {"check", folder / "s.yaml", "--json"}).out, ContainsSubstring("\"kind\": \"sanity\""));
+  const auto accepted = endsWith(3, {"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"},
+                                 {{"CI", ""}, {"GITHUB_ACTIONS", ""}});
+  CHECK_THAT(accepted.err, ContainsSubstring("nothing accepted"));
 }

@@ -45,10 +45,9 @@ std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
   return file;
 }
 
-void checkFine(const std::vector<std::string>& arguments) {
-  const auto run = launch(arguments, {{"CI", ""}});
-  CAPTURE(arguments, run.err, run.out);
-  CHECK(run.code == 0);
+void checkFine(const Words& words) {
+  const auto run = succeeds(words, {{"CI", ""}});
+  CAPTURE(words);
   CHECK_FALSE((run.out.empty() && run.err.empty()));
 }
 

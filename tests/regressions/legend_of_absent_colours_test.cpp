@@ -15,9 +15,7 @@ std::string picture(const std::string& colours, const std::string& style) {
              "cells: [{at: [0, 0, 0]}, {at: [3, 0, 0], substances: [c]}]\n"
              "colours: " +
                  colours);
-  const auto run = launch({"render", folder / "s.yaml", "--size", "200", "--style", style, "-o", folder / "s.png"});
-  INFO(run.err);
-  REQUIRE(run.code == 0);
+  succeeds({"render", folder / "s.yaml", "--size", "200", "--style", style, "-o", folder / "s.png"});
   return readWhole(folder / "s.png");
 }
 

@@ -12,9 +12,9 @@ TEST_CASE("lineage --json: a living leaf ends with the run") {
   const TemporaryFolder folder;
   const std::string file = folder / "small.yaml", db = folder / "run.db";
   writeWhole(file, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 2.5}\n");
-  REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
+  succeeds({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"});
   for (const std::string& what : {file, db}) {
-    const Json json = Json::parse(launch({"lineage", what, "--json"}).out);
+    const Json json = jsonOf({"lineage", what});
     int leaves = 0;
     for (const auto& cell : json["cells"]) {
       if (cell["fate"] != "alive") continue;

@@ -1,8 +1,4 @@
 // Small untruths of the command line: what was asked for was not done, or was refused with the wrong words or code.
-#include <sys/stat.h>
-
-#include <filesystem>
-
 #include "catch.h"
 #include "launch.h"
 
@@ -22,31 +18,18 @@ TEST_CASE("what comes after the end of a scene that stops at a number of cells i
 }
 
 TEST_CASE("what cannot be rejected is not said to be") {
-  refuses({"review", "--reject"}, 2, "--reject: only with --why");
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n");
   refuses({"review", folder / "small.yaml", "--reject", "--why", "no"}, 6, "no result waits for a review");
 }
 
-TEST_CASE("a wrong seed is a wrong command line, as a wrong range of seeds is") {
-  refuses({"run", uniqueFour, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
-  refuses({"run", uniqueFour, "--seeds", "a..b"}, 2, "--seeds: 'a' is not a number; needs a whole number from 0 to");
-}
-
-TEST_CASE("a report of what is no file says so, as other verbs do") {
-  const TemporaryFolder folder;
-  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
-  refuses({"report", folder / "pipe"}, 6, "is a pipe; needs a file");
-  refuses({"report", "/dev/zero"}, 6, "is a device; needs a file");
-}
-
 TEST_CASE("a message does not repeat a word of a hundred kilobytes") {
   const std::string word(100'000, 'x');
-  for (const auto& arguments : std::vector<std::vector<std::string>>{{"validate", uniqueFour, "--set", word + "=1"},
-                                                                     {"validate", uniqueFour, "--set", word},
-                                                                     {"run", uniqueFour, "--isa", word},
-                                                                     {"run", uniqueFour, "--" + word},
-                                                                     {word}}) {
+  for (const Words& arguments : {Words{"validate", uniqueFour, "--set", word + "=1"},
+                                 {"validate", uniqueFour, "--set", word},
+                                 {"run", uniqueFour, "--isa", word},
+                                 {"run", uniqueFour, "--" + word},
+                                 {word}}) {
     const auto run = launch(arguments);
     CHECK((run.code == 2 || run.code == 3));
     CHECK(run.err.size() < 1000);

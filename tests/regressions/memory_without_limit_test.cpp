@@ -3,8 +3,8 @@
 // (exit code 3), and a run that would take more than its limit ends as a numerical failure (exit code 4) that
 // is stored and says what to change.
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -30,14 +30,13 @@ TEST_CASE("a lineage that divides for ever ends at the memory limit, and is stor
                                     "division: {plane: random}\n"}) {
     const TemporaryFolder folder;
     writeWhole(folder / "scene.yaml", endless + physics);
-    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--memory-limit", "2M", "--db",
-                             folder / "runs.db", "--out", folder / "out"});
+    const auto run = endsWith(4, {"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--memory-limit", "2M",
+                                  "--db", folder / "runs.db", "--out", folder / "out"});
     CAPTURE(physics, run.out, run.err);
-    CHECK(run.code == 4);
     const std::string text = run.out + run.err;
     for (const char* word : {"memory", "limit of 2 MB", "stop.cells", "--memory-limit", "cell ", "step "})
       CHECK(text.find(word) != std::string::npos);
-    Database db(folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1));
+    Database db = opened(folder / "runs.db");
     Statement status(db, "SELECT status, failure FROM run");
     REQUIRE(status.next());
     CHECK(status.text(0) == "failed");
@@ -48,14 +47,10 @@ TEST_CASE("a lineage that divides for ever ends at the memory limit, and is stor
 TEST_CASE("more cells than memory holds are refused before they are made") {
   const TemporaryFolder folder;
   writeWhole(folder / "scene.yaml", cellsAt(500, 3, "{icosphere: 4}"));
-  for (const char* verb : {"validate", "parts", "run"}) {
-    std::vector<std::string> words{verb, folder / "scene.yaml", "--memory-limit", "100M"};
-    if (std::string(verb) == "run") words.insert(words.end(), {"--dry-run"});
-    const auto run = launch(words);
-    CAPTURE(verb, run.err);
-    CHECK(run.code == 3);
+  for (const Words& verb : {Words{"validate"}, {"parts"}, {"run", "--dry-run"}}) {
+    const auto run = endsWith(3, joined(verb, {folder / "scene.yaml", "--memory-limit", "100M"}));
     for (const char* word : {"cells: 500 cells of 2562 vertices", "limit of 100 MB", "--memory-limit"})
-      CHECK(run.err.find(word) != std::string::npos);
+      CHECK_THAT(run.err, ContainsSubstring(word));
   }
 }
 
@@ -63,19 +58,13 @@ TEST_CASE("cells that all stand in one place are refused: each vertex would have
   const TemporaryFolder folder;
   writeWhole(folder / "scene.yaml", cellsAt(200, 0, "{icosphere: 1}"));
   for (const char* search : {"grid", "aabb-tree", "spatial-hash", "brute-force"}) {
-    const auto run = launch({"parts", folder / "scene.yaml", "--memory-limit", "30M", "--search", search});
-    CAPTURE(search, run.err);
-    CHECK(run.code == 3);
+    const auto run = endsWith(3, {"parts", folder / "scene.yaml", "--memory-limit", "30M", "--search", search});
     for (const char* word : {"cells are in one another", "30 MB", "physics.contact.radius"})
-      CHECK(run.err.find(word) != std::string::npos);
+      CHECK_THAT(run.err, ContainsSubstring(word));
   }
 }
 
 TEST_CASE("a size is a number and a letter") {
-  for (const char* size : {"0", "-1G", "many", "1.5X", "G"}) {
-    CAPTURE(size);
-    CHECK(launch({"validate", "scenarios/organisms/spheres.yaml", "--memory-limit", size}).code == 2);
-  }
   for (const char* size : {"200000000", "1.5G", "300M", "1T"}) {
     CAPTURE(size);
     CHECK(launch({"validate", "scenarios/organisms/spheres.yaml", "--memory-limit", size}).code == 0);

@@ -14,10 +14,7 @@ TEST_CASE("scenarios of one name in two files have folders of their own") {
     return "morula: 1\nname: twin\nseed: 5\ndna: 'START: a0'\nstop: {cycles: " + std::to_string(cycles) + "}\n";
   };
   const auto databaseOf = [&](const std::string& file) {
-    const auto run = launch({"run", folder / file, "--out", folder / "results", "--json", "--no-check"});
-    INFO(run.err);
-    REQUIRE(run.code == 0);
-    return nlohmann::json::parse(run.out)["db"].get<std::string>();
+    return jsonOf({"run", folder / file, "--out", folder / "results", "--no-check"})["db"].get<std::string>();
   };
   writeWhole(folder / "a.yaml", text(2));
   writeWhole(folder / "b.yaml", text(3));

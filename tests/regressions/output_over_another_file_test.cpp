@@ -13,18 +13,14 @@ TEST_CASE("a picture does not replace a file of another kind") {
   const TemporaryFolder folder;
   const auto scenario = folder / "scenario.png", database = folder / "out/run.png";
   writeWhole(scenario, smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario})
-              .code == 0);
+  succeeds({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario});
   writeWhole(folder / "genes.png", "START: a0\n");
   writeWhole(folder / "golden.png", "morula golden 1\n");
   writeWhole(folder / "letter.png", "Dear all\n");
   for (const auto& file : {scenario, database, folder / "genes.png", folder / "golden.png", folder / "letter.png"}) {
     CAPTURE(file);
     const auto before = readWhole(file);
-    const auto run = launch({"render", "--quiet", "--style", "lineage", "-o", file, scenario});
-    CAPTURE(run.err);
-    CHECK(run.code == 6);
-    CHECK(run.err.find("would replace") != std::string::npos);
+    refuses({"render", "--quiet", "--style", "lineage", "-o", file, scenario}, 6, "would replace");
     CHECK(readWhole(file) == before);
   }
   // Drawings and papers of somebody else.

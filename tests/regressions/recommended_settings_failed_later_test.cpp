@@ -16,62 +16,41 @@ const std::string crowd =
     "stop: {time: 1}\nphysics:\n  mesh: {icosphere: 1}\n  drag: 10\n  shell: {sphere: 1}\n"
     "  cell: {radius: 0.95}\n  contact: {}\n";
 
+/// What settings `accuracy` finds for the crowd, which lies in the folder from then on.
+Words asked(const TemporaryFolder& folder) {
+  writeWhole(folder / "crowd.yaml", crowd);
+  return {"accuracy", folder / "crowd.yaml", "--only", "--integrator", "velocity-verlet", "--rounds", "1",
+          "--out",    folder.path(),         "--quiet"};
+}
+
 }  // namespace
 
 TEST_CASE("accuracy --target: the printed command runs to its end, and holds its error") {
   const TemporaryFolder folder;
-  writeWhole(folder / "crowd.yaml", crowd);
-  const std::vector<std::string> words{"accuracy",
-                                       folder / "crowd.yaml",
-                                       "--target",
-                                       "3e-2",
-                                       "--only",
-                                       "--integrator",
-                                       "velocity-verlet",
-                                       "--halvings",
-                                       "2",
-                                       "--rounds",
-                                       "1",
-                                       "--out",
-                                       folder.path(),
-                                       "--quiet"};
-  auto asJson = words;
-  asJson.push_back("--json");
-  const auto run = launch(asJson);
-  CAPTURE(run.err, run.out);
-  REQUIRE(run.code == 0);
-  const Json json = Json::parse(run.out), target = json["target"];
+  const Words words = joined(asked(folder), {"--target", "3e-2", "--halvings", "2"});
+  const Json json = jsonOf(words), target = json["target"];
   CHECK(json["times"].back() < 1);  // chaos: what comes later was not compared
-  auto command = target["run_to_the_end"]["command"].get<std::vector<std::string>>();
-  for (const char* word : {"--no-check", "--no-pictures", "--quiet", "--out"}) command.push_back(word);
-  command.push_back(folder.path());
-  CHECK(launch(command).code == 0);
+  const Words command = target["run_to_the_end"]["command"];
+  succeeds(joined(command, {"--no-check", "--no-pictures", "--quiet", "--out", folder.path()}));
   CHECK(target["run_to_the_end"]["error"] <= 3e-2);
   // Steps that were long enough for fewer cells are not recommended, and it says so.
   for (const Json& row : json["rows"])
     if (row["cpu_seconds"] < target["run_to_the_end"]["cpu_seconds"]) SUCCEED();
 
-  const auto forPeople = launch(words);
-  CHECK_THAT(forPeople.out, ContainsSubstring("has been run to its end"));
-  CHECK_THAT(forPeople.out, ContainsSubstring("crowd: compared up to time "));
-  CHECK_THAT(forPeople.out, ContainsSubstring(" of 1, at "));
-  CHECK_THAT(forPeople.out, ContainsSubstring("later is chaos"));
+  CHECK_THAT(launch(words).out, ContainsSubstring("has been run to its end") &&
+                                    ContainsSubstring("crowd: compared up to time ") &&
+                                    ContainsSubstring(" of 1, at ") && ContainsSubstring("later is chaos"));
 }
 
 TEST_CASE("accuracy --target: a share of automatic time steps is what growing organisms are offered") {
   const TemporaryFolder folder;
-  writeWhole(folder / "crowd.yaml", crowd);
-  const auto run = launch({"accuracy", folder / "crowd.yaml", "--target", "1e-3", "--only", "--integrator",
-                           "velocity-verlet", "--rounds", "1", "--out", folder.path(), "--quiet", "--json"});
-  CAPTURE(run.err, run.out);
-  const Json json = Json::parse(run.out);
+  const Json json = Json::parse(launch(joined(asked(folder), {"--target", "1e-3", "--json"})).out);
   std::size_t shares = 0;
   for (const Json& row : json["rows"]) shares += row["settings"]["automatic_share"].is_number();
   CHECK(shares == 4);
   for (const Json& row : json["rows"]) {
     if (row["settings"]["automatic_share"] != 0.25) continue;
-    std::vector<std::string> words{"run",   folder / "crowd.yaml", "--no-check", "--no-pictures", "--quiet",
-                                   "--out", folder.path()};
+    Words words{"run", folder / "crowd.yaml", "--no-check", "--no-pictures", "--quiet", "--out", folder.path()};
     for (const auto& change : row["settings"]["set"]) words.insert(words.end(), {"--set", change});
     CHECK(launch(words).code == 0);
   }

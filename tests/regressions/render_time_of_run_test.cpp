@@ -30,9 +30,7 @@ TEST_CASE("render refuses times after the end of the run, planned or not") {
     const auto run = rendered(head + rest, "0.99", style);
     const auto late = rendered(head + rest, "99", style);
     CAPTURE(rest, late.err, run.err);
-    CHECK(late.code == 2);
-    CHECK(late.out.empty());
-    CHECK(late.err.find("--time: 99 is after the end of the run, ") != std::string::npos);
+    refuses(late, 2, "--time: 99 is after the end of the run, ");
     const bool endsEarly = rest.find("g2") != rest.npos;
     CHECK(run.code == (endsEarly ? 2 : 0));
     if (endsEarly) CHECK(run.err.find("after the end of the run, 0.125") != std::string::npos);

@@ -5,11 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula::test;
-using morula::Database;
 using Json = nlohmann::json;
 
 namespace {
@@ -36,11 +35,8 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", recordedScene);
   const std::string whole = folder / "run.db", changed = folder / "changed.db";
-  REQUIRE(launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"}).code == 0);
-  const auto same = launch({"replay", whole});
-  INFO(same.out << same.err);
-  REQUIRE(same.code == 0);
-  CHECK_THAT(same.out, ContainsSubstring("tables          all 14 the same"));
+  succeeds({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"});
+  CHECK_THAT(succeeds({"replay", whole}).out, ContainsSubstring("tables          all 14 the same"));
 
   const Change changes[] = {
       {"sample", "UPDATE sample SET volume = volume * 2", "of 4 rows differ\n    first time 0: volume: stored "},
@@ -63,14 +59,12 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
   for (const Change& c : changes) {
     CAPTURE(c.sql);
     std::filesystem::copy_file(whole, changed, std::filesystem::copy_options::overwrite_existing);
-    Database(changed, Database::Mode::existing, std::chrono::seconds(5)).execute(c.sql);
-    const auto run = launch({"replay", changed});
-    INFO(run.out << run.err);
-    CHECK(run.code == 1);
-    CHECK_THAT(run.out, ContainsSubstring(std::string("\n  ") + c.table + ' ') && ContainsSubstring(c.said) &&
-                            ContainsSubstring("NOT the same bits"));
+    change(changed, c.sql);
+    CHECK_THAT(endsWith(1, {"replay", changed}).out, ContainsSubstring(std::string("\n  ") + c.table + ' ') &&
+                                                         ContainsSubstring(c.said) &&
+                                                         ContainsSubstring("NOT the same bits"));
   }
-  const auto json = Json::parse(launch({"replay", changed, "--json"}).out);
+  const Json json = jsonOf({"replay", changed}, 1);
   CHECK(json["same_bits"] == false);
   for (const auto& table : json["tables"])
     if (table["table"] == "run") CHECK(table["first"]["column"] == "cells");

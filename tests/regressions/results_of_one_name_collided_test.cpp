@@ -23,13 +23,13 @@ std::string sceneUntil(const std::string& time) {
 TEST_CASE("scenarios of one file name keep their waiting results and their JUnit suites apart") {
   const TemporaryFolder folder;
   const std::string stem = fs::path(folder.path()).filename().string();  // a name that no other test has
-  std::vector<std::string> files;
+  Words files;
   for (const char* inside : {"a", "b"}) {
     fs::create_directory(folder / inside);
     files.push_back(folder / inside + "/" + stem + ".yaml");
     writeWhole(files.back(), sceneUntil("2"));
-    REQUIRE(launch({"review", files.back(), "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code == 0);
-    writeWhole(files.back(), sceneUntil(std::string("2.5")));
+    accept(files.back());
+    writeWhole(files.back(), sceneUntil("2.5"));
   }
   CHECK(launch({"check", files[0], files[1], "--reports", folder / "reports"}).code == 1);
   const auto waits = [&](std::size_t i) {
@@ -49,20 +49,14 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
   const TemporaryFolder folder;
   const std::string a = folder / "a.yaml", b = folder / "b.yaml";
   writeWhole(a, sceneUntil("2")), writeWhole(b, sceneUntil("3"));
-  const auto dbOf = [&](std::vector<std::string> more) {
-    std::vector<std::string> all{"run", "--json", "--no-pictures", "--out", folder / "out"};
-    all.insert(all.end(), more.begin(), more.end());
-    const auto run = launch(all);
-    INFO(run.err);
-    REQUIRE(run.code == 0);
-    const Json json = Json::parse(run.out);
-    std::vector<std::string> databases;
+  const auto dbOf = [&](const Words& more) {
+    const Json json = jsonOf(joined({"run", "--no-pictures", "--out", folder / "out"}, more));
+    Words databases;
     for (const auto& r : json.contains("runs") ? json["runs"] : Json{json}) databases.push_back(r["db"]);
     return databases;
   };
-  std::vector<std::string> all;
-  for (const auto& more :
-       {std::vector<std::string>{a}, {a, "--seed", "7"}, {a, "--set", "stop.time=1"}, {a, "--set", "stop.time=1.5"}})
+  Words all;
+  for (const Words& more : {Words{a}, {a, "--seed", "7"}, {a, "--set", "stop.time=1"}, {a, "--set", "stop.time=1.5"}})
     all.push_back(dbOf(more)[0]);
   CHECK(all[0] == folder / "out/twin-0/run.db");
   CHECK(all[1] == folder / "out/twin-7/run.db");
@@ -70,9 +64,7 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
   CHECK(dbOf({a, "--set", "stop.time=1"})[0] == all[2]);  // the same variant, the same folder
   // Pictures lie in that folder, too, where the database lies elsewhere.
   const auto dbElsewhere = [&](const std::string& file, const std::string& db) {
-    const auto run = launch({"run", file, "--out", folder / "pictures", "--db", folder / db});
-    INFO(run.err);
-    CHECK(run.code == 0);
+    const auto run = succeeds({"run", file, "--out", folder / "pictures", "--db", folder / db});
     return occurrences(run.out, folder / "pictures/twin-0/");
   };
   CHECK(dbElsewhere(a, "a.db") > 0);

@@ -2,8 +2,8 @@
 // cells had all died was stored as one without bodies. Every run has a sample of its start and of its end;
 // what was not measured is NULL, and what was measured is not.
 #include "catch.h"
-#include "database/database.h"
 #include "launch.h"
+#include "stored.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -23,11 +23,9 @@ struct RunWithoutRecord {
   explicit RunWithoutRecord(const std::string& scenario) : db(runAndOpen(folder, scenario)) {}
   static Database runAndOpen(const TemporaryFolder& folder, const std::string& scenario) {
     writeWhole(folder / "scene.yaml", scenario);
-    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db", folder / "runs.db",
-                             "--out", folder / "out"});
-    CAPTURE(run.err);
-    REQUIRE(run.code == 0);
-    return {folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1)};
+    succeeds({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db", folder / "runs.db", "--out",
+              folder / "out"});
+    return opened(folder / "runs.db");
   }
 };
 

@@ -1,8 +1,6 @@
 // Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke down
 // in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused with a
 // sentence. Its checkpoint was thrown away, and with it all that had been computed.
-#include <sys/resource.h>
-
 #include "catch.h"
 #include "hostile.h"
 #include "store/store.h"
@@ -11,36 +9,20 @@ using namespace morula::test;
 
 namespace {
 
-/// Programs started meanwhile have so much address space [byte].
-class AddressLimit {
- public:
-  explicit AddressLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_AS, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_AS, &limit);
-  }
-  ~AddressLimit() { setrlimit(RLIMIT_AS, &before_); }
-
- private:
-  rlimit before_{};
-};
+/// Twelve divisions without bodies.
+const std::string tree =
+    "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n";
 
 }  // namespace
 
 TEST_CASE("a run that memory fails says nothing against one that came to its end") {
   const TemporaryFolder folder;
-  writeWhole(folder / "tree.yaml",
-             "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
-  const std::vector<std::string> words{"run",   folder / "tree.yaml", "--quiet", "--no-pictures",  "--no-check",
-                                       "--out", folder.path(),        "--db",    folder / "run.db"};
-  REQUIRE(launch(words).code == 0);
-  auto poor = words;
-  poor.insert(poor.end(), {"--memory-limit", "300k"});
-  const auto run = launch(poor);
-  CAPTURE(run.out, run.err);
-  CHECK(run.code == 4);
-  CHECK_THAT(run.out + run.err, ContainsSubstring("--memory-limit"));
-  CHECK((run.out + run.err).find("NONDETERMINISM") == std::string::npos);
+  writeWhole(folder / "tree.yaml", tree);
+  const Words words{"run",   folder / "tree.yaml", "--quiet", "--no-pictures",  "--no-check",
+                    "--out", folder.path(),        "--db",    folder / "run.db"};
+  succeeds(words);
+  const auto run = endsWith(4, joined(words, {"--memory-limit", "300k"}));
+  CHECK_THAT(run.out + run.err, ContainsSubstring("--memory-limit") && !ContainsSubstring("NONDETERMINISM"));
   const auto stored = morula::Store::openForReading(folder / "run.db").runs();
   REQUIRE(stored.size() == 1);
   CHECK(stored[0].status == morula::RunStatus::done);
@@ -48,20 +30,11 @@ TEST_CASE("a run that memory fails says nothing against one that came to its end
 
 TEST_CASE("a run that memory ends keeps its checkpoint, and goes on from there where there is more") {
   const TemporaryFolder folder;
-  writeWhole(folder / "tree.yaml",
-             "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
-  const auto run = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words{
-        "run",  folder / "tree.yaml", "--no-pictures",      "--no-check", "--out", folder.path(),
-        "--db", folder / "run.db",    "--checkpoint-every", "2"};
-    words.insert(words.end(), more.begin(), more.end());
-    return launch(words);
-  };
-  REQUIRE(run({"--memory-limit", "300k"}).code == 4);
-  const auto resumed = run({"--resume"});
-  CAPTURE(resumed.err);
-  CHECK(resumed.code == 0);
-  CHECK_THAT(resumed.err, ContainsSubstring("tree goes on from step"));
+  writeWhole(folder / "tree.yaml", tree);
+  const Words words{"run",  folder / "tree.yaml", "--no-pictures",      "--no-check", "--out", folder.path(),
+                    "--db", folder / "run.db",    "--checkpoint-every", "2"};
+  endsWith(4, joined(words, {"--memory-limit", "300k"}));
+  CHECK_THAT(succeeds(joined(words, {"--resume"})).err, ContainsSubstring("tree goes on from step"));
   CHECK(launch({"replay", folder / "run.db"}).code == 0);
 }
 
@@ -70,7 +43,7 @@ TEST_CASE("a picture for which there is no memory is refused, and the run is kep
   const TemporaryFolder folder;
   writeWhole(folder / "body.yaml", smallBody);
   const auto code = [&](rlim_t limit, const std::string& database) {
-    const AddressLimit less(limit);
+    const Limit addresses(RLIMIT_AS, limit);
     const auto run = launch(
         {"run", folder / "body.yaml", "--quiet", "--no-check", "--out", folder.path(), "--db", folder / database});
     CAPTURE(limit, run.err);

@@ -26,7 +26,7 @@ struct Place {
     return with(fault, {"run", "--quiet", folder / "in/small.yaml", "--out", folder / "in"});
   }
   /// `counted`: how many operations of the fault's kind there were.
-  Launched with(const std::string& fault, const std::vector<std::string>& words) const {
+  Launched with(const std::string& fault, const Words& words) const {
     writeWhole(folder / "count", std::string(8, '\0'));
     return launch(words, {{"LD_PRELOAD", MORULA_FAILING},
                           {"FAULT", fault},
@@ -68,7 +68,7 @@ TEST_CASE("an export whose folder cannot be opened or put in its place leaves no
   std::string database;
   for (const auto& entry : fs::recursive_directory_iterator(p.folder / "in"))
     if (entry.path().extension() == ".db") database = entry.path();
-  const std::vector<std::string> csv{"export", database, "--format", "csv", "-o", p.folder / "in/out"};
+  const Words csv{"export", database, "--format", "csv", "-o", p.folder / "in/out"};
   REQUIRE(p.with("read:0:EIO", csv).code == 0);
   const int reads = p.counted();
   fs::remove_all(p.folder / "in/out");

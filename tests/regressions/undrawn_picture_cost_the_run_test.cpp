@@ -15,11 +15,7 @@ TEST_CASE("a task that finds no memory for its picture keeps its run") {
   writeWhole(folder / "few.study.yaml",
              "morula-study: 1\nname: few\nbase: body.yaml\nvary: {drag: {low: {}, high: {physics.drag: 12}}}\n"
              "seeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\nlimits: {memory-per-run: 260M}\n");
-  const auto run =
-      launch({"study", "run", folder / "few.study.yaml", "--no-predict", "--json", "--out", folder / "out"});
-  CAPTURE(run.out, run.err);
-  CHECK(run.code == 0);
-  const auto said = nlohmann::json::parse(run.out);
+  const auto said = jsonOf({"study", "run", folder / "few.study.yaml", "--no-predict", "--out", folder / "out"});
   CHECK(said["failed"].empty());
   REQUIRE(said["undrawn"].size() == 2);
   for (const auto& task : said["undrawn"]) {

@@ -5,22 +5,12 @@
 
 using namespace morula::test;
 
-namespace {
-
-Launched twoCells(const std::string& gene) {
-  const TemporaryFolder folder;
-  writeWhole(folder / "s.yaml",
-             "morula: 1\nname: two\ndna: |\n  START: a\n  g1(b|b)\n" + gene +
-                 "cells: [{at: [-1, 0, 1]}, {at: [0, 2, 1], substances: [b]}]\nstop: {time: 1.5}\nphysics:\n"
-                 "  mesh: {icosphere: 1}\n  contact: {adhesion: {pairs: [{of: [a, b], strength: 1}]}}\n");
-  return launch({"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures"});
-}
-
-}  // namespace
-
 TEST_CASE("a cell that no longer holds what made it stick has gained no energy") {
   for (const std::string gene : {"", "  g2(a|a)\n"}) {
-    const auto run = twoCells(gene);
+    const auto run =
+        runText("morula: 1\nname: two\ndna: |\n  START: a\n  g1(b|b)\n" + gene +
+                "cells: [{at: [-1, 0, 1]}, {at: [0, 2, 1], substances: [b]}]\nstop: {time: 1.5}\nphysics:\n"
+                "  mesh: {icosphere: 1}\n  contact: {adhesion: {pairs: [{of: [a, b], strength: 1}]}}\n");
     CAPTURE(gene, run.out, run.err);
     CHECK(run.code == 0);
   }
