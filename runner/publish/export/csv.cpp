@@ -1,5 +1,6 @@
 #include "export/csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -16,17 +17,24 @@ namespace {
 constexpr std::pair<const char*, const char*> ofScopes[] = {
     {"measures_world", "world"}, {"measures_cell", "cell"}, {"measures_pair", "pair"}};
 
+std::string fieldOf(const TableValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) return csvField(*text);
+  const auto* real = std::get_if<double>(&value);
+  return real && !std::isnan(*real) ? exactText(*real) : "";
+}
+
 /// As it stands. Seeds from 2⁶³ on, which SQLite's signed integers hold as negative ones, become what they are.
 std::string plainTable(Store& store, const std::string& table, const std::string& id,
                        const std::vector<std::string>& columns) {
   CsvTable csv(columns);
+  const auto place = static_cast<std::size_t>(std::ranges::find(columns, "seed") - columns.begin());
   store.eachRow(table, id, [&](const TableRow& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto* seed = columns[i] == "seed" ? std::get_if<std::int64_t>(&row[i]) : nullptr;
-      if (seed && *seed < 0) csv.add(std::string_view(std::to_string(static_cast<std::uint64_t>(*seed))));
-      else csv.add(row[i]);
-    }
-    csv.endRow();
+    const auto* seed = place < row.size() ? std::get_if<std::int64_t>(&row[place]) : nullptr;
+    if (!seed || *seed >= 0) return csv.add(row);
+    TableRow whole = row;
+    whole[place] = std::to_string(static_cast<std::uint64_t>(*seed));
+    csv.add(whole);
   });
   return csv.text();
 }
@@ -51,14 +59,14 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
   std::map<std::pair<std::string, std::string>, std::map<std::string, double>> rows;
   const auto write = [&] {
     for (const auto& [cells, values] : rows) {
-      csv.add(std::string_view(now.first)).add(std::optional(now.second));
-      if (keys > 2) csv.add(std::string_view(cells.first));
-      if (keys > 3) csv.add(std::string_view(cells.second));
+      TableRow row{now.first, now.second};
+      if (keys > 2) row.push_back(cells.first);
+      if (keys > 3) row.push_back(cells.second);
       for (const std::string& n : names) {
         const auto found = values.find(n);
-        csv.add(found == values.end() ? std::nullopt : std::optional(found->second));
+        row.push_back(found == values.end() ? TableValue() : found->second);
       }
-      csv.endRow();
+      csv.add(row);
     }
     rows.clear();
   };
@@ -75,44 +83,9 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
 
 }  // namespace
 
-CsvTable::CsvTable(const std::vector<std::string>& columns) {
-  for (const std::string& c : columns) add(std::string_view(c));
-  endRow();
-}
-
-void CsvTable::separate() {
-  if (!isFirst_) text_ += ',';
-  isFirst_ = false;
-}
-
-CsvTable& CsvTable::add(std::string_view text) {
-  separate();
-  text_ += csvField(text);
-  return *this;
-}
-
-CsvTable& CsvTable::add(std::int64_t number) {
-  separate();
-  text_ += std::to_string(number);
-  return *this;
-}
-
-CsvTable& CsvTable::add(std::optional<double> number) {
-  separate();
-  if (number && !std::isnan(*number)) text_ += exactText(*number);
-  return *this;
-}
-
-CsvTable& CsvTable::add(const TableValue& value) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return add(*number);
-  if (const auto* real = std::get_if<double>(&value)) return add(std::optional(*real));
-  if (const auto* text = std::get_if<std::string>(&value)) return add(std::string_view(*text));
-  return add(std::optional<double>());
-}
-
-void CsvTable::endRow() {
+void CsvTable::add(const TableRow& row) {
+  for (const TableValue& value : row) text_ += (&value == &row.front() ? "" : ",") + fieldOf(value);
   text_ += "\r\n";
-  isFirst_ = true;
 }
 
 std::vector<std::string> csvTableNames() {

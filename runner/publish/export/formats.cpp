@@ -23,6 +23,9 @@
 #include "system/usage_error.h"
 
 namespace morula {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// A row for each cell that ever was: cell (from 0, by path), path, name, born, ended, fate, state.
@@ -30,10 +33,9 @@ std::string cellTable(const ExportedRun& run) {
   CsvTable csv({"cell", "path", "name", "born", "ended", "fate", "state"});
   std::int64_t number = 0;
   for (const LineageEntry& cell : run.results.lineage) {
-    csv.add(number++).add(std::string_view(cell.path.text())).add(std::string_view(run.nameOf(cell)));
-    csv.add(std::optional(cell.born));
-    csv.add(cell.fate == Fate::alive ? std::nullopt : std::optional(cell.ended)).add(std::string_view(name(cell.fate)));
-    csv.add(std::int64_t{run.stateNumber(cell.state)}).endRow();
+    const TableValue ended = cell.fate == Fate::alive ? TableValue() : cell.ended;
+    csv.add({number++, cell.path.text(), run.nameOf(cell), cell.born, ended, name(cell.fate),
+             std::int64_t{run.stateNumber(cell.state)}});
   }
   return csv.text();
 }
@@ -45,17 +47,11 @@ std::string stateTable(const ExportedRun& run) {
     Colour colour = neutralGrey;
     for (const auto& [state, text] : run.results.stateTexts)
       if (text == run.states[i]) colour = run.colours.at(state);
-    csv.add(static_cast<std::int64_t>(i)).add(std::string_view(run.states[i]));
-    csv.add(std::string_view(fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b))).endRow();
+    csv.add({static_cast<std::int64_t>(i), run.states[i],
+             fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b)});
   }
   return csv.text();
 }
-
-}  // namespace
-
-namespace fs = std::filesystem;
-
-namespace {
 
 struct NewFile {
   fs::path path;
@@ -64,18 +60,23 @@ struct NewFile {
 using Files = std::vector<NewFile>;
 using OneTime = std::string (*)(const ExportedRun&, const Sample&);
 
+/// To which the numbers of cells and states in the other files refer.
+void addTables(const ExportedRun& run, const fs::path& path, Files& files) {
+  files.push_back({path / "cells.csv", cellTable(run)});
+  files.push_back({path / "states.csv", stateTable(run)});
+}
+
 /// `path` is a folder: a file a sample, and when each is.
 Files series(const ExportedRun& run, const fs::path& path, const char* ending, OneTime write) {
   Files files;
   CsvTable times({"file", "time"});
   for (const Sample& sample : run.results.samples) {
     const std::string name = fmt::format("{:04}{}", files.size(), ending);
-    times.add(std::string_view(name)).add(std::optional(sample.world.time)).endRow();
+    times.add({name, sample.world.time});
     files.push_back({path / name, write(run, sample)});
   }
   files.push_back({path / "times.csv", times.text()});
-  files.push_back({path / "cells.csv", cellTable(run)});
-  files.push_back({path / "states.csv", stateTable(run)});
+  addTables(run, path, files);
   return files;
 }
 
@@ -86,8 +87,7 @@ Files vtkFiles(const ExportedRun& run, const fs::path& path) {
     names.push_back(fmt::format("surfaces_{:04}.vtp", names.size()));
     files.push_back({path / names.back(), vtpFile(run, sample)});
   }
-  files.push_back({path / "cells.csv", cellTable(run)});
-  files.push_back({path / "states.csv", stateTable(run)});
+  addTables(run, path, files);
   files.push_back({path / "surfaces.pvd", pvdFile(run, names)});
   return files;
 }

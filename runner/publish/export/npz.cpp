@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,10 +23,9 @@ namespace {
 
 class NpzWriter {
  public:
-  // Arrays of these shapes; the values fill the last axis first.
-  void add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape);
-  void add(const std::string& name, const std::vector<std::int64_t>& values, const std::vector<std::size_t>& shape);
-  void add(const std::string& name, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape);
+  /// Doubles, or integers of 64 or 32 bits; the values fill the last axis first. Without a shape they have one axis.
+  template <class Number>
+  void add(const std::string& name, const std::vector<Number>& values, std::vector<std::size_t> shape = {});
   /// One axis, UTF-32 (<U…).
   void add(const std::string& name, const std::vector<std::string>& texts);
 
@@ -55,12 +58,6 @@ std::string shapeText(const std::vector<std::size_t>& shape) {
   return text + ")";
 }
 
-std::size_t valuesIn(const std::vector<std::size_t>& shape) {
-  std::size_t n = 1;
-  for (const std::size_t length : shape) n *= length;
-  return n;
-}
-
 /// The checksum of zip files: CRC-32 with the polynomial 0xedb88320.
 std::uint32_t crc32Of(const std::string& bytes) {
   static const auto table = [] {
@@ -77,27 +74,14 @@ std::uint32_t crc32Of(const std::string& bytes) {
   return ~c;
 }
 
-void NpzWriter::add(const std::string& name, const std::vector<double>& values, const std::vector<std::size_t>& shape) {
-  MORULA_CHECK(values.size() == valuesIn(shape), name);
+template <class Number>
+void NpzWriter::add(const std::string& name, const std::vector<Number>& values, std::vector<std::size_t> shape) {
+  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+  if (shape.empty()) shape = {values.size()};
+  MORULA_CHECK(values.size() == std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies()), name);
   std::string bytes;
-  for (const double v : values) putDouble(bytes, v);
-  addArray(name, "<f8", shape, bytes);
-}
-
-void NpzWriter::add(const std::string& name, const std::vector<std::int64_t>& values,
-                    const std::vector<std::size_t>& shape) {
-  MORULA_CHECK(values.size() == valuesIn(shape), name);
-  std::string bytes;
-  for (const std::int64_t v : values) put64(bytes, static_cast<std::uint64_t>(v));
-  addArray(name, "<i8", shape, bytes);
-}
-
-void NpzWriter::add(const std::string& name, const std::vector<std::int32_t>& values,
-                    const std::vector<std::size_t>& shape) {
-  MORULA_CHECK(values.size() == valuesIn(shape), name);
-  std::string bytes;
-  for (const std::int32_t v : values) put32(bytes, v);
-  addArray(name, "<i4", shape, bytes);
+  for (const Number v : values) putNumber(bytes, std::bit_cast<Bits>(v));
+  addArray(name, std::is_floating_point_v<Number> ? "<f8" : sizeof(Number) == 8 ? "<i8" : "<i4", shape, bytes);
 }
 
 void NpzWriter::add(const std::string& name, const std::vector<std::string>& texts) {
@@ -173,10 +157,10 @@ void addCells(NpzWriter& out, const ExportedRun& run) {
   }
   out.add("paths", paths);
   out.add("names", names);
-  out.add("born", born, {born.size()});
-  out.add("ended", ended, {ended.size()});
+  out.add("born", born);
+  out.add("ended", ended);
   out.add("fates", fates);
-  out.add("last_states", states, {states.size()});
+  out.add("last_states", states);
   out.add("states", run.states);
 }
 
@@ -200,14 +184,14 @@ void addSamples(NpzWriter& out, const ExportedRun& run) {
     }
     start.push_back(static_cast<std::int64_t>(cells.size()));
   }
-  out.add("times", times, {times.size()});
-  out.add("cell_start", start, {start.size()});
-  out.add("cell", cells, {cells.size()});
-  out.add("state", states, {states.size()});
+  out.add("times", times);
+  out.add("cell_start", start);
+  out.add("cell", cells);
+  out.add("state", states);
   out.add("centroids", centroids, {cells.size(), 3});
   for (std::size_t k = 0; k < measures.size(); ++k)
     if (const std::string_view name = measures[k].name; name.size() > 1)  // x, y and z stand there
-      out.add(plural(name), values[k], {cells.size()});
+      out.add(plural(name), values[k]);
 }
 
 void addContacts(NpzWriter& out, const ExportedRun& run) {
@@ -221,9 +205,9 @@ void addContacts(NpzWriter& out, const ExportedRun& run) {
     }
     start.push_back(static_cast<std::int64_t>(areas.size()));
   }
-  out.add("contact_start", start, {start.size()});
+  out.add("contact_start", start);
   out.add("contacts", pairs, {areas.size(), 2});
-  out.add("contact_areas", areas, {areas.size()});
+  out.add("contact_areas", areas);
 }
 
 void addSurfaces(NpzWriter& out, const ExportedRun& run) {
@@ -239,11 +223,11 @@ void addSurfaces(NpzWriter& out, const ExportedRun& run) {
     }
     start.push_back(static_cast<std::int64_t>(cells.size()));
   }
-  out.add("surface_start", start, {start.size()});
-  out.add("surface_cell", cells, {cells.size()});
-  out.add("surface_mesh", meshes, {meshes.size()});
-  out.add("surface_bound", bounds, {bounds.size()});
-  out.add("vertex_start", vertexStart, {vertexStart.size()});
+  out.add("surface_start", start);
+  out.add("surface_cell", cells);
+  out.add("surface_mesh", meshes);
+  out.add("surface_bound", bounds);
+  out.add("vertex_start", vertexStart);
   out.add("vertices", vertices, {vertices.size() / 3, 3});
   for (const MeshFaces& mesh : run.results.meshes) {
     std::vector<std::int32_t> corners;

@@ -15,6 +15,9 @@
 #include "system/json.h"
 
 namespace morula {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// Those of the SPDX list (https://spdx.org/licenses) that results are published under. The newest of a
@@ -66,12 +69,6 @@ std::string probablyMeant(const std::string& word) {
       std::find_if(identifiers.begin(), identifiers.end(), [&](const std::string& id) { return begins(id, word); });
   return family != identifiers.end() ? *family : closest(word, identifiers);
 }
-
-}  // namespace
-
-namespace fs = std::filesystem;
-
-namespace {
 
 const std::string profile = "https://w3id.org/ro/wfrun/process/0.5";
 constexpr std::uint64_t maxCopied = std::uint64_t{1} << 30;
@@ -266,7 +263,7 @@ void writeCrate(CrateRun crate, const fs::path& folder) {
 }
 
 std::string licenseUri(const std::string& license) {
-  if (license.empty() || license.starts_with("https://") || license.starts_with("http://")) return license;
+  if (license.empty() || isUri(license)) return license;
   for (const std::string& id : identifiers)
     if (equalButForCase(id, license)) return "https://spdx.org/licenses/" + id;
   const std::string meant = probablyMeant(license);

@@ -15,10 +15,10 @@ struct CrateFile {
   std::string path;  // in the crate, with '/'; its parts are safe names (files/printable.h)
   Role role = Role::object;
   std::string description;
-  std::string alternateName;     // where it was when the run was made; "" if it was nowhere
-  std::string content;           // what to write, or
-  std::filesystem::path source;  // which file to copy; or
-  bool isThere = false;          // nothing: it has been written already
+  std::string alternateName = {};     // where it was when the run was made; "" if it was nowhere
+  std::string content = {};           // what to write, or
+  std::filesystem::path source = {};  // which file to copy; or
+  bool isThere = false;               // nothing: it has been written already
 };
 
 struct CrateRun {

@@ -14,23 +14,17 @@ namespace {
 
 CrateFile crateFile(const SourceText& d) {
   using Role = CrateFile::Role;
+  const auto made = [&](const std::string& path, Role role, const char* description) {
+    return CrateFile{.path = path, .role = role, .description = description, .content = d.content};
+  };
   if (d.role == "resolved")
-    return {"scenario/resolved.json",
-            Role::object,
-            "The scenario with all defaults and changes filled in",
-            "",
-            d.content,
-            {}};
+    return made("scenario/resolved.json", Role::object, "The scenario with all defaults and changes filled in");
   if (d.role == "diff")
-    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "", d.content, {}};
+    return made("program.diff", Role::about, "What the program's sources had that their commit had not");
   if (d.role == "faces")
-    return {"faces/" + safeName(d.path, "mesh") + ".bin",
-            Role::about,
-            "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each up to 65536 "
-            "vertices, else 32",
-            "",
-            d.content,
-            {}};
+    return made("faces/" + safeName(d.path, "mesh") + ".bin", Role::about,
+                "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each up to "
+                "65536 vertices, else 32");
   const char* what = d.role == "dna"         ? "The genes that the scenario names"
                      : d.role == "mesh"      ? "The egg's mesh that the scenario names"
                      : d.role == "shell"     ? "The egg shell's mesh that the scenario names"
@@ -39,7 +33,7 @@ CrateFile crateFile(const SourceText& d) {
                                              : "The scenario as it was read";
   // Role and path come from the database, which may be a stranger's.
   const std::string role = safeName(d.role, "document");
-  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content, {}};
+  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content};
 }
 
 /// The golden file that the run is held against, if it is here: below the current folder, for the database says where the
