@@ -25,23 +25,27 @@
 namespace morula::cli {
 namespace {
 
+struct Tree {
+  std::string scenario;
+  double end = 0;      // [time] of the run
+  RunResults results;  // only the lineage, the states' texts and the names
+};
+
 /// A cell of a run, with its relatives. The run must outlive it.
 struct CellLife {
   const LineageEntry* cell;
-  const LineageEntry *mother, *sister;           // null: it has none
-  const LineageEntry *daughterA, *daughterB;     // null: it did not divide
-  const std::string& state;                      // its substances
-  const std::map<CellPath, std::string>& names;  // of the cells of the tree that have one
-  double end;                                    // [time] of the run
+  const LineageEntry *mother = nullptr, *sister = nullptr;  // null: it has none
+  std::vector<const LineageEntry*> daughters = {};          // none: it did not divide
 };
 
-const LineageEntry* entryOf(const RunResults& tree, const CellPath& path) {
-  const auto at = std::ranges::find(tree.lineage, path, &LineageEntry::path);
-  return at == tree.lineage.end() ? nullptr : &*at;
+const LineageEntry* entryOf(const Tree& tree, const CellPath& path) {
+  const auto at = std::ranges::find(tree.results.lineage, path, &LineageEntry::path);
+  return at == tree.results.lineage.end() ? nullptr : &*at;
 }
 
-NameOf nameIn(const std::map<CellPath, std::string>& names) {
-  return [&names](const CellPath& path) -> std::optional<std::string> {
+/// Of the cells of the tree that have one.
+NameOf nameIn(const Tree& tree) {
+  return [&names = tree.results.names](const CellPath& path) -> std::optional<std::string> {
     const auto named = names.find(path);
     return named == names.end() ? std::nullopt : std::optional(named->second);
   };
@@ -56,14 +60,14 @@ CellPath pathOf(const CellNames& names, const std::string& text) {
 }
 
 /// That there never was such a cell, and where its line of descent ends.
-[[noreturn]] void refuseUnborn(const RunResults& tree, double end, const NameOf& nameOf, const CellPath& path) {
+[[noreturn]] void refuseUnborn(const Tree& tree, const NameOf& nameOf, const CellPath& path) {
   CellPath last = path;
   while (!entryOf(tree, last) && !last.isEgg()) last = last.mother();
   const LineageEntry* ancestor = entryOf(tree, last);
   MORULA_CHECK(ancestor && last != path, "a tree of cells holds the egg");
   throw UsageError("--cell: " + cellWords(nameOf, path) + " was never born: " + cellWords(nameOf, last) +
                    (ancestor->fate == Fate::died ? fmt::format(" died at {:.6g}", ancestor->ended)
-                                                 : fmt::format(" lives at the run's end, {:.6g}", end)) +
+                                                 : fmt::format(" lives at the run's end, {:.6g}", tree.end)) +
                    "; needs a cell that 'morula lineage' lists without --cell");
 }
 
@@ -73,26 +77,24 @@ Json relative(const LineageEntry* cell, const NameOf& nameOf) {
 }
 
 /// The cell that `text` means by name or path [cellCalled]. Throws UsageError that begins with "--cell" if it means
-/// none, or one that the run, which ended at `end` [time], never had.
-CellLife lifeOf(const RunResults& tree, double end, const CellNames& names, const std::string& text) {
+/// none, or one that the run never had.
+CellLife lifeOf(const Tree& tree, const CellNames& names, const std::string& text) {
   const CellPath path = pathOf(names, text);
-  const LineageEntry* cell = entryOf(tree, path);
-  if (!cell) refuseUnborn(tree, end, names.function(), path);
-  const LineageEntry *mother = nullptr, *sister = nullptr, *a = nullptr, *b = nullptr;
+  CellLife life{entryOf(tree, path)};
+  if (!life.cell) refuseUnborn(tree, names.function(), path);
   if (!path.isEgg()) {
-    mother = entryOf(tree, path.mother());
-    sister = entryOf(tree, path.mother().daughter(!path.letter(path.depth() - 1)));
+    life.mother = entryOf(tree, path.mother());
+    life.sister = entryOf(tree, path.mother().daughter(!path.letter(path.depth() - 1)));
   }
-  if (cell->fate == Fate::divided) {  // a path at its greatest depth has no daughters, and never divides
-    a = entryOf(tree, path.daughter(false));
-    b = entryOf(tree, path.daughter(true));
-  }
-  return {cell, mother, sister, a, b, tree.stateTexts.at(cell->state), tree.names, end};
+  if (life.cell->fate == Fate::divided)  // a path at its greatest depth has no daughters, and never divides
+    for (const bool b : {false, true})
+      if (const LineageEntry* daughter = entryOf(tree, path.daughter(b))) life.daughters.push_back(daughter);
+  return life;
 }
 
 /// A line for each of path, name, born, ended, fate, state, mother, daughters and sister; what it does not have has none.
-std::string lifeAsText(const CellLife& life, const Units& units) {
-  const NameOf nameOf = nameIn(life.names);
+std::string lifeAsText(const CellLife& life, const Tree& tree, const Units& units) {
+  const NameOf nameOf = nameIn(tree);
   const LineageEntry& cell = *life.cell;
   std::string text;
   const auto line = [&](const char* what, const std::string& value) {
@@ -102,39 +104,37 @@ std::string lifeAsText(const CellLife& life, const Units& units) {
   line("path", cell.path.isEgg() ? "egg" : cell.path.text());
   if (const auto name = nameOf(cell.path)) line("name", *name);
   line("born", shownTime(units, cell.born, 6));
-  if (cell.fate == Fate::alive) line("ended", "not before the run's end, " + shownTime(units, life.end, 6));
+  if (cell.fate == Fate::alive) line("ended", "not before the run's end, " + shownTime(units, tree.end, 6));
   else line("ended", shownTime(units, cell.ended, 6));
   line("fate", name(cell.fate));
-  if (!life.state.empty()) line("state", life.state);
+  if (const auto& state = tree.results.stateTexts.at(cell.state); !state.empty()) line("state", state);
   if (life.mother) line("mother", words(life.mother));
-  if (life.daughterA && life.daughterB) line("daughters", words(life.daughterA) + ", " + words(life.daughterB));
+  if (life.daughters.size() == 2) line("daughters", words(life.daughters[0]) + ", " + words(life.daughters[1]));
   if (life.sister) line("sister", words(life.sister));
   return text;
 }
 
 /// A cell of the whole tree: "path", "name", "parent", "born", "ended", "fate", "state". The `ended` of a living one is
 /// the run's end.
-Json cellAsJson(const LineageEntry& cell, const std::map<CellPath, std::string>& names, const std::string& state,
-                double end) {
+Json cellAsJson(const LineageEntry& cell, const Tree& tree) {
   return {{"path", cell.path.text()},
-          {"name", orNull(nameIn(names)(cell.path))},
+          {"name", orNull(nameIn(tree)(cell.path))},
           {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},
           {"born", cell.born},
-          {"ended", cell.fate == Fate::alive ? end : cell.ended},
+          {"ended", cell.fate == Fate::alive ? tree.end : cell.ended},
           {"fate", name(cell.fate)},
-          {"state", state}};
+          {"state", tree.results.stateTexts.at(cell.state)}};
 }
 
 /// The same: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree; "mother" and
 /// "sister" as {"path", "name"}, or null; "daughters", a list of such.
-Json lifeAsJson(const CellLife& life) {
-  const NameOf nameOf = nameIn(life.names);
-  Json json = cellAsJson(*life.cell, life.names, life.state, life.end);
+Json lifeAsJson(const CellLife& life, const Tree& tree) {
+  const NameOf nameOf = nameIn(tree);
+  Json json = cellAsJson(*life.cell, tree);
   json["mother"] = relative(life.mother, nameOf);
   json["sister"] = relative(life.sister, nameOf);
   json["daughters"] = Json::array();
-  for (const LineageEntry* daughter : {life.daughterA, life.daughterB})
-    if (daughter) json["daughters"].push_back(relative(daughter, nameOf));
+  for (const LineageEntry* daughter : life.daughters) json["daughters"].push_back(relative(daughter, nameOf));
   return json;
 }
 
@@ -145,12 +145,6 @@ struct LineageOptions {
   bool labels = false;
   InputOptions input;
   OutputOptions output;
-};
-
-struct Tree {
-  std::string scenario;
-  double end = 0;      // [time] of the run
-  RunResults results;  // only the lineage, the states' texts and the names
 };
 
 Tree stored(const LineageOptions& options) {
@@ -184,20 +178,21 @@ Tree prescribed(const LineageOptions& options) {
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
-std::string line(const LineageEntry& cell, const std::string& states, const std::string& called, const Units& units) {
-  const auto path = cell.path.text();
+std::string line(const LineageEntry& cell, const Tree& tree, const Units& units) {
+  const std::string path = cell.path.text(), called = nameIn(tree)(cell.path).value_or("");
   return std::string(2 * path.size(), ' ') +
          fmt::format(
              "{}{}{}  {} {}{}  {}\n", path.empty() ? "egg" : path, called.empty() ? "" : "  ", called, name(cell.fate),
              cell.fate == Fate::alive ? "since " : numberText(shownUnit(units, "time").factor * cell.born, 6) + "–",
-             shownTime(units, cell.fate == Fate::alive ? cell.born : cell.ended, 6), states);
+             shownTime(units, cell.fate == Fate::alive ? cell.born : cell.ended, 6),
+             tree.results.stateTexts.at(cell.state));
 }
 
 int tellLife(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  const CellLife life = lifeOf(tree.results, tree.end, scenario.names, options.cell);
-  printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life)}},
-              lifeAsText(life, scenario.units));
+  const CellLife life = lifeOf(tree, scenario.names, options.cell);
+  printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life, tree)}},
+              lifeAsText(life, tree, scenario.units));
   return fine;
 }
 
@@ -211,16 +206,9 @@ int act(const LineageOptions& options) {
   const Units units =
       options.output.json ? Units{} : anyScenario(options.file, options.run, options.input.allowOutside).units;
   Json list = Json::array();
-  for (const auto& cell : cells) {
-    const auto& state = tree.results.stateTexts[cell.state];
-    const auto named = tree.results.names.find(cell.path);
-    const std::string called = named == tree.results.names.end() ? "" : named->second;
-    if (!options.output.json) {
-      print(line(cell, state, called, units));
-      continue;
-    }
-    list.push_back(cellAsJson(cell, tree.results.names, state, tree.end));
-  }
+  for (const auto& cell : cells)
+    if (options.output.json) list.push_back(cellAsJson(cell, tree));
+    else print(line(cell, tree, units));
   if (!options.output.json) return fine;
   Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}};
   if (!options.picture.empty()) json["pictures"] = {options.picture};

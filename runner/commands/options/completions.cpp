@@ -1,4 +1,6 @@
 // Completions for bash, zsh and fish, out of the command line's declarations.
+#include <fmt/format.h>
+
 #include <functional>
 
 #include "files/text.h"
@@ -23,16 +25,12 @@ std::vector<const CommandInfo*> groupsOf(const CommandInfo& program) {
   return groups;
 }
 
-std::string listOf(const std::vector<CommandInfo>& commands) {
-  std::string names;
-  for (const CommandInfo& command : commands) names += (names.empty() ? "" : " ") + command.name;
-  return names;
-}
+std::string listOf(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-std::string together(const std::vector<std::string>& words, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
+std::string listOf(const std::vector<CommandInfo>& commands) {
+  std::vector<std::string> names;
+  for (const CommandInfo& command : commands) names.push_back(command.name);
+  return listOf(names);
 }
 
 bool takesFolder(const OptionInfo& option) { return option.type == "FOLDER"; }
@@ -59,10 +57,10 @@ std::string bashCompletion(const CommandInfo& program) {
   eachCommand(program, [&](const CommandInfo& command, const std::string& name) {
     std::string options, words;
     for (const OptionInfo& option : command.options) {
-      if (option.isPositional) words += together(option.choices, " ");
-      else options += (options.empty() ? "" : " ") + together(option.names, " ");
+      if (option.isPositional) words += listOf(option.choices);
+      else options += (options.empty() ? "" : " ") + listOf(option.names);
       if (option.isPositional || option.type.empty()) continue;
-      const std::string kind = !option.choices.empty() ? "words=" + shellWord(together(option.choices, " "))
+      const std::string kind = !option.choices.empty() ? "words=" + shellWord(listOf(option.choices))
                                : takesFolder(option)   ? "files=-d"
                                : takesFile(option)     ? "files=-f"
                                                        : "words=''";
@@ -95,7 +93,7 @@ std::string zshCompletion(const CommandInfo& program) {
     return list;
   };
   const auto actionOf = [](const OptionInfo& option) -> std::string {
-    if (!option.choices.empty()) return "(" + together(option.choices, " ") + ")";
+    if (!option.choices.empty()) return "(" + listOf(option.choices) + ")";
     return takesFolder(option) ? "_files -/" : takesFile(option) ? "_files" : " ";
   };
   const auto argument = [&](const OptionInfo& option) {
@@ -157,13 +155,13 @@ std::string fishCompletion(const CommandInfo& program) {
     const std::string begin = "complete -c morula -n '__morula_at " + words + "'";
     for (const OptionInfo& option : command.options) {
       if (option.isPositional) {
-        if (!option.choices.empty()) text += begin + " -f -a " + quotedForFish(together(option.choices, " ")) + "\n";
+        if (!option.choices.empty()) text += begin + " -f -a " + quotedForFish(listOf(option.choices)) + "\n";
         continue;
       }
       text += begin;
       for (const std::string& name : option.names)
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      if (!option.choices.empty()) text += " -x -a " + quotedForFish(together(option.choices, " "));
+      if (!option.choices.empty()) text += " -x -a " + quotedForFish(listOf(option.choices));
       else if (takesFolder(option)) text += " -x -a '(__fish_complete_directories)'";
       else if (!option.type.empty()) text += takesFile(option) ? " -r -F" : " -x";
       text += " -d " + quotedForFish(option.help) + "\n";

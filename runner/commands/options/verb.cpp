@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "files/text.h"
 #include "system/usage_error.h"
 
 namespace morula::cli {
@@ -12,13 +13,6 @@ namespace {
 /// An empty word is a slip in a script (an unset variable), never an answer: it must not pass for an option
 /// that was not given.
 std::string refuseEmpty(const std::string& word) { return word.empty() ? "is empty; needs a value" : ""; }
-
-/// "--a, --b or --c".
-std::string anyOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : &name == &names.back() ? " or " : ", ") + name;
-  return list;
-}
 
 /// Whether an option was given, or with "--style lineage" whether it was given this value.
 bool isGiven(const CLI::App& verb, const std::string& option) {
@@ -113,7 +107,7 @@ void Verb::onlyWith(const std::vector<std::string>& names, const std::vector<std
     for (const auto& owner : owners)
       if (isGiven(*verb, owner)) return;
     for (const auto& name : names)
-      if (isGiven(*verb, name)) throw UsageError(name + ": only with " + anyOf(owners) + "; give it, too");
+      if (isGiven(*verb, name)) throw UsageError(name + ": only with " + join(owners, " or ") + "; give it, too");
   });
 }
 
