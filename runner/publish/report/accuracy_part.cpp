@@ -267,9 +267,7 @@ PagePart accuracyPart(const std::string& file) {
   try {
     const AccuracyReport report = accuracyFrom(json);
     const std::string scenario = json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
-    PagePart part{.title = "Accuracy of " + report.scenario,
-                  .summary = "What accuracy costs: error against CPU time",
-                  .verdict = {}};
+    PagePart part{.title = "Accuracy of " + report.scenario, .summary = "What accuracy costs: error against CPU time"};
     std::vector<Finding> findings;
     if (json.contains("target")) judgeTarget(json.at("target"), findings);
     judgeReference(report, findings);

@@ -138,7 +138,7 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file) {
   std::vector<Finding> findings;
   std::size_t failed = 0, told = 0;
-  PagePart part{.title = "morula check", .summary = {}, .verdict = {}};
+  PagePart part{.title = "morula check", .summary = {}};
   for (const CheckedScenario& c : checked) {
     const std::size_t differ = failures(c.report);
     if (differ == 0) continue;

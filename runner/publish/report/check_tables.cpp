@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/number_text.h"
+#include "files/text.h"
 #include "golden/change.h"
 #include "report/run_blocks.h"
 
@@ -13,9 +14,7 @@ std::string placeOf(const CheckResult& r, const CellNames& names) {
   if (!r.passed && r.firstStep) parts.push_back("from step " + std::to_string(*r.firstStep) + " on");
   if (r.cell) parts.push_back(withNames(cellName(*r.cell), names.function()));
   if (!r.passed && r.field != "hash" && r.field != "count" && !r.field.empty()) parts.push_back(r.field);
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
+  return join(parts);
 }
 
 std::vector<Cell> rowOf(const CheckResult& r, const CellNames& names) {

@@ -13,7 +13,7 @@ namespace morula {
 
 struct PagePart {
   std::string title, summary;
-  Document verdict;
+  Document verdict = {};
   std::vector<PageSection> change = {};  // what stands before the pictures
   std::vector<PageSection> sections = {};
   bool isAside = false;  // it belongs to another part; the titles of its sections say what they are of

@@ -20,15 +20,14 @@
 #include "system/usage_error.h"
 
 namespace morula {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 struct Sources {
   std::vector<std::string> databases, studies, checks, accuracies;  // files
 };
-
-namespace fs = std::filesystem;
-
-namespace {
 
 /// By what a file holds, not by its name. Whether it is one.
 bool addSource(const std::string& file, Sources& sources) {
@@ -42,8 +41,6 @@ bool addSource(const std::string& file, Sources& sources) {
   if (json.contains("results")) return sources.checks.push_back(file), true;
   return false;
 }
-
-}  // namespace
 
 /// What `what` names; the files of a folder sorted by name. Throws FileError for what is not there, UsageError for what is
 /// nothing to report on.
@@ -69,12 +66,6 @@ Sources sourcesOf(const std::vector<std::string>& what) {
   }
   return sources;
 }
-
-}  // namespace
-
-namespace fs = std::filesystem;
-
-namespace {
 
 struct AllFacts {
   std::vector<RunFacts> runs, more;         // `more`: runs of studies that only the explorer shows

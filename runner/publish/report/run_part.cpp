@@ -168,8 +168,6 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   return findings;
 }
 
-namespace {
-
 /// The findings of all runs but those that say that all is well; what is found of several runs is said once.
 void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
   std::vector<std::pair<Finding, std::vector<Words>>> found;  // with the titles of its runs
@@ -189,8 +187,6 @@ void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& find
     findings.push_back(std::move(finding));
   }
 }
-
-}  // namespace
 
 /// One sentence and the findings; of several runs also a table of them.
 Document verdictOf(const std::vector<const RunFacts*>& runs) {
@@ -260,7 +256,6 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
     if (run.label.empty()) judged.push_back(&run);
   PagePart part{.title = titleOfRuns(runs, judged.size()),
                 .summary = areOfOneScenario(runs) ? printable(runs[0].scenario.summary) : "",
-                .verdict = {},
                 .isAside = judged.empty()};
   if (!judged.empty()) part.verdict = verdictOf(judged);
   if (Document changes = changesOf(runs); !changes.empty())

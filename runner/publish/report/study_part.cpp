@@ -97,7 +97,7 @@ void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
 void judgeDivisions(const StudyResults& r, const std::string& database, std::vector<Finding>& findings) {
   std::set<std::string> suspects;
   {
-    Database db(database, Database::Mode::existing, std::chrono::milliseconds(30'000));
+    Database db = openStudy(database);
     Statement find(db, "SELECT DISTINCT run_id FROM division WHERE extent_ratio < ?");
     find.start(ambiguousExtentRatio);
     while (find.next()) suspects.insert(find.line(0));
@@ -126,6 +126,13 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
                             " divisions with an ambiguous axis, under " + listed(conditions) +
                             ": the longest extent of a mother is hardly longer than her next one. With another mesh, "
                             "time step or precision such a cut may lie elsewhere"});
+}
+
+/// Of the first run that is done; false without any.
+bool hasBodies(const StudyResults& results, const std::string& database) {
+  for (const ResultTask& task : results.tasks)
+    if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
+  return false;
 }
 
 }  // namespace
@@ -177,17 +184,6 @@ PagePart studyPart(const std::string& database) {
                             programWord() + " study compare " + file + " --json > comparison.json"}});
   return part;
 }
-
-namespace {
-
-/// Of the first run that is done; false without any.
-bool hasBodies(const StudyResults& results, const std::string& database) {
-  for (const ResultTask& task : results.tasks)
-    if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
-  return false;
-}
-
-}  // namespace
 
 int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);

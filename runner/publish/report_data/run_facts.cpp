@@ -13,6 +13,9 @@
 #include "loop/stored_scenario.h"
 
 namespace morula {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 std::size_t vertexCount(const World& world) {
@@ -27,6 +30,30 @@ std::vector<double> evenTimes(double end, std::size_t count) {
     times.push_back(end * static_cast<double>(k) / static_cast<double>(count - 1));
   times.push_back(end);
   return times;
+}
+
+/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
+/// says where the scenario was, and must not reach other files.
+std::string goldenOf(const std::vector<SourceText>& documents) {
+  for (const SourceText& document : documents) {
+    if (document.role != "scenario" || document.path.empty()) continue;
+    const fs::path golden = goldenPath(document.path);
+    if (fileExists(golden) && liesWithin(golden, currentFolder()) && contentOfFile(golden) == Content::golden)
+      return golden.lexically_normal().generic_string();
+  }
+  return {};
+}
+
+GoldenData goldenDataOf(const RunFacts& facts) { return goldenOf(facts.run, facts.results, facts.scenario); }
+
+void compareWithGolden(RunFacts& facts) {
+  facts.golden = goldenOf(facts.documents);
+  if (facts.golden.empty() || facts.run.status != RunStatus::done) return;
+  try {
+    const Golden golden = readGoldenFile(facts.golden);
+    // The same state is no change, even where its numbers are added up in another order when they are read back.
+    if (acceptedBits(golden) != facts.run.stateHash) facts.change = changeInWords(golden.data, goldenDataOf(facts));
+  } catch (const InputError& error) { facts.unusableGolden = error.what(); }
 }
 
 }  // namespace
@@ -70,51 +97,14 @@ std::string bulletName() {
   return "Bullet";
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
-/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
-/// says where the scenario was, and must not reach other files.
-std::string goldenOf(const std::vector<SourceText>& documents) {
-  for (const SourceText& document : documents) {
-    if (document.role != "scenario" || document.path.empty()) continue;
-    const fs::path golden = goldenPath(document.path);
-    if (fileExists(golden) && liesWithin(golden, currentFolder()) && contentOfFile(golden) == Content::golden)
-      return golden.lexically_normal().generic_string();
-  }
-  return {};
-}
-
-GoldenData goldenDataOf(const RunFacts& facts) { return goldenOf(facts.run, facts.results, facts.scenario); }
-
-void compareWithGolden(RunFacts& facts) {
-  facts.golden = goldenOf(facts.documents);
-  if (facts.golden.empty() || facts.run.status != RunStatus::done) return;
-  try {
-    const Golden golden = readGoldenFile(facts.golden);
-    // The same state is no change, even where its numbers are added up in another order when they are read back.
-    if (acceptedBits(golden) != facts.run.stateHash) facts.change = changeInWords(golden.data, goldenDataOf(facts));
-  } catch (const InputError& error) { facts.unusableGolden = error.what(); }
-}
-
-}  // namespace
-
 RunFacts factsOf(Store& store, const StoredRun& run) {
   requireWholeRecord(store, run);
   RunFacts facts{.database = store.file().string(),
-                 .label = {},
-                 .title = {},
                  .run = run,
                  .scenario = storedScenario(store.file().string(), run.id),
                  .documents = store.documents(run.id),
                  .results = store.results(run.id),
-                 .checks = store.checks(run.id),
-                 .ambiguous = {},
-                 .golden = {},
-                 .change = {},
-                 .unusableGolden = {},
-                 .again = {}};
+                 .checks = store.checks(run.id)};
   facts.ambiguous = ambiguousDivisions(
       facts.scenario.scene, facts.results.lineage, [&](StateId state) { return facts.results.stateTexts.at(state); },
       facts.results.divisions);

@@ -51,11 +51,11 @@ struct RunFacts {
   std::vector<SourceText> documents;
   RunResults results;
   std::vector<CheckResult> checks;
-  std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
-  std::string golden;                     // the accepted result's file; "" where there is none
-  std::string change;                     // how the run differs from it, in words; "" where it does not
-  std::string unusableGolden;             // why it cannot be read; ""
-  std::unique_ptr<RunAgain> again;
+  std::vector<DivisionRecord> ambiguous = {};  // divisions across the longest extent of cells that have none
+  std::string golden = {};                     // the accepted result's file; "" where there is none
+  std::string change = {};                     // how the run differs from it, in words; "" where it does not
+  std::string unusableGolden = {};             // why it cannot be read; ""
+  std::unique_ptr<RunAgain> again = {};
   std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
   std::optional<BesideGolden> beside = {};   // drawn by drawBeside
 };
