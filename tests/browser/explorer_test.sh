@@ -1,22 +1,9 @@
 #!/bin/sh
 # Pages of `morula report` in a browser: explorer_test.sh PROGRAM. 77 where there is no Chromium, Node.js or npm.
 set -eu
-program=$1
-here=$(cd "$(dirname "$0")" && pwd)
-source=$(cd "$here/../.." && pwd)
-folder=$(dirname "$program")/explorer
-
-chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
-  echo "skipped: no Chromium"
-  exit 77
-}
-code=0
-"$source/reports/explorer/build.sh" "$folder" --tests >"$folder.log" 2>&1 || code=$?
-if [ $code -ne 0 ]; then
-  tail -n 5 "$folder.log"
-  echo "skipped: no Node.js, no npm, or its packages cannot be fetched"
-  exit 77
-fi
+# shellcheck source=tests/browser/setup.sh
+. "$(dirname "$0")/setup.sh"
+folder=$build/explorer
 cat >"$folder/tsconfig.json" <<END
 { "extends": "$source/reports/explorer/tsconfig.json",
   "compilerOptions": { "baseUrl": "$folder",
@@ -27,9 +14,6 @@ node "$folder/node_modules/typescript/bin/tsc" --noEmit --incremental --tsBuildI
 
 node "$here/faces_test.mjs" "$folder" "$source/reports/explorer/src"
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$source"
 page() { # page NAME FRAMES WHAT...: the page NAME.html
   name=$1 frames=$2
   shift 2
@@ -80,4 +64,4 @@ if [ -n "${MORULA_BROWSER_LARGE-}" ]; then
   page elegans 200 "$scratch/elegans.db"
   files="$files elegans.html"
 fi
-NODE_PATH=$folder/node_modules CHROMIUM=$chromium node "$here/explorer_test.mjs" "$folder" "$scratch" $files
+node "$here/explorer_test.mjs" "$folder" "$scratch" $files

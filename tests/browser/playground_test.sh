@@ -2,20 +2,9 @@
 # The page of `morula playground` in a browser: playground_test.sh PROGRAM. 77 where there is no Chromium, Node.js, npm or emscripten, or
 # the sources of yaml-cpp cannot be fetched. MORULA_BROWSER_LARGE=1: every shipped scenario and every bad one, not forty of each.
 set -eu
-program=$1
-here=$(cd "$(dirname "$0")" && pwd)
-source=$(cd "$here/../.." && pwd)
-build=$(dirname "$program")
-chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
-  echo "skipped: no Chromium"
-  exit 77
-}
+# shellcheck source=tests/browser/setup.sh
+. "$(dirname "$0")/setup.sh"
 command -v em++ >/dev/null || { echo "skipped: no emscripten" && exit 77; }
-if ! "$source/reports/explorer/build.sh" "$build/explorer" --tests >"$build/explorer.log" 2>&1; then
-  tail -n 5 "$build/explorer.log"
-  echo "skipped: no Node.js, no npm, or its packages cannot be fetched"
-  exit 77
-fi
 if ! "$source/runner/input/browser/fetch_yaml.sh" "$build/wasm" >"$build/wasm.log" 2>&1; then
   tail -n 5 "$build/wasm.log"
   echo "skipped: the sources of yaml-cpp cannot be fetched"
@@ -23,8 +12,5 @@ if ! "$source/runner/input/browser/fetch_yaml.sh" "$build/wasm" >"$build/wasm.lo
 fi
 "$source/core/wasm/build.sh" "$build/wasm" >"$build/wasm.log" 2>&1 || { tail -n 30 "$build/wasm.log" && exit 1; }
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$source"
 "$program" playground -o "$scratch/playground.html" --quiet >/dev/null
-NODE_PATH=$build/explorer/node_modules CHROMIUM=$chromium node "$here/playground_test.mjs" "$build/explorer" "$scratch" "$source"
+node "$here/playground_test.mjs" "$build/explorer" "$scratch" "$source"

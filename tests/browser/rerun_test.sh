@@ -1,19 +1,8 @@
 #!/bin/sh
 # Pages of `morula report --rerun` in a browser: rerun_test.sh PROGRAM. 77 where there is no Chromium, Node.js, npm or emscripten.
 set -eu
-program=$1
-here=$(cd "$(dirname "$0")" && pwd)
-source=$(cd "$here/../.." && pwd)
-build=$(dirname "$program")
-chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
-  echo "skipped: no Chromium"
-  exit 77
-}
-if ! "$source/reports/explorer/build.sh" "$build/explorer" --tests >"$build/explorer.log" 2>&1; then
-  tail -n 5 "$build/explorer.log"
-  echo "skipped: no Node.js, no npm, or its packages cannot be fetched"
-  exit 77
-fi
+# shellcheck source=tests/browser/setup.sh
+. "$(dirname "$0")/setup.sh"
 code=0
 "$source/core/wasm/build.sh" "$build/wasm" >"$build/wasm.log" 2>&1 || code=$?
 case $code in
@@ -22,9 +11,6 @@ case $code in
   *) tail -n 30 "$build/wasm.log" && exit 1 ;;
 esac
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$source"
 page() { # page NAME SCENARIO OPTION...: the page NAME.html
   name=$1
   shift
@@ -36,7 +22,7 @@ page unchecked scenarios/thesis/unique-four.yaml --no-check --no-pictures
 page lineage scenarios/worm/lineage.yaml
 page single scenarios/hard/single-precision.yaml
 "$program" report "$scratch/one.db" -o "$scratch/plain.html" --frames 2 --quiet >/dev/null
-NODE_PATH=$build/explorer/node_modules CHROMIUM=$chromium node "$here/rerun_test.mjs" "$build/explorer" "$scratch"
+node "$here/rerun_test.mjs" "$build/explorer" "$scratch"
 
 # What a page cannot make again is said, and nothing is written.
 refused() { # refused SAID ARGUMENT...
