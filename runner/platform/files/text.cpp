@@ -14,14 +14,14 @@ std::string doubled(std::string_view text) {
   return quoted + '"';
 }
 
+}  // namespace
+
 bool isMadeOf(std::string_view text, std::string_view others) {
   for (const char c : text)
     if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9') && others.find(c) == others.npos)
       return false;
   return !text.empty();
 }
-
-}  // namespace
 
 std::string join(const std::vector<std::string>& words, const std::string& last) {
   std::string text;

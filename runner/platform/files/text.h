@@ -18,6 +18,9 @@ std::string firstLine(const std::string& text);
 /// What stands between blanks and tabs, up to a '#', which begins a comment.
 std::vector<std::string> wordsOf(std::string_view line);
 
+/// Whether it holds letters and digits of ASCII and these others alone, and one at least.
+bool isMadeOf(std::string_view text, std::string_view others);
+
 /// As a cell of a Markdown table: a bar does not end it.
 std::string markdownCell(std::string text);
 

@@ -14,17 +14,17 @@ namespace morula {
 /// What the plan says, as rows.
 struct StudyTables {
   StudyRow study;  // but for its build
-  std::vector<AxisRow> axes;
-  std::vector<LevelRow> levels;
-  std::vector<std::string> keys;  // columns of condition_key
+  std::vector<AxisRow> axes = {};
+  std::vector<LevelRow> levels = {};
+  std::vector<std::string> keys = {};  // columns of condition_key
   struct ConditionRow {
     std::vector<std::string> labels;  // one for each axis
     bool usesSeed = false;
     std::uint64_t distinctRuns = 0;
-    std::vector<std::optional<std::string>> keyValues;  // one for each of `keys`
+    std::vector<std::optional<std::string>> keyValues = {};  // one for each of `keys`
   };
-  std::vector<ConditionRow> conditions;  // by number
-  std::vector<ReplicateRow> replicates;
+  std::vector<ConditionRow> conditions = {};  // by number
+  std::vector<ReplicateRow> replicates = {};
 };
 
 class MergedStudy {

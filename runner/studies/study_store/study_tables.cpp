@@ -26,18 +26,10 @@ void addRows(Hasher& hasher, Statement& rows, const std::vector<std::string>& co
 
 }  // namespace
 
-const char* name(FailureKind kind) {
-  switch (kind) {
-    case FailureKind::numerical: return "numerical failure";
-    case FailureKind::cpuLimit: return "cpu limit";
-    case FailureKind::memoryLimit: return "memory limit";
-    case FailureKind::crash: return "crash";
-  }
-  throw BugError("a kind of failure that is not one");
-}
+std::string reasonOf(FailureKind kind, const std::string& why) { return nameOf(kind) + (": " + why); }
 
 bool TaskRow::isComputed() const {
-  return status == "done" || (status == "failed" && reason.starts_with(name(FailureKind::numerical)));
+  return status == "done" || (status == "failed" && reason.starts_with(nameOf(FailureKind::numerical)));
 }
 
 void makeTaskTables(Database& db, bool withComments) {

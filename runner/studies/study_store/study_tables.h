@@ -11,13 +11,14 @@
 namespace morula {
 
 /// Why a task has no state hash. The row's `reason` begins with the name of its kind, a colon and a blank.
-enum class FailureKind {
-  numerical,  // of the computation itself: the same everywhere
-  cpuLimit,
-  memoryLimit,
-  crash,
-};
-const char* name(FailureKind kind);
+enum class FailureKind { numerical, cpuLimit, memoryLimit, crash };
+template <>
+inline constexpr auto choices<FailureKind> = std::to_array<Choice<FailureKind>>(
+    {{FailureKind::numerical, "numerical failure", "of the computation itself: the same everywhere"},
+     {FailureKind::cpuLimit, "cpu limit", "it took more time than it may"},
+     {FailureKind::memoryLimit, "memory limit", "it took more memory than it may, or than there is"},
+     {FailureKind::crash, "crash", "the process ended by its own fault"}});
+std::string reasonOf(FailureKind kind, const std::string& why);
 
 struct TaskRow {
   std::string id;

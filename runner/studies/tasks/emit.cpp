@@ -14,22 +14,16 @@ namespace {
 constexpr double secondsPerJob = 600;
 constexpr std::size_t mostJobs = 1000;  // Slurm's MaxArraySize is 1001 unless a site has raised it
 
-/// A string of Python: JSON's are.
-std::string pythonText(const std::string& text) { return jsonText(Json(text)); }
-
-double secondsOfLongest(const Plan& plan) {
-  double most = 0;
-  for (const RunCost& c : plan.costs) most = std::max(most, c.seconds);
-  return most;
-}
-
 /// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit for
 /// each run, what all of its runs may take, if that is less.
 std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
   const auto cost = totalCost(plan);
   const double most = std::ceil(double(plan.tasks.size()) / double(shares));
   std::optional<double> seconds;
-  if (cost) seconds = std::max(3 * (cost->seconds / double(shares) + secondsOfLongest(plan)), 600.0);
+  if (cost) {
+    const double longest = std::ranges::max(plan.costs, {}, &RunCost::seconds).seconds;
+    seconds = std::max(3 * (cost->seconds / double(shares) + longest), 600.0);
+  }
   if (plan.study.limits.cpu) {
     const double limited = most * (*plan.study.limits.cpu + 1) + 60;
     seconds = seconds ? std::min(*seconds, std::max(limited, 600.0)) : limited;
@@ -87,6 +81,7 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
 
 std::string snakemake(const PlannedStudy& study, std::size_t shares) {
   const Plan& plan = study.plan;
+  const std::string folder = jsonText(Json(folderOf(study)));  // JSON's strings are Python's, too
   std::string text = fmt::format(
       "# The study {}: {} runs. For Snakemake 7 and later; from the folder that this was written from:\n"
       "#   snakemake --snakefile FILE --cores 8\n"
@@ -94,7 +89,7 @@ std::string snakemake(const PlannedStudy& study, std::size_t shares) {
       "# MORULA: the program, if it is not in PATH.\n"
       "import os\n\n"
       "FOLDER = {}\nMORULA = os.environ.get(\"MORULA\", \"morula\")\n",
-      plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares, pythonText(folderOf(study)));
+      plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares, folder);
   text += "TASKS = [\n";
   for (const Task& task : plan.tasks) text += "    \"" + task.id + "\",\n";
   text += "]\n\n\n";
@@ -139,14 +134,15 @@ std::string parallel(const PlannedStudy& study, std::size_t shares) {
       shellWord(job), word);
 }
 
-}  // namespace
-
+/// Into how many jobs the tasks are packed, so that none is much shorter than ten minutes: a scheduler takes seconds for each.
 std::size_t sharesFor(const Plan& plan) {
   const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
   const auto cost = totalCost(plan);
   const double jobs = cost ? std::ceil(cost->seconds / secondsPerJob) : 100;
   return std::min({static_cast<std::size_t>(std::clamp(jobs, 1.0, double(mostJobs))), tasks, mostJobs});
 }
+
+}  // namespace
 
 std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   for (const unsigned char c : study.folder.path().string())

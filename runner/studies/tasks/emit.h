@@ -33,7 +33,4 @@ std::filesystem::path siteFile(const PlannedStudy& study, Site site);
 /// What to type to start it.
 std::string howToStart(const PlannedStudy& study, Site site, const std::filesystem::path& file);
 
-/// Into how many jobs the tasks are packed, so that none is much shorter than ten minutes: a scheduler takes seconds for each.
-std::size_t sharesFor(const Plan& plan);
-
 }  // namespace morula

@@ -6,11 +6,14 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
+#include "base/did_you_mean.h"
 #include "base/error.h"
 #include "database/store_error.h"
 #include "files/draft.h"
 #include "files/folders.h"
+#include "files/text.h"
 #include "simulation/memory.h"
 #include "study/plan.h"
 #include "study_store/merged_study.h"
@@ -38,14 +41,11 @@ std::vector<std::string> changedKeys(const Study& study) {
 }
 
 /// Two columns may not have names that are the same but for capitals.
-std::vector<std::string> asColumns(std::vector<std::string> names, std::set<std::string> taken) {
-  const auto small = [](std::string text) {
-    for (char& c : text)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-  };
+std::vector<std::string> asColumns(std::vector<std::string> names, std::vector<std::string> taken) {
   for (std::string& name : names) {
-    while (!taken.insert(small(name)).second) name += "_";
+    while (std::ranges::any_of(taken, [&](const std::string& other) { return equalButForCase(other, name); }))
+      name += "_";
+    taken.push_back(name);
   }
   return names;
 }
@@ -54,19 +54,15 @@ std::vector<std::string> asColumns(std::vector<std::string> names, std::set<std:
 /// such part.
 std::optional<std::string> valueAt(const Json& resolved, const std::string& path) {
   const Json* value = &resolved;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string key = path.substr(begin, end - begin);
+  for (const std::string& key : partsOf(path, '.')) {
     if (!value->contains(key)) return std::nullopt;
     value = &value->at(key);
-    begin = end + 1;
   }
   return value->is_string() ? value->get<std::string>() : jsonText(*value);
 }
 
 StudyTables::ConditionRow rowOf(const Plan& plan, const Condition& condition, const std::vector<std::string>& keys) {
-  StudyTables::ConditionRow row{
-      .labels = condition.labels, .usesSeed = condition.usesSeed, .distinctRuns = 0, .keyValues = {}};
+  StudyTables::ConditionRow row{.labels = condition.labels, .usesSeed = condition.usesSeed};
   const Json resolved = parseJson(condition.scenario.resolved);
   for (const std::string& key : keys) row.keyValues.push_back(valueAt(resolved, key));
   std::set<std::size_t> runs;
@@ -80,12 +76,7 @@ StudyTables tablesOf(const Plan& plan) {
   const Study& study = plan.study;
   Plan withoutCosts = plan;
   withoutCosts.costs.clear();  // they are of the machine that made the plan
-  StudyTables tables{.study = {study.name, study.summary, plan.id, writePlan(withoutCosts), {}},
-                     .axes = {},
-                     .levels = {},
-                     .keys = {},
-                     .conditions = {},
-                     .replicates = {}};
+  StudyTables tables{.study = {study.name, study.summary, plan.id, writePlan(withoutCosts), {}}};
   std::vector<std::string> names;
   for (const StudyAxis& axis : study.axes) names.push_back(axis.name);
   names = asColumns(std::move(names), {"condition_id", "uses_seed", "distinct_runs"});
@@ -103,16 +94,15 @@ StudyTables tablesOf(const Plan& plan) {
 
 namespace fs = std::filesystem;
 
-bool isTaskId(const std::string& text) {
-  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == text.npos;
-}
-
 /// The tasks' files in a folder: it is a study's folder, or holds them itself.
 std::vector<fs::path> filesIn(const fs::path& folder) {
   const fs::path tasks = isFolder(folder / "tasks") ? folder / "tasks" : folder;
   std::vector<fs::path> files;
-  for (const fs::path& name : namesIn(tasks))
-    if (name.extension() == ".db" && isTaskId(name.stem().string())) files.push_back(tasks / name);
+  for (const fs::path& name : namesIn(tasks)) {
+    const std::string id = name.stem().string();
+    const bool isTask = id.size() == 16 && id.find_first_not_of("0123456789abcdef") == id.npos;
+    if (isTask && name.extension() == ".db") files.push_back(tasks / name);
+  }
   return files;
 }
 
@@ -128,38 +118,33 @@ std::string resolvedWithSeed(const Scenario& scenario, std::uint64_t seed) {
 /// Where the files of each task lie; those whose names do not say so are looked into.
 class Sources {
  public:
-  Sources(const PlannedStudy& study, const MergeOptions& options, MergeReport& report) : report_(report) {
+  Sources(const PlannedStudy& study, const MergeOptions& options, MergeReport& report)
+      : report_(report), files_(study.plan.tasks.size()) {
     for (std::size_t t = 0; t < study.plan.tasks.size(); ++t) numbers_[study.plan.tasks[t].id] = t;
     if (isFolder(study.folder.tasks())) addFolder(study.folder.tasks());
     for (const std::string& shard : options.shards) {
       if (isFolder(shard)) addFolder(shard);
-      else addFile(shard, taskIn(shard));
+      else addFile(shard, TaskFile(shard).task().id);
     }
   }
 
-  const std::vector<fs::path>& of(std::size_t task) const {
-    static const std::vector<fs::path> none;
-    const auto found = files_.find(task);
-    return found == files_.end() ? none : found->second;
-  }
+  const std::vector<fs::path>& of(std::size_t task) const { return files_[task]; }
 
  private:
   void addFolder(const fs::path& folder) {
     for (const fs::path& file : filesIn(folder)) addFile(file, file.stem().string());
   }
 
-  static std::string taskIn(const fs::path& file) { return TaskFile(file).task().id; }
-
   void addFile(const fs::path& file, const std::string& id) {
     const auto number = numbers_.find(id);
-    if (number == numbers_.end()) report_.foreign.push_back(file);
+    if (number == numbers_.end()) report_.foreign.push_back({file, "the plan has no such task"});
     else if (seen_.insert(absolutePath(file)).second) files_[number->second].push_back(file);
   }
 
   MergeReport& report_;
   std::map<std::string, std::size_t> numbers_;
   std::set<fs::path> seen_;
-  std::map<std::size_t, std::vector<fs::path>> files_;
+  std::vector<std::vector<fs::path>> files_;  // [task]
 };
 
 class Merge {
@@ -213,8 +198,7 @@ class Merge {
   }
 
   static bool comesBefore(const TaskRow& a, const TaskRow& b) {
-    if (a.isComputed() != b.isComputed()) return a.isComputed();
-    return a.resultHash < b.resultHash;
+    return std::tuple(!a.isComputed(), a.resultHash) < std::tuple(!b.isComputed(), b.resultHash);
   }
 
   std::optional<TaskFile> verified(std::size_t task, const fs::path& file) {
@@ -265,18 +249,10 @@ class Merge {
   fs::path firstOfBuild_;
 };
 
-/// The first few of many.
-template <class List, class Line>
-std::string some(const List& list, const Line& line) {
-  constexpr std::size_t most = 20;
-  std::string text;
-  std::size_t told = 0;
-  for (const auto& item : list) {
-    if (++told > most) break;
-    text += line(item);
-  }
-  if (list.size() > most) text += fmt::format("  … and {} more\n", list.size() - most);
-  return text;
+std::string fileLines(const std::vector<RefusedFile>& files) {
+  std::vector<std::string> lines;
+  for (const RefusedFile& f : files) lines.push_back("  left out " + f.file.string() + ": " + f.why);
+  return firstOf(lines);
 }
 
 }  // namespace
@@ -287,14 +263,9 @@ std::string describe(const MergeReport& r, const PlannedStudy& study) {
   const Plan& plan = study.plan;
   std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, r.tasks, r.done,
                                  r.failed.size(), r.missing.size());
-  for (const FailedTask& f : r.failed) text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
-  text += some(r.insane, [&](std::size_t task) {
-    return "  not sane " + nameOfTask(plan, task) + ": its bodies ended in a state that cannot be (check_result)\n";
-  });
-  text += some(r.missing, [&](std::size_t task) { return "  missing  " + nameOfTask(plan, task) + "\n"; });
-  text += some(r.damaged, [](const RefusedFile& f) { return "  left out " + f.file.string() + ": " + f.why + "\n"; });
-  text +=
-      some(r.foreign, [](const fs::path& f) { return "  left out " + f.string() + ": the plan has no such task\n"; });
+  text += taskLines("  failed   ", r.failed, plan);
+  text += taskLines("  not sane ", r.insane, plan, ": its bodies ended in a state that cannot be (check_result)");
+  text += taskLines("  missing  ", r.missing, plan) + fileLines(r.damaged) + fileLines(r.foreign);
   for (const Nondeterminism& n : r.differing)
     text += fmt::format(
         "  NONDETERMINISM {}: the same scenario, seed and build gave two results: {} in {}, {} in {}. This is a bug or "
@@ -307,35 +278,25 @@ std::string describe(const MergeReport& r, const PlannedStudy& study) {
 
 Json toJson(const MergeReport& r, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  const auto one = [&](std::size_t task) {
-    return Json{{"task_id", plan.tasks[task].id},
-                {"condition", nameOf(plan, plan.tasks[task].condition)},
-                {"seed", plan.tasks[task].seed}};
-  };
-  Json json{{"study", plan.study.name}, {"plan_id", plan.id}, {"tasks", r.tasks}, {"done", r.done}};
-  json["failed"] = Json::array();
-  for (const FailedTask& f : r.failed) {
-    json["failed"].push_back(one(f.task));
-    json["failed"].back()["reason"] = f.reason;
-  }
-  for (const auto& [name, list] : {std::pair("missing", &r.missing), std::pair("not_sane", &r.insane)}) {
-    json[name] = Json::array();
-    for (const std::size_t task : *list) json[name].push_back(one(task));
-  }
-  json["left_out"] = Json::array();
-  for (const RefusedFile& f : r.damaged) json["left_out"].push_back({{"file", f.file.string()}, {"why", f.why}});
-  for (const fs::path& f : r.foreign)
-    json["left_out"].push_back({{"file", f.string()}, {"why", "the plan has no such task"}});
-  json["nondeterminism"] = Json::array();
+  Json leftOut = Json::array(), differing = Json::array();
+  for (const auto* files : {&r.damaged, &r.foreign})
+    for (const RefusedFile& f : *files) leftOut.push_back({{"file", f.file.string()}, {"why", f.why}});
   for (const Nondeterminism& n : r.differing) {
-    json["nondeterminism"].push_back(one(n.task));
-    json["nondeterminism"].back().update(
-        Json{{"files", {n.a.string(), n.b.string()}}, {"result_hashes", {n.hashA, n.hashB}}});
+    differing.push_back(toJson(std::vector{n.task}, plan)[0]);
+    differing.back().update(Json{{"files", {n.a.string(), n.b.string()}}, {"result_hashes", {n.hashA, n.hashB}}});
   }
-  json["db"] = r.differing.empty() ? Json(r.database.string()) : Json();
-  json["bytes"] = r.bytes;
-  json["seconds"] = r.seconds;
-  return json;
+  return {{"study", plan.study.name},
+          {"plan_id", plan.id},
+          {"tasks", r.tasks},
+          {"done", r.done},
+          {"failed", toJson(r.failed, plan)},
+          {"missing", toJson(r.missing, plan)},
+          {"not_sane", toJson(r.insane, plan)},
+          {"left_out", leftOut},
+          {"nondeterminism", differing},
+          {"db", r.differing.empty() ? Json(r.database.string()) : Json()},
+          {"bytes", r.bytes},
+          {"seconds", r.seconds}};
 }
 
 }  // namespace morula

@@ -31,14 +31,14 @@ struct Nondeterminism {
 struct MergeReport {
   std::filesystem::path database;
   std::size_t tasks = 0, done = 0;
-  std::vector<FailedTask> failed;              // their results, by number
-  std::vector<std::size_t> missing;            // by number
-  std::vector<std::size_t> insane;             // done, but with an end that is not sane (check_result, kind sanity)
-  std::vector<RefusedFile> damaged;            // each with what is wrong
-  std::vector<std::filesystem::path> foreign;  // of tasks that the plan does not have
-  std::vector<Nondeterminism> differing;       // then nothing is written
-  double seconds = 0;                          // [s]
-  std::uint64_t bytes = 0;                     // of the database
+  std::vector<FailedTask> failed;    // their results, by number
+  std::vector<std::size_t> missing;  // by number
+  std::vector<std::size_t> insane;   // done, but with an end that is not sane (check_result, kind sanity)
+  std::vector<RefusedFile> damaged;
+  std::vector<RefusedFile> foreign;       // of tasks that the plan does not have
+  std::vector<Nondeterminism> differing;  // then nothing is written
+  double seconds = 0;                     // [s]
+  std::uint64_t bytes = 0;                // of the database
 };
 
 /// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the same

@@ -21,17 +21,40 @@ namespace {
 class TaskProgress {
  public:
   /// `tasks`: those that are to be computed; `jobs` of them at a time.
-  TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet);
+  TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet)
+      : plan_(plan), jobs_(jobs), begun_(seconds(ClockKind::wall)), line_(quiet), all_(tasks.size()) {
+    for (const std::size_t task : tasks) expectedAll_ += expected(task);
+  }
 
   /// A task has ended.
-  void ended(std::size_t task, bool failed);
+  void ended(std::size_t task, bool failed) {
+    ++done_;
+    if (failed) ++failed_;
+    expectedDone_ += expected(task);
+  }
   /// Shows it if it is time to; call often.
-  void show();
+  void show() {
+    if (line_.isDue()) line_.show(text());
+  }
   void clear() { line_.clear(); }
 
  private:
-  double expected(std::size_t task) const;
-  std::string text() const;
+  /// What was predicted; without predictions all tasks count alike.
+  double expected(std::size_t task) const {
+    return plan_.costs.empty() ? 1 : std::max(plan_.costs[plan_.tasks[task].condition].seconds, 1e-3);
+  }
+
+  std::string text() const {
+    const double share = expectedAll_ > 0 ? std::min(expectedDone_ / expectedAll_, 1.0) : 1;
+    std::string text = plan_.study.name + line_.bar(share) + fmt::format("  {} of {} runs", done_, all_);
+    if (failed_) text += fmt::format("  {} failed", failed_);
+    // As fast as so far by the wall clock, whatever else the machine does: what was predicted is off by one and the same factor.
+    const double perExpected = expectedDone_ > 0     ? (seconds(ClockKind::wall) - begun_) / expectedDone_
+                               : plan_.costs.empty() ? 0
+                                                     : 1.0 / jobs_;
+    if (perExpected > 0) text += "  " + formatDuration((expectedAll_ - expectedDone_) * perExpected) + " left";
+    return text;
+  }
 
   const Plan& plan_;
   int jobs_;
@@ -40,38 +63,6 @@ class TaskProgress {
   std::size_t all_, done_ = 0, failed_ = 0;
   double expectedAll_ = 0, expectedDone_ = 0;  // [s] of CPU time
 };
-
-TaskProgress::TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet)
-    : plan_(plan), jobs_(jobs), begun_(seconds(ClockKind::wall)), line_(quiet), all_(tasks.size()) {
-  for (const std::size_t task : tasks) expectedAll_ += expected(task);
-}
-
-/// What was predicted; without predictions all tasks count alike.
-double TaskProgress::expected(std::size_t task) const {
-  return plan_.costs.empty() ? 1 : std::max(plan_.costs[plan_.tasks[task].condition].seconds, 1e-3);
-}
-
-void TaskProgress::ended(std::size_t task, bool failed) {
-  ++done_;
-  if (failed) ++failed_;
-  expectedDone_ += expected(task);
-}
-
-void TaskProgress::show() {
-  if (line_.isDue()) line_.show(text());
-}
-
-std::string TaskProgress::text() const {
-  const double share = expectedAll_ > 0 ? std::min(expectedDone_ / expectedAll_, 1.0) : 1;
-  std::string text = plan_.study.name + line_.bar(share) + fmt::format("  {} of {} runs", done_, all_);
-  if (failed_) text += fmt::format("  {} failed", failed_);
-  // As fast as so far by the wall clock, whatever else the machine does: what was predicted is off by one and the same factor.
-  const double perExpected = expectedDone_ > 0     ? (seconds(ClockKind::wall) - begun_) / expectedDone_
-                             : plan_.costs.empty() ? 0
-                                                   : 1.0 / jobs_;
-  if (perExpected > 0) text += "  " + formatDuration((expectedAll_ - expectedDone_) * perExpected) + " left";
-  return text;
-}
 
 /// Whether a process that ended by this signal crashed by its own fault. Other signals come from outside: from a user,
 /// a scheduler, or the system when memory runs out.
@@ -184,7 +175,7 @@ class StudyRun {
     if (answer.code == cannotWrite) throw FileError(answer.text);
     if (end.signal == 0 && answer.code == 0) return computed(task, answer.text);
     if (end.signal == 0 && answer.code == undrawn) {
-      report_.undrawn.push_back({task, std::string(name(FailureKind::memoryLimit)) + ": " + answer.text});
+      report_.undrawn.push_back({task, reasonOf(FailureKind::memoryLimit, answer.text)});
       return computed(task, "");
     }
     if (end.signal == SIGXCPU && limits.cpu)
@@ -213,7 +204,7 @@ class StudyRun {
 
   void fail(std::size_t task, const ForkedEnd& end, FailureKind kind, const std::string& why) {
     writeFailure(study_.plan, task, study_.folder, settings_, kind, why, end);
-    computed(task, std::string(name(kind)) + ": " + why);
+    computed(task, reasonOf(kind, why));
   }
 
   const PlannedStudy& study_;
@@ -224,16 +215,6 @@ class StudyRun {
   std::unique_ptr<TaskProgress> progress_;
   bool ownBuild_ = false;  // an existing result was found to be of this build
 };
-
-Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan) {
-  Json list = Json::array();
-  for (const FailedTask& f : tasks)
-    list.push_back({{"task_id", plan.tasks[f.task].id},
-                    {"condition", nameOf(plan, plan.tasks[f.task].condition)},
-                    {"seed", plan.tasks[f.task].seed},
-                    {"reason", f.reason}});
-  return list;
-}
 
 }  // namespace
 
@@ -246,16 +227,54 @@ std::string nameOfTask(const Plan& plan, std::size_t task) {
   return fmt::format("{}, seed {} (task {})", nameOf(plan, t.condition), t.seed, t.id);
 }
 
+std::string firstOf(const std::vector<std::string>& lines) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) text += lines[i] + "\n";
+  if (lines.size() > most) text += fmt::format("  … and {} more\n", lines.size() - most);
+  return text;
+}
+
+std::string taskLines(const std::string& what, const std::vector<std::size_t>& tasks, const Plan& plan,
+                      const std::string& remark) {
+  std::vector<std::string> lines;
+  for (const std::size_t task : tasks) lines.push_back(what + nameOfTask(plan, task) + remark);
+  return firstOf(lines);
+}
+
+std::string taskLines(const std::string& what, const std::vector<FailedTask>& tasks, const Plan& plan,
+                      const std::string& remark) {
+  std::string text;
+  for (const FailedTask& f : tasks) text += what + nameOfTask(plan, f.task) + ": " + f.reason + remark + "\n";
+  return text;
+}
+
+Json toJson(const std::vector<std::size_t>& tasks, const Plan& plan) {
+  Json list = Json::array();
+  for (const std::size_t task : tasks) {
+    const Task& t = plan.tasks[task];
+    list.push_back({{"task_id", t.id}, {"condition", nameOf(plan, t.condition)}, {"seed", t.seed}});
+  }
+  return list;
+}
+
+Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan) {
+  Json list = Json::array();
+  for (const FailedTask& f : tasks) {
+    list.push_back(toJson(std::vector{f.task}, plan)[0]);
+    list.back()["reason"] = f.reason;
+  }
+  return list;
+}
+
 std::string describe(const RunStudyReport& r, const PlannedStudy& study) {
   std::string text =
       fmt::format("{}: {} of {} runs have a result: {} computed now, {} there before; {} of CPU time in {}\n",
                   study.plan.study.name, r.already + r.computed, r.asked, r.computed, r.already,
                   formatDuration(r.cpuSeconds), formatDuration(r.seconds));
-  for (const FailedTask& f : r.failed) text += "  failed   " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
-  for (const FailedTask& f : r.undrawn)
-    text += "  no picture " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
-  for (const FailedTask& f : r.stopped)
-    text += "  no result  " + nameOfTask(study.plan, f.task) + ": " + f.reason + "; the next run does it again\n";
+  text += taskLines("  failed   ", r.failed, study.plan);
+  text += taskLines("  no picture ", r.undrawn, study.plan);
+  text += taskLines("  no result  ", r.stopped, study.plan, "; the next run does it again");
   if (r.left) text += fmt::format("  {} runs were not begun; the same command goes on\n", r.left);
   return text;
 }

@@ -44,6 +44,17 @@ RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& option
 std::string describe(const RunStudyReport& report, const PlannedStudy& study);
 Json toJson(const RunStudyReport& report, const PlannedStudy& study);
 
+/// The first twenty lines of many, and how many more there are.
+std::string firstOf(const std::vector<std::string>& lines);
+/// Of tasks a line each, "  missing  NAME" and what follows it: of so many as firstOf tells, or of all, with their reasons.
+std::string taskLines(const std::string& what, const std::vector<std::size_t>& tasks, const Plan& plan,
+                      const std::string& remark = "");
+std::string taskLines(const std::string& what, const std::vector<FailedTask>& tasks, const Plan& plan,
+                      const std::string& remark = "");
+/// The same as id, condition, seed and reason.
+Json toJson(const std::vector<std::size_t>& tasks, const Plan& plan);
+Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan);
+
 /// "division: longest, connections: none, seed 4 (task 0123456789abcdef)"
 std::string nameOfTask(const Plan& plan, std::size_t task);
 

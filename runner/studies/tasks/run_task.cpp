@@ -46,15 +46,10 @@ FailureKind kindOf(Want want) { return want == Want::memory ? FailureKind::memor
 /// Of a run that has nothing to show.
 RunEnd failedEnd(const std::string& why) { return {.status = RunStatus::failed, .failure = why}; }
 
-std::string reasonOf(FailureKind kind, const std::string& why) { return std::string(name(kind)) + ": " + why; }
-
 TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenario, const TaskSettings& settings) {
   const Task& planned = plan.tasks[task];
   TaskOutcome outcome;
-  outcome.task.id = planned.id;
-  outcome.task.number = task;
-  outcome.task.condition = planned.condition;
-  outcome.task.seed = planned.seed;
+  outcome.task = {planned.id, task, planned.condition, planned.seed};
   outcome.record = recordOf(scenario, settings.execution, settings.command);
   TimingRow& timing = outcome.timing;
   const RunRecord& r = outcome.record;
@@ -195,8 +190,7 @@ bool keepsPicture(const Plan& plan, std::size_t task) {
   if (plan.study.keep.pictures == PicturesKept::none) return false;
   if (plan.study.keep.pictures == PicturesKept::all) return true;
   const std::uint64_t first = plan.study.seeds.front();
-  return std::any_of(plan.replicates.begin(), plan.replicates.end(),
-                     [&](const Replicate& r) { return r.task == task && r.seed == first; });
+  return std::ranges::any_of(plan.replicates, [&](const Replicate& r) { return r.task == task && r.seed == first; });
 }
 
 std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::map<StateId, std::string>& states,

@@ -21,69 +21,44 @@ std::uint64_t bytesBelow(const fs::path& folder) {
   return bytes;
 }
 
-class Look {
- public:
-  explicit Look(const PlannedStudy& study) : study_(study) {}
-
-  StudyStatus run() {
-    status_.tasks = study_.plan.tasks.size();
-    for (std::size_t task = 0; task < status_.tasks; ++task) lookAt(task);
-    status_.bytes = bytesBelow(study_.folder.path());
-    status_.secondsLeft = secondsLeft();
-    status_.isMerged = status_.isComplete() && status_.unreadable.empty() && fileExists(study_.folder.merged());
-    return std::move(status_);
-  }
-
- private:
-  void lookAt(std::size_t task) {
-    const fs::path file = study_.folder.task(study_.plan.tasks[task].id);
-    if (!fileExists(file)) return status_.missing.push_back(task);
-    try {
-      if (!looksWhole(file)) throw FileError("it is not a whole database");
-      TaskFile found(file);
-      const double took = found.timing().cpuSeconds;
-      status_.cpuSeconds += took;
-      if (found.task().status == "failed") status_.failed.push_back({task, found.task().reason});
-      else ++status_.done, tookOfDone_ += took, expectedOfDone_ += expected(task);
-    } catch (const FileError& error) {
-      status_.missing.push_back(task);
-      status_.unreadable.push_back({task, error.what()});
-    }
-  }
-
-  double expected(std::size_t task) const {
-    const Plan& plan = study_.plan;
-    return plan.costs.empty() ? 1 : plan.costs[plan.tasks[task].condition].seconds;
-  }
-
-  std::optional<double> secondsLeft() const {
-    double left = 0;
-    for (const std::size_t task : status_.missing) left += expected(task);
-    if (left == 0) return 0;
-    if (expectedOfDone_ > 0) return left * tookOfDone_ / expectedOfDone_;
-    return study_.plan.costs.empty() ? std::nullopt : std::optional(left);
-  }
-
-  const PlannedStudy& study_;
-  StudyStatus status_;
-  double tookOfDone_ = 0, expectedOfDone_ = 0;
-};
-
 }  // namespace
 
-StudyStatus statusOf(const PlannedStudy& study) { return Look(study).run(); }
+StudyStatus statusOf(const PlannedStudy& study) {
+  const Plan& plan = study.plan;
+  StudyStatus status;
+  status.tasks = plan.tasks.size();
+  double tookOfDone = 0, expectedOfDone = 0, left = 0;
+  for (std::size_t task = 0; task < status.tasks; ++task) {
+    const fs::path file = study.folder.task(plan.tasks[task].id);
+    const double expected = plan.costs.empty() ? 1 : plan.costs[plan.tasks[task].condition].seconds;
+    try {
+      if (fileExists(file)) {
+        if (!looksWhole(file)) throw FileError("it is not a whole database");
+        TaskFile found(file);
+        const double took = found.timing().cpuSeconds;
+        status.cpuSeconds += took;
+        if (found.task().status == "failed") status.failed.push_back({task, found.task().reason});
+        else ++status.done, tookOfDone += took, expectedOfDone += expected;
+        continue;
+      }
+    } catch (const FileError& error) { status.unreadable.push_back({task, error.what()}); }
+    status.missing.push_back(task);
+    left += expected;
+  }
+  if (left == 0 || !plan.costs.empty()) status.secondsLeft = left;
+  if (left > 0 && expectedOfDone > 0) status.secondsLeft = left * tookOfDone / expectedOfDone;
+  status.bytes = bytesBelow(study.folder.path());
+  status.isMerged = status.isComplete() && status.unreadable.empty() && fileExists(study.folder.merged());
+  return status;
+}
 
 std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  constexpr std::size_t most = 20;
   std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, s.tasks, s.done,
                                  s.failed.size(), s.missing.size());
-  for (const FailedTask& f : s.failed) text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
-  for (const FailedTask& f : s.unreadable)
-    text += "  damaged  " + nameOfTask(plan, f.task) + ": " + f.reason + "; `morula study run` does it again\n";
-  for (std::size_t i = 0; i < std::min(most, s.missing.size()); ++i)
-    text += "  missing  " + nameOfTask(plan, s.missing[i]) + "\n";
-  if (s.missing.size() > most) text += fmt::format("  … and {} more\n", s.missing.size() - most);
+  text += taskLines("  failed   ", s.failed, plan);
+  text += taskLines("  damaged  ", s.unreadable, plan, "; `morula study run` does it again");
+  text += taskLines("  missing  ", s.missing, plan);
   text += fmt::format("  took     {} of CPU time\n", formatDuration(s.cpuSeconds));
   if (!s.missing.empty())
     text += "  left     " +
@@ -96,30 +71,14 @@ std::string describe(const StudyStatus& s, const PlannedStudy& study) {
 }
 
 Json toJson(const StudyStatus& s, const PlannedStudy& study) {
-  const Plan& plan = study.plan;
-  const auto one = [&](std::size_t task) {
-    return Json{{"task_id", plan.tasks[task].id},
-                {"condition", nameOf(plan, plan.tasks[task].condition)},
-                {"seed", plan.tasks[task].seed}};
-  };
-  const auto withReasons = [&](const std::vector<FailedTask>& tasks) {
-    Json list = Json::array();
-    for (const FailedTask& f : tasks) {
-      list.push_back(one(f.task));
-      list.back()["reason"] = f.reason;
-    }
-    return list;
-  };
-  Json missing = Json::array();
-  for (const std::size_t task : s.missing) missing.push_back(one(task));
-  return {{"study", plan.study.name},
-          {"plan_id", plan.id},
+  return {{"study", study.plan.study.name},
+          {"plan_id", study.plan.id},
           {"folder", study.folder.path().string()},
           {"tasks", s.tasks},
           {"done", s.done},
-          {"failed", withReasons(s.failed)},
-          {"missing", missing},
-          {"damaged", withReasons(s.unreadable)},
+          {"failed", toJson(s.failed, study.plan)},
+          {"missing", toJson(s.missing, study.plan)},
+          {"damaged", toJson(s.unreadable, study.plan)},
           {"complete", s.isComplete()},
           {"merged", s.isMerged},
           {"cpu_seconds", s.cpuSeconds},

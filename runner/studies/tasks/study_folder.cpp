@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "files/text.h"
 #include "files/write_file.h"
 #include "store/build_info.h"
 #include "study/plan.h"
@@ -24,16 +25,11 @@ PlannedStudy openFolder(const StudyChoice& choice) {
   return {folder, std::move(plan), false};
 }
 
-/// How many of a plan's runs have a result in the folder.
-std::size_t countResults(const Plan& plan, const StudyFolder& folder) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(plan.tasks, [&](const Task& t) { return fileExists(folder.task(t.id)); }));
-}
-
 [[noreturn]] void refuseOtherPlan(const Study& study, const Plan& now, const StudyFolder& folder) {
+  const auto there = std::ranges::count_if(now.tasks, [&](const Task& t) { return fileExists(folder.task(t.id)); });
   throw FileError("'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
-                  "', which was made from it before; study run --update plans it anew (" +
-                  std::to_string(countResults(now, folder)) + " of its " + std::to_string(now.tasks.size()) +
+                  "', which was made from it before; study run --update plans it anew (" + std::to_string(there) +
+                  " of its " + std::to_string(now.tasks.size()) +
                   " results are there and stay), --resume goes on with the plan that is there, --out gives the "
                   "changed study a folder of its own");
 }
@@ -44,11 +40,12 @@ std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + "
 
 /// Without what shells, other systems and people stumble over.
 std::string safeName(std::string label) {
-  const auto isSafe = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-  };
   std::ranges::replace_if(
-      label, [&](char c) { return !isSafe(c); }, '-');
+      label,
+      [](const char& c) {
+        return !isMadeOf({&c, 1}, ".-");
+      },
+      '-');
   label.erase(0, label.find_first_not_of(".-"));
   return label.substr(0, mostLetters);
 }

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "files/folders.h"
 #include "small_study.h"
 #include "study_store/merged_study.h"
 
@@ -26,7 +25,7 @@ struct Computed : SmallStudy {
   MergeReport merge(const std::vector<std::string>& shards = {}, const std::string& to = "study.db") const {
     return mergeStudy(study, {shards, folder / to});
   }
-  std::filesystem::path file(std::size_t task) const { return study.folder.task(study.plan.tasks[task].id); }
+  std::filesystem::path file(std::size_t task) const { return fileOf(study, task); }
 };
 
 }  // namespace
@@ -74,12 +73,12 @@ TEST_CASE("one task with two results is nondeterminism, and nothing is written")
   const SmallStudy other;
   const PlannedStudy again = other.open();
   other.run(again, {3});
-  TaskFile there(again.folder.task(again.plan.tasks[3].id));
+  TaskFile there(fileOf(again, 3));
   CHECK(c.merge({again.folder.path().string()}).differing.empty());
   const std::string before = readText(c.folder / "study.db");
   {
     // Changed with care: its own hash follows from what it holds.
-    Database db(again.folder.task(again.plan.tasks[3].id), Database::Mode::existing, 1s);
+    Database db(fileOf(again, 3), Database::Mode::existing, 1s);
     db.execute("UPDATE result SET value = value + 1 WHERE measure = 'generation'");
     Statement(db, "UPDATE task SET result_hash = ?").run(resultHash(db, there.run().id).text());
   }

@@ -1,5 +1,4 @@
 // Tasks are computed once, failures are results, and what was stopped is computed again.
-#include <csignal>
 
 #include "catch.h"
 #include "files/folders.h"
@@ -23,7 +22,7 @@ TEST_CASE("a study is computed, and computed once") {
   CHECK(s.run(study).computed == 0);
   status = statusOf(study);
   CHECK((status.isComplete() && status.done == 8 && !status.isMerged));
-  for (const Task& task : study.plan.tasks) CHECK(TaskFile(study.folder.task(task.id)).whatIsWrong().empty());
+  for (std::size_t t = 0; t < 8; ++t) CHECK(TaskFile(fileOf(study, t)).whatIsWrong().empty());
 }
 
 TEST_CASE("what its plan keeps is there, and nothing else") {
@@ -34,7 +33,7 @@ TEST_CASE("what its plan keeps is there, and nothing else") {
     const SmallStudy s(text + more);
     const PlannedStudy study = s.open();
     s.run(study, {0});
-    return Database(study.folder.task(study.plan.tasks[0].id), Database::Mode::existing, 1s).integer(sql);
+    return Database(fileOf(study, 0), Database::Mode::existing, 1s).integer(sql);
   };
   const std::string hashes = "SELECT count(*) FROM step_hash", samples = "SELECT count(*) FROM sample",
                     results = "SELECT count(*) FROM result";
@@ -72,16 +71,14 @@ TEST_CASE("a picture is kept of the first seed of each condition, if asked for")
 
 TEST_CASE("a failure is a result with its reason") {
   // It divides until there is no more memory for it.
-  const SmallStudy s(
-      "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n"
-      "limits: {memory-per-run: 20M}\n",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 40}\n");
+  const SmallStudy s(singleStudy + "limits: {memory-per-run: 20M}\n",
+                     "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 40}\n");
   const PlannedStudy study = s.open();
   const RunStudyReport report = s.run(study);
   REQUIRE(report.failed.size() == 1);
   CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("memory limit: "));
   CHECK(report.isComplete());
-  TaskFile file(study.folder.task(study.plan.tasks[0].id));
+  TaskFile file(fileOf(study, 0));
   CHECK((file.task().status == "failed" && file.run().status == RunStatus::failed && file.whatIsWrong().empty()));
   CHECK_FALSE(file.task().isComputed());
   CHECK(s.run(study).computed == 0);
@@ -92,27 +89,25 @@ TEST_CASE("a failure is a result with its reason") {
 
 TEST_CASE("a cell whose name speaks of memory fails as any other") {
   const SmallStudy s(
-      "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n",
+      singleStudy,
       "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nnames: {cells: {A: memory-A, B: "
       "memory-B}}\n"
       "cells:\n  - {at: [0, 0, 0], stretch: [1.3, 0.877, 0.877]}\n  - {at: [9, 0, 0], stretch: [1.3, 0.877, 0.877]}\n"
       "physics: {mesh: {icosphere: 2}, cell: {radius: 1, mass: 1}, membrane: {stiffness: 1e5, damping: 0.2}}\n");
   const RunStudyReport report = s.run(s.open());
   REQUIRE(report.failed.size() == 1);
-  CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("numerical failure: "));
-  CHECK_THAT(report.failed[0].reason, ContainsSubstring("memory-"));
+  CHECK_THAT(report.failed[0].reason,
+             Catch::Matchers::StartsWith("numerical failure: ") && ContainsSubstring("memory-"));
 }
 
 TEST_CASE("CPU time is limited, and a crash is told") {
-  const SmallStudy s(
-      "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n"
-      "limits: {cpu-per-run: 1}\n",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1000000000}\n");
+  const SmallStudy s(singleStudy + "limits: {cpu-per-run: 1}\n",
+                     "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1000000000}\n");
   const PlannedStudy study = s.open();
   const RunStudyReport report = s.run(study);
   REQUIRE(report.failed.size() == 1);
   CHECK(report.failed[0].reason == "cpu limit: more than 1 s of CPU time (limits.cpu-per-run)");
-  CHECK(TaskFile(study.folder.task(study.plan.tasks[0].id)).timing().cpuSeconds > 0);
+  CHECK(TaskFile(fileOf(study, 0)).timing().cpuSeconds > 0);
 }
 
 TEST_CASE("a changed study is not mixed with what was planned before") {

@@ -16,6 +16,14 @@ inline const std::string smallStudy =
     "  length: {usual: {}, long: {cycle.length: 2}}\n  vary: {yes: {}, no: {variation: null}}\n"
     "seeds: 1..3\nmeasures: [cells, generation]\n";
 
+/// One run of the scenario.
+inline const std::string singleStudy = "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n";
+
+/// The file of a task's result.
+inline std::filesystem::path fileOf(const PlannedStudy& study, std::size_t task) {
+  return study.folder.task(study.plan.tasks[task].id);
+}
+
 struct SmallStudy {
   TemporaryFolder folder;
   explicit SmallStudy(const std::string& study = smallStudy, const std::string& scenario = smallScenario) {
