@@ -161,8 +161,7 @@ class ClaimReader {
   void readSays(const Node& node, const std::string& text) {
     std::vector<std::string> names;
     for (const auto& row : choices<Says>) names.push_back(row.name);
-    const auto found = std::ranges::find(names, text);
-    if (found != names.end()) claim_.says = choices<Says>[std::size_t(found - names.begin())].value;
+    if (const auto says = valueNamed<Says>(text)) claim_.says = *says;
     else problems_.add(node.place, path_ + ".says", describe(node) + " is not known here", nearOf(text, names));
   }
 
@@ -173,28 +172,19 @@ class ClaimReader {
   Claim claim_;
 };
 
-Json labelsSchema() {
-  return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}, {"minProperties", 1}};
-}
-
 }  // namespace
 
 Key checkKey() {
-  const Json text{{"type", "string"}}, labels = labelsSchema();
+  const Json text{{"type", "string"}}, labels{{"type", "object"}, {"additionalProperties", text}, {"minProperties", 1}};
   Json says = Json::array();
   for (const auto& row : choices<Says>) says.push_back(row.name);
   const Json within{{"type", Json::array({"number", "string"})}};
-  const auto object = [](Json properties, Json required) {
-    return Json{{"type", "object"},
-                {"properties", std::move(properties)},
-                {"required", std::move(required)},
-                {"additionalProperties", false}};
-  };
-  const Json pair = object(
+  const Json pair = objectSchema(
                  {{"measure", text}, {"a", labels}, {"b", labels}, {"says", {{"enum", says}}}, {"within", within}},
                  {"measure", "a", "b", "says"}),
-             mean = object({{"measure", text}, {"at", labels}, {"mean", {{"type", "number"}}}, {"within", within}},
-                           {"measure", "mean", "within"});
+             mean =
+                 objectSchema({{"measure", text}, {"at", labels}, {"mean", {{"type", "number"}}}, {"within", within}},
+                              {"measure", "mean", "within"});
   return {"check",
           "a list of " + claimAllowed,
           "Claims that `morula study check` holds against the results, each by what `morula study compare` says. Of a "

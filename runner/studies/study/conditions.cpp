@@ -1,7 +1,9 @@
 #include "study/conditions.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "files/folders.h"
@@ -14,6 +16,9 @@
 #include "values/measure_list.h"
 
 namespace morula::study {
+
+using scenario::Problems;
+
 namespace {
 
 /// Whether the line names the place of a value that the level sets.
@@ -41,32 +46,27 @@ std::string whereText(const Study& study, const std::vector<Condition>& conditio
          name + ")";
 }
 
-}  // namespace
-
-void ConditionMistakes::add(std::size_t condition, const std::string& lines) {
-  for (const std::string& line : linesOf(lines)) {
-    if (line.empty()) continue;
-    const auto [at, isNew] = numbers_.try_emplace(line, lines_.size());
-    if (isNew) lines_.push_back({line, {}});
-    lines_[at->second].conditions.insert(condition);
+class ConditionMistakes {
+ public:
+  /// Lines as InputError has them, of one condition.
+  void add(std::size_t condition, const std::string& lines) {
+    for (const std::string& line : linesOf(lines)) {
+      if (line.empty()) continue;
+      const auto [at, isNew] = numbers_.try_emplace(line, lines_.size());
+      if (isNew) lines_.push_back({line, {}});
+      lines_[at->second].second.insert(condition);
+    }
   }
-}
+  /// Each line once. If only some of `conditions` have it, the line names them, unless they are just those of the level
+  /// at whose place in the study file it stands.
+  void tell(const Study& study, const std::vector<Condition>& conditions, Problems& problems) const {
+    for (const auto& [line, has] : lines_) problems.addForeign({}, line + whereText(study, conditions, line, has));
+  }
 
-void ConditionMistakes::tell(const Study& study, const std::vector<Condition>& conditions,
-                             scenario::Problems& problems) const {
-  for (const auto& [line, has] : lines_) problems.addForeign({}, line + whereText(study, conditions, line, has));
-}
-
-std::string conditionName(const Study& study, const std::vector<std::string>& labels) {
-  std::string text;
-  for (std::size_t axis = 0; axis < labels.size(); ++axis)
-    text += (text.empty() ? "" : ", ") + study.axes[axis].name + ": " + labels[axis];
-  return text.empty() ? "the scenario as it is" : text;
-}
-
-using scenario::Problems;
-
-namespace {
+ private:
+  std::vector<std::pair<std::string, std::set<std::size_t>>> lines_;  // in the order in which they came first
+  std::map<std::string, std::size_t> numbers_;                        // of each text in lines_
+};
 
 struct BaseFile {
   std::filesystem::path path;
@@ -123,6 +123,13 @@ void checkMeasures(const Study& study, const Condition& condition, ConditionMist
 }
 
 }  // namespace
+
+std::string conditionName(const Study& study, const std::vector<std::string>& labels) {
+  std::string text;
+  for (std::size_t axis = 0; axis < labels.size(); ++axis)
+    text += (text.empty() ? "" : ", ") + study.axes[axis].name + ": " + labels[axis];
+  return text.empty() ? "the scenario as it is" : text;
+}
 
 std::size_t countConditions(const Study& study) {
   std::size_t count = 1;

@@ -1,6 +1,6 @@
 // Files and places as they are called from the study's folder.
 #include "base/utf8.h"
-#include "study/plan_parts.h"
+#include "study/conditions.h"
 
 namespace morula::study {
 namespace {

@@ -13,7 +13,6 @@
 #include "parts/prediction.h"
 #include "simulation/asked_measure.h"
 #include "study/conditions.h"
-#include "study/plan_parts.h"
 #include "study/study_table.h"
 #include "system/clock.h"
 
@@ -57,10 +56,7 @@ double diskOf(const Study& study, const Scenario& scenario, const Prediction& f)
 /// None if the run stops at its beginning: that will be its result.
 std::optional<RunCost> rehearse(const Study& study, const Scenario& scenario, const PlanOptions& options,
                                 double vertexSteps = rehearsedVertexSteps) {
-  PredictionOptions how;
-  how.execution = options.execution;
-  how.ask.pictures = false;
-  how.trial = vertexSteps;
+  const PredictionOptions how{.ask = {.pictures = false}, .execution = options.execution, .trial = vertexSteps};
   try {
     const Prediction f = predictCost(scenario, how);
     return RunCost{f.seconds(), f.bytes(), diskOf(study, scenario, f), true};
@@ -140,12 +136,6 @@ std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& opt
 
 constexpr std::uint64_t maxPlanBytes = std::uint64_t{1} << 30;
 
-}  // namespace
-
-namespace study {
-
-namespace {
-
 std::string taskId(const Study& study, const Condition& condition, std::uint64_t seed) {
   Hasher hasher;
   hasher.field("task").add(condition.meaning);
@@ -157,12 +147,9 @@ std::string taskId(const Study& study, const Condition& condition, std::uint64_t
   return hasher.digest().text().substr(0, 16);
 }
 
-void addLimits(Hasher& hasher, const RunLimits& limits) {
-  hasher.field("cpu").add(limits.cpu.value_or(0));
-  hasher.field("memory").add(limits.memory.value_or(0));
-}
-
 }  // namespace
+
+namespace study {
 
 void addTasks(Plan& plan) {
   std::map<std::string, std::size_t> known;
@@ -185,7 +172,8 @@ std::string planId(const Plan& plan) {
       for (const Override& change : level.overrides) hasher.add(change.path).add(change.value).add(change.removes);
     }
   }
-  addLimits(hasher, plan.study.limits);
+  hasher.field("cpu").add(plan.study.limits.cpu.value_or(0));
+  hasher.field("memory").add(plan.study.limits.memory.value_or(0));
   hasher.field("conditions").add(std::uint64_t{plan.conditions.size()});
   for (const Condition& condition : plan.conditions) hasher.add(condition.meaning);
   hasher.field("replicates").add(std::uint64_t{plan.replicates.size()});

@@ -3,10 +3,8 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/utf8.h"
 #include "simulation/asked_measure.h"
 #include "study/conditions.h"
-#include "study/plan_parts.h"
 #include "system/json_record.h"
 
 namespace morula {

@@ -16,11 +16,7 @@ namespace {
 
 const std::string nameAllowed = "a name made of letters, digits, '-' and '_', at most 100 of them";
 
-bool isName(const std::string& text) {
-  return !text.empty() && text.size() <= 100 && text[0] != '-' && std::ranges::all_of(text, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  });
-}
+bool isName(const std::string& text) { return isMadeOf(text, "-_") && text.size() <= 100 && text[0] != '-'; }
 
 Key version() {
   return {"morula-study",
@@ -79,14 +75,8 @@ Key choiceKey(const char* path, const char* what, E Kept::*field) {
           [=](Study& study, const Node& node, Problems& problems) {
             const auto text = scenario::readText(node, path, namesOf<E>(), problems);
             if (!text) return;
-            const auto found = std::ranges::find(names, *text);
-            if (found != names.end()) {
-              study.keep.*field = choices<E>[std::size_t(found - names.begin())].value;
-              return;
-            }
-            const std::string near = closest(*text, names);
-            problems.add(node.place, path, describe(node) + " is not known here",
-                         (near.empty() ? "needs " : "did you mean " + near + "? Needs ") + namesOf<E>());
+            if (const auto value = valueNamed<E>(*text)) study.keep.*field = *value;
+            else refuseWord(node, path, names, namesOf<E>(), problems);
           }};
 }
 
@@ -168,6 +158,20 @@ void readMap(const std::string& parent, const Node& node, Study& study, Problems
 }
 
 }  // namespace
+
+void refuseWord(const Node& node, const std::string& path, const std::vector<std::string>& names,
+                const std::string& allowed, Problems& problems) {
+  const std::string near = closest(node.text, names);
+  problems.add(node.place, path, describe(node) + " is not known here",
+               (near.empty() ? "needs " : "did you mean " + near + "? Needs ") + allowed);
+}
+
+Json objectSchema(Json properties, Json required) {
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
 
 const std::vector<Key>& keys() {
   static const std::vector<Key> list{

@@ -33,6 +33,13 @@ Key seedsKey();
 Key measuresKey();
 Key checkKey();
 
+/// Says that a text is none of these names, and which of them may be meant.
+void refuseWord(const scenario::Node& node, const std::string& path, const std::vector<std::string>& names,
+                const std::string& allowed, scenario::Problems& problems);
+
+/// Of a map with these keys alone.
+Json objectSchema(Json properties, Json required);
+
 /// Fills the study's claims from `check`; its axes and measures must have been read.
 void readClaims(const scenario::Node& root, Study& study, scenario::Problems& problems);
 
@@ -40,6 +47,11 @@ void readClaims(const scenario::Node& root, Study& study, scenario::Problems& pr
 bool isLabel(const std::string& text);
 inline constexpr const char* labelNeeds =
     "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
+
+/// A value of a study file as one line of YAML's flow notation that scenario::readYamlValue reads as the same: how an override
+/// holds it. A text without quotes gets none where it reads back as the same without them, so that numbers stay numbers. "null"
+/// for an empty value.
+std::string overrideText(const scenario::Node& node);
 
 /// Two axes that set the same key, or one a part of what the other sets, are a problem: which of them holds would depend on
 /// their order. Returns the names of such axes.

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 
-#include "base/did_you_mean.h"
 #include "base/error.h"
 #include "files/text.h"
 #include "simulation/asked_measure.h"
@@ -135,14 +134,9 @@ void readWhen(Study& study, const Node& node, Problems& problems) {
   }
   const auto text = scenario::readText(node, path, whenAllowed, problems);
   if (!text) return;
-  if (*text == nameOf(Moments::end)) study.when = {Moments::end};
-  else if (*text == nameOf(Moments::eachDivision)) study.when = {Moments::eachDivision};
-  else {
-    const std::string near =
-        closest(*text, std::vector<std::string>{nameOf(Moments::end), nameOf(Moments::eachDivision)});
-    problems.add(node.place, path, describe(node) + " is not known here",
-                 (near.empty() ? "needs " : "did you mean " + near + "? Needs ") + whenAllowed);
-  }
+  const auto moments = valueNamed<Moments>(*text);
+  if (moments && *moments != Moments::every) study.when = {*moments};
+  else refuseWord(node, path, {nameOf(Moments::end), nameOf(Moments::eachDivision)}, whenAllowed, problems);
 }
 
 void readMeasures(Study& study, const Node& node, Problems& problems) {
@@ -156,12 +150,7 @@ void readMeasures(Study& study, const Node& node, Problems& problems) {
 }  // namespace
 
 bool isLabel(const std::string& text) {
-  const auto isAlphanumeric = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  };
-  return !text.empty() && text.size() <= 50 && isAlphanumeric(text[0]) && std::ranges::all_of(text, [&](char c) {
-    return isAlphanumeric(c) || std::string_view("._+-").find(c) != std::string_view::npos;
-  });
+  return isMadeOf(text, "._+-") && text.size() <= 50 && isMadeOf(text.substr(0, 1), "");
 }
 
 Key baseKey() {
@@ -190,21 +179,15 @@ Key seedsKey() {
 
 Key measuresKey() {
   const Json names = scenario::measuresSchema(allMeasures());
-  const Json when{{"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
-                                         {{"type", "object"},
-                                          {"properties", {{"every", scenario::numberSchema(scenario::positive)}}},
-                                          {"required", Json::array({"every"})},
-                                          {"additionalProperties", false}}})}};
+  const Json when{
+      {"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
+                             objectSchema({{"every", scenario::numberSchema(scenario::positive)}}, {"every"})})}};
   return {
       "measures",
       measuresAllowed,
       "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that live; of pairs, in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a path of daughters from the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* for all that begin so), elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, AA* to BB*; of the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the last state; each-division: also of the first, and after each step in which cells divided; {every: T}: also of the first, and every T units of time. A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
       "",
-      {{"oneOf", Json::array({names,
-                              {{"type", "object"},
-                               {"properties", {{"names", names}, {"when", when}}},
-                               {"required", Json::array({"names"})},
-                               {"additionalProperties", false}}})}},
+      {{"oneOf", Json::array({names, objectSchema({{"names", names}, {"when", when}}, {"names"})})}},
       readMeasures};
 }
 

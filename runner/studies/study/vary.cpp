@@ -4,7 +4,6 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "study/override_text.h"
 #include "study/study_table.h"
 #include "values/value_types.h"
 
@@ -37,8 +36,26 @@ bool isAxisName(const std::string& text) { return isLabel(text) && text.find_fir
 
 bool isPath(const std::string& key) { return key.front() != '.' && key.back() != '.' && key.find("..") == key.npos; }
 
-std::string placeOf(const Node& node, const Problems& problems) {
-  return scenario::placeText(problems.file(), node.place);
+/// JSON's strings are YAML's, too.
+std::string jsonQuoted(const std::string& text) { return jsonText(Json(text)); }
+
+/// Within brackets a text without quotes ends at these, and a text that begins so is something else.
+bool staysPlain(const std::string& text) { return isMadeOf(text, "_.+-/") && text != "-"; }
+
+std::string flow(const Node& node) {
+  std::string text;
+  switch (node.kind) {
+    case Node::Kind::scalar: return node.isPlain() && staysPlain(node.text) ? node.text : jsonQuoted(node.text);
+    case Node::Kind::sequence:
+      for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + flow(item);
+      return "[" + text + "]";
+    case Node::Kind::map:
+      for (const auto& member : node.members)
+        text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : jsonQuoted(member.key)) + ": " +
+                flow(member.value);
+      return "{" + text + "}";
+    default: return "null";
+  }
 }
 
 void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
@@ -58,7 +75,8 @@ void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
       problems.add(change.place, at, "cannot be varied", said->second);
       continue;
     }
-    level.overrides.push_back({change.key, overrideText(change.value), placeOf(change.value, problems),
+    level.overrides.push_back({change.key, overrideText(change.value),
+                               scenario::placeText(problems.file(), change.value.place),
                                change.value.kind == Node::Kind::null});
   }
   axis.levels.push_back(std::move(level));
@@ -94,6 +112,13 @@ void readVary(Study& study, const Node& node, Problems& problems) {
 }
 
 }  // namespace
+
+std::string overrideText(const Node& node) {
+  // Alone, a text without quotes reaches to the end, whatever it holds, unless it begins as something else does.
+  if (node.isPlain() && !node.text.empty() && std::string_view("[{\"'").find(node.text[0]) == std::string_view::npos)
+    return node.text;
+  return flow(node);
+}
 
 Key varyKey() {
   const Json level{{"type", "object"}, {"description", "Scenario keys and their values; null takes a part away"}};

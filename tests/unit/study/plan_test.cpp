@@ -2,7 +2,6 @@
 #include "study/plan.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "base/error.h"
@@ -20,38 +19,18 @@ std::vector<std::string> idsOf(const Plan& plan) {
   return ids;
 }
 
-void checkEqual(const Plan& a, const Plan& b) {
-  CHECK(a.id == b.id);
-  CHECK(a.tasks == b.tasks);
-  CHECK(a.replicates == b.replicates);
-  CHECK(a.costs == b.costs);
+/// What a plan's file does not hold of its conditions, and reading it makes anew.
+void checkMadeAnew(const Plan& a, const Plan& b) {
   REQUIRE(a.conditions.size() == b.conditions.size());
   for (std::size_t i = 0; i < a.conditions.size(); ++i) {
     const Condition &x = a.conditions[i], &y = b.conditions[i];
     CHECK(x.number == y.number);
-    CHECK(x.labels == y.labels);
     CHECK(x.levels == y.levels);
     CHECK(x.base == y.base);
-    CHECK(x.usesSeed == y.usesSeed);
-    CHECK(x.meaning == y.meaning);
     CHECK(x.scenario.resolved == y.scenario.resolved);
     CHECK(x.scenario.meaning == y.scenario.meaning);
-    CHECK(x.scenario.file == y.scenario.file);
-    CHECK(x.scenario.bytes == y.scenario.bytes);
     CHECK(x.scenario.places == y.scenario.places);
-    REQUIRE(x.scenario.files.size() == y.scenario.files.size());
-    for (std::size_t k = 0; k < x.scenario.files.size(); ++k) {
-      CHECK(x.scenario.files[k].path == y.scenario.files[k].path);
-      CHECK(x.scenario.files[k].content == y.scenario.files[k].content);
-    }
   }
-  CHECK(a.study.name == b.study.name);
-  CHECK(a.study.bytes == b.study.bytes);
-  CHECK(a.study.seeds == b.study.seeds);
-  CHECK(a.study.measures == b.study.measures);
-  CHECK(a.study.when == b.study.when);
-  CHECK(a.study.keep == b.study.keep);
-  CHECK(a.study.limits == b.study.limits);
 }
 
 }  // namespace
@@ -152,11 +131,8 @@ TEST_CASE("What is measured, when, and what is kept is part of a task's id; limi
         ballStudy + "keep: {hashes: all}\n", ballStudy + "keep: {samples: all}\n",
         ballStudy + "keep: {pictures: all}\n"}) {
     CAPTURE(study);
-    std::vector<std::string> both = idsOf(plan), own = idsOf(planIn(folder, study));
-    std::ranges::sort(both), std::ranges::sort(own);
-    std::vector<std::string> common;
-    std::ranges::set_intersection(both, own, std::back_inserter(common));
-    CHECK(common.empty());
+    const std::vector<std::string> ids = idsOf(plan);
+    for (const std::string& id : idsOf(planIn(folder, study))) CHECK(std::ranges::find(ids, id) == ids.end());
   }
   const Plan limited = planIn(folder, ballStudy + "limits: {cpu-per-run: 10}\n");
   CHECK(idsOf(limited) == idsOf(plan));
@@ -230,7 +206,7 @@ TEST_CASE("Several scenarios are the first axis") {
 }
 
 TEST_CASE("A plan's file is the plan, without the files that it was made from") {
-  Plan plan, again;
+  Plan plan;
   std::string text;
   {
     const TemporaryFolder folder;
@@ -243,8 +219,8 @@ TEST_CASE("A plan's file is the plan, without the files that it was made from") 
                true);
     text = writePlan(plan);
   }
-  again = readPlan(text, "plan.json");
-  checkEqual(plan, again);
+  const Plan again = readPlan(text, "plan.json");
+  checkMadeAnew(plan, again);
   CHECK(writePlan(again) == text);
   CHECK(again.conditions[1].scenario.files.at(0).path == "tree.dna");
   CHECK(text.find("morula-test") == text.npos);  // no folder of this machine
@@ -329,13 +305,13 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
 
 TEST_CASE("Ten thousand runs are planned") {
   const TemporaryFolder folder;
-  std::string study = "morula-study: 1\nname: many\nbase: balls.yaml\nvary:\n  a: {";
-  for (int i = 0; i < 10; ++i)
-    study += (i ? ", v" : "v") + std::to_string(i) + ": {variation.share: 0.0" + std::to_string(i) + "}";
-  study += "}\n  b: {";
-  for (int i = 0; i < 10; ++i)
-    study += (i ? ", v" : "v") + std::to_string(i) + ": {physics.drag: 1" + std::to_string(i) + "}";
-  const Plan plan = planIn(folder, study + "}\nseeds: 1..100\nmeasures: [sphericity]\n");
+  std::string study = "morula-study: 1\nname: many\nbase: balls.yaml\nseeds: 1..100\nmeasures: [sphericity]\nvary:\n";
+  for (const char* change : {"variation.share: 0.0", "physics.drag: 1"}) {
+    study += std::string("  ") + change[0] + ":\n";
+    for (const char digit : std::string("0123456789"))
+      study += std::string("    v") + digit + ": {" + change + digit + "}\n";
+  }
+  const Plan plan = planIn(folder, study);
   CHECK(plan.conditions.size() == 100);
   CHECK(plan.tasks.size() == 10'000);
   CHECK(readPlan(writePlan(plan), "plan.json").tasks == plan.tasks);

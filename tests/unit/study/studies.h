@@ -1,6 +1,5 @@
 #pragma once
 // Studies for tests: files in a folder of their own.
-#include <map>
 #include <string>
 
 #include "study/plan.h"
@@ -34,12 +33,16 @@ inline std::string ballStudyWith(const std::string& text, const std::string& by)
   return study.replace(at, text.size(), by);
 }
 
-/// Writes both scenarios and the study into the folder, and plans it.
-inline Plan planIn(const TemporaryFolder& folder, const std::string& study = ballStudy, bool predict = false) {
+/// Writes both scenarios and the study into the folder.
+inline Study studyIn(const TemporaryFolder& folder, const std::string& study) {
   writeText(folder / "balls.yaml", ballScenario);
   writeText(folder / "tree.yaml", lineageScenario);
   writeText(folder / "s.study.yaml", study);
-  return makePlan(loadStudy(folder / "s.study.yaml"), {.predict = predict});
+  return loadStudy(folder / "s.study.yaml");
+}
+
+inline Plan planIn(const TemporaryFolder& folder, const std::string& study = ballStudy, bool predict = false) {
+  return makePlan(studyIn(folder, study), {.predict = predict});
 }
 
 }  // namespace morula

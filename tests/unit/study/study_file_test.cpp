@@ -3,11 +3,12 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "files/folders.h"
 #include "scenario/schema.h"
 #include "simulation/asked_measure.h"
 #include "studies.h"
-#include "study/override_text.h"
 #include "study/study_schema.h"
+#include "study/study_table.h"
 #include "yaml/source_text.h"
 // Last, because of CHECK:
 #include "catch.h"
@@ -16,12 +17,11 @@ using namespace morula;
 
 namespace {
 
-Study studyOf(const std::string& text) {
-  const TemporaryFolder folder;
-  writeText(folder / "balls.yaml", ballScenario);
-  writeText(folder / "tree.yaml", lineageScenario);
-  writeText(folder / "s.study.yaml", text);
-  return loadStudy(folder / "s.study.yaml");
+Study studyOf(const std::string& text) { return studyIn(TemporaryFolder(), text); }
+
+/// The usual study with these measures instead.
+Study measuring(const std::string& measures) {
+  return studyOf(ballStudyWith("[sister-contact, clone_radius]", measures));
 }
 
 scenario::Node nodeOf(const std::string& text) {
@@ -72,12 +72,10 @@ TEST_CASE("Seeds are a number, a range, or a list of both, in their order") {
 }
 
 TEST_CASE("Measures may say when they are taken, and limits have units") {
-  const std::string names = "[sister-contact, clone_radius]";
-  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: each-division}")).when == When{Moments::eachDivision, 0});
-  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: {every: 0.25}}")).when == When{Moments::every, 0.25});
-  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: end}")).when == When{});
-  CHECK(studyOf(ballStudyWith(names, "[cell.volume, world.volume]")).measures ==
-        std::vector<std::string>{"cell.volume", "world.volume"});
+  CHECK(measuring("{names: [cells], when: each-division}").when == When{Moments::eachDivision, 0});
+  CHECK(measuring("{names: [cells], when: {every: 0.25}}").when == When{Moments::every, 0.25});
+  CHECK(measuring("{names: [cells], when: end}").when == When{});
+  CHECK(measuring("[cell.volume, world.volume]").measures == std::vector<std::string>{"cell.volume", "world.volume"});
   for (const auto& [text, bytes] :
        {std::pair{"500M", 500e6}, {"2G", 2e9}, {"1.5G", 1.5e9}, {"3000000", 3e6}, {"4000k", 4e6}})
     CHECK(double(*studyOf(ballStudy + "limits: {memory-per-run: " + text + "}\n").limits.memory) == bytes);
@@ -101,27 +99,24 @@ TEST_CASE("Every measure of every table has one name in studies, and finds its r
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
-  CHECK(studyOf(ballStudyWith("[sister-contact, clone_radius]",
-                              "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
-            .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin", "elongation of generation 3",
-                                                  "cell.volume of s*"});
-  const auto wrong = [](const char* measure) -> std::string {
-    try {
-      studyOf(ballStudyWith("[sister-contact, clone_radius]", "['" + std::string(measure) + "']"));
-      return "";
-    } catch (const InputError& error) { return error.what(); }
-  };
-  CHECK(studyOf(ballStudyWith("[sister-contact, clone_radius]", "[age of clones, clone-radius of generation 3]"))
-            .measures == std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*",
-                                                  "clone_radius of generation 3"});
-  CHECK_THAT(wrong("lumen of AAA*"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
-  CHECK_THAT(wrong("clone-radius of AAA*"), ContainsSubstring("'clone-radius' is of all clones, in the mean; "
-                                                              "needs generation N behind 'of'"));
-  CHECK_THAT(wrong("age of genration 3"), ContainsSubstring("selects no cells; did you mean generation 3?"));
-  CHECK_THAT(wrong("shell-share of A*B"), ContainsSubstring("'A*B' selects no cells; needs a path (AAA"));
-  CHECK_THAT(wrong("shell-share of generation x"), ContainsSubstring("is no generation; needs a whole number"));
-  CHECK_THAT(wrong("shel-share of AAA"), ContainsSubstring("did you mean shell_share?"));
-  CHECK_THAT(wrong("count"), ContainsSubstring("say of which cells, as count of skin"));
+  CHECK(measuring("[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]").measures ==
+        std::vector<std::string>{"shell_share of AAA*", "count of skin", "elongation of generation 3",
+                                 "cell.volume of s*"});
+  CHECK(
+      measuring("[age of clones, clone-radius of generation 3]").measures ==
+      std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*", "clone_radius of generation 3"});
+  for (const auto& [measure, message] :
+       {std::pair{"lumen of AAA*", "'lumen' is of the organism as a whole and takes no 'of'"},
+        {"clone-radius of AAA*", "'clone-radius' is of all clones, in the mean; needs generation N behind 'of'"},
+        {"age of genration 3", "selects no cells; did you mean generation 3?"},
+        {"shell-share of A*B", "'A*B' selects no cells; needs a path (AAA"},
+        {"shell-share of generation x", "is no generation; needs a whole number"},
+        {"shel-share of AAA", "did you mean shell_share?"},
+        {"count", "say of which cells, as count of skin"}}) {
+    const std::string measures = "['" + std::string(measure) + "']";
+    CHECK_THROWS_AS(measuring(measures), InputError);
+    CHECK_THROWS_WITH(measuring(measures), ContainsSubstring(message));
+  }
 }
 
 TEST_CASE("A selection has the cells that it says") {
@@ -153,7 +148,7 @@ TEST_CASE("A value in a study is the same value in an override") {
                            "a text, with [brackets] and {braces}", "why:\n  - one\n  - '# no remark'\n", "'-'"}) {
     CAPTURE(text);
     const auto node = nodeOf(text);
-    const std::string line = overrideText(node);
+    const std::string line = study::overrideText(node);
     CAPTURE(line);
     scenario::Problems problems("test");
     const auto again = readYamlValue(line, "option", problems);
@@ -164,7 +159,7 @@ TEST_CASE("A value in a study is the same value in an override") {
 }
 
 TEST_CASE("Within brackets a text that would end there is put in quotes") {
-  CHECK(overrideText(nodeOf("why:\n  - one, two\n  - [a]\n")) == R"({why: ["one, two", [a]]})");
+  CHECK(study::overrideText(nodeOf("why:\n  - one, two\n  - [a]\n")) == R"({why: ["one, two", [a]]})");
 }
 
 TEST_CASE("A study is told from a scenario by its name or its first key") {
@@ -193,10 +188,8 @@ TEST_CASE("Scenarios of a study lie in its folder unless that is allowed otherwi
 TEST_CASE("bad study files are refused with the expected messages, all at once") {
   namespace fs = std::filesystem;
   const fs::path folder = "tests/bad_studies";
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().string().ends_with(".study.yaml")) files.push_back(entry.path());
-  std::ranges::sort(files);
+  auto files = filesBelow(folder, ".yaml");
+  std::erase_if(files, [](const fs::path& file) { return !file.string().ends_with(".study.yaml"); });
   REQUIRE(files.size() >= 25);
   for (const auto& file : files) {
     INFO(file.string());
