@@ -3,11 +3,10 @@
 #include <utility>
 
 #include "analysis/comparison.h"
-#include "analysis/into_golden.h"
 #include "analysis/organisms.h"
-#include "analysis/picture.h"
 #include "analysis/tidy.h"
 #include "base/error.h"
+#include "charts/small_multiples.h"
 #include "comparison/organism_grid.h"
 #include "files/content.h"
 #include "files/folders.h"

@@ -6,7 +6,7 @@
 
 #include "analysis/comparison.h"
 #include "analysis/organisms.h"
-#include "analysis/picture.h"
+#include "charts/small_multiples.h"
 #include "check/remarks.h"
 #include "database/database.h"
 #include "database/store_error.h"

@@ -9,9 +9,6 @@
 #include "analysis/compare_parts.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "database/database.h"
-#include "database/store_error.h"
-#include "files/text.h"
 
 namespace morula {
 namespace {
@@ -21,16 +18,16 @@ std::size_t axisOf(const Claim& claim) {
   return std::size_t(std::ranges::mismatch(claim.a, claim.b).in1 - claim.a.begin());
 }
 
-std::string claimInWords(const Claim& claim, const Study& study) {
-  const auto label = [&](std::size_t axis, std::size_t level) { return study.axes[axis].levels[level].label; };
-  std::vector<std::string> fixed;
-  const std::size_t axis = claim.says == Says::mean ? claim.a.size() : axisOf(claim);
-  for (std::size_t x = 0; x < claim.a.size(); ++x)
-    if (claim.a[x] && x != axis) fixed.push_back(study.axes[x].name + ": " + label(x, *claim.a[x]));
-  const std::string with = fixed.empty() ? "" : " with " + join(fixed);
+std::string claimInWords(const Claim& claim, const StudyResults& results) {
   if (claim.says == Says::mean)
-    return fmt::format("{}: {} ± {}{}", claim.measure, exactText(claim.mean), claim.within, with);
-  const std::string a = label(axis, *claim.a[axis]), b = label(axis, *claim.b[axis]);
+    return fmt::format("{}: {} ± {}{}", claim.measure, exactText(claim.mean), claim.within,
+                       withLevels(results, claim.a));
+  const std::size_t axis = axisOf(claim);
+  const auto& labels = results.axes[axis].labels;
+  const std::string a = labels[*claim.a[axis]], b = labels[*claim.b[axis]];
+  auto others = claim.a;
+  others[axis].reset();
+  const std::string with = withLevels(results, others);
   switch (claim.says) {
     case Says::equivalent:
       return fmt::format("{}: {} equivalent to {} within {}{}", claim.measure, a, b, claim.within, with);
@@ -40,12 +37,9 @@ std::string claimInWords(const Claim& claim, const Study& study) {
 }
 
 void requireSame(const StudyResults& results, const Study& study) {
-  bool same = results.axes.size() == study.axes.size();
-  for (std::size_t x = 0; same && x < study.axes.size(); ++x) {
-    std::vector<std::string> labels;
-    for (const Level& level : study.axes[x].levels) labels.push_back(level.label);
-    same = results.axes[x].name == study.axes[x].name && results.axes[x].labels == labels;
-  }
+  bool same = std::ranges::equal(results.axes, study.axes, [](const ResultAxis& found, const StudyAxis& said) {
+    return found.name == said.name && std::ranges::equal(found.labels, said.levels, {}, {}, &Level::label);
+  });
   for (const Claim& claim : study.claims)
     same = same && std::ranges::find(results.measures, claim.measure) != results.measures.end();
   if (!same)
@@ -110,7 +104,7 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
   std::vector<ClaimFinding> findings;
   for (const Claim& claim : study.claims) {
     ClaimFinding& finding = findings.emplace_back();
-    finding.claim = claimInWords(claim, study), finding.place = claim.place;
+    finding.claim = claimInWords(claim, results), finding.place = claim.place;
     finding.found = claim.measure + ": there are no values of it";
     if (claim.says == Says::mean) {
       judgeMean(compared("", false), claim, finding);
@@ -130,16 +124,12 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
 }
 
 Study plannedStudy(const std::filesystem::path& database) {
-  Database db(database, Database::Mode::existing, std::chrono::seconds(5));
-  Statement rows(db, "SELECT plan FROM study");
-  try {
-    if (rows.start().next()) {
-      const Json study = parseJson(rows.text(0)).at("study");
-      return readStudy(study.at("text").get<std::string>(), study.at("file").get<std::string>(), true);
-    }
-  } catch (const Json::exception&) {}
-  throw StoreError(database.string() +
-                   ": its plan cannot be read; the file is damaged: make it again with morula study merge");
+  Study study;
+  readStoredPlan(database, [&](const Json& plan) {
+    const Json& stored = plan.at("study");
+    study = readStudy(stored.at("text").get<std::string>(), stored.at("file").get<std::string>(), true);
+  });
+  return study;
 }
 
 }  // namespace morula

@@ -8,7 +8,7 @@ namespace morula {
 namespace {
 
 ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition) {
-  ConditionSummary summary{.measure = measure, .condition = condition, .seeds = {}, .values = {}, .interval = {}};
+  ConditionSummary summary{.measure = measure, .condition = condition};
   const auto& tasks = results.conditions[condition].tasks;
   std::set<std::size_t> seen;
   std::set<std::string> states;
@@ -34,26 +34,22 @@ bool isSeedless(const StudyResults& results, const ResultCondition& condition) {
   std::set<std::string> states;
   std::size_t done = 0;
   for (const std::size_t t : condition.tasks) {
-    if (t == noTask || results.tasks[t].status != "done") continue;
+    if (!results.isDone(t)) continue;
     ++done;
     states.insert(results.tasks[t].stateHash);
   }
   return results.seeds.size() > 1 && (!condition.usesSeed || (done > 1 && states.size() == 1));
 }
 
-template <class Get>
+/// The places of these words among the names; of none all places.
 std::vector<std::size_t> numbersOf(const std::string& option, const std::string& kind,
-                                   const std::vector<std::string>& words, std::size_t count, const Get& nameOf) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < count; ++i) names.push_back(nameOf(i));
+                                   const std::vector<std::string>& words, const std::vector<std::string>& names) {
   std::vector<std::size_t> numbers;
-  for (const std::string& word : words) {
+  for (const std::string& word : words.empty() ? names : words) {
     const auto name = nameAmong(option, kind, word, names);
     const auto number = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
   }
-  if (words.empty())
-    for (std::size_t i = 0; i < count; ++i) numbers.push_back(i);
   return numbers;
 }
 
@@ -62,13 +58,12 @@ std::vector<std::vector<std::optional<double>>> scaledMeans(const StudyCompariso
   std::vector<std::vector<std::optional<double>>> means(c.results.conditions.size(),
                                                         std::vector<std::optional<double>>(c.results.measures.size()));
   for (const std::size_t m : c.measures) {
-    double sum = 0, squares = 0, n = 0;
+    std::vector<double> values;
     for (const ConditionSummary& s : c.conditions)
-      if (s.measure == m)
-        for (const double v : s.values) sum += v, n += 1;
-    for (const ConditionSummary& s : c.conditions)
-      if (s.measure == m)
-        for (const double v : s.values) squares += (v - sum / n) * (v - sum / n);
+      if (s.measure == m) values.insert(values.end(), s.values.begin(), s.values.end());
+    double squares = 0;
+    const double n = double(values.size()), centre = values.empty() ? 0 : mean(values);
+    for (const double v : values) squares += (v - centre) * (v - centre);
     if (squares == 0) continue;
     for (const ConditionSummary& s : c.conditions)
       if (s.measure == m && !s.values.empty()) means[s.condition][m] = s.mean / std::sqrt(squares / n);
@@ -89,9 +84,10 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
   StudyComparison c;
   c.results = std::move(results);
   const StudyResults& r = c.results;
-  c.by = numbersOf("--by", "axis", options.by, r.axes.size(), [&](std::size_t i) { return r.axes[i].name; });
-  c.measures = numbersOf("--measure", "measure", options.measures, r.measures.size(),
-                         [&](std::size_t i) { return r.measures[i]; });
+  std::vector<std::string> axes;
+  for (const ResultAxis& axis : r.axes) axes.push_back(axis.name);
+  c.by = numbersOf("--by", "axis", options.by, axes);
+  c.measures = numbersOf("--measure", "measure", options.measures, r.measures);
   c.margins = parseMargins(options.margins, r.measures);
   for (std::size_t i = 0; i < r.conditions.size(); ++i)
     if (isSeedless(r, r.conditions[i])) c.seedless.push_back(i);

@@ -7,7 +7,6 @@
 #include "analysis/compare_tables.h"
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
-#include "files/text.h"
 
 namespace morula {
 namespace {
@@ -16,10 +15,14 @@ constexpr std::size_t mostTroubles = 20;  // that are told
 constexpr std::size_t mostTimes = 8;      // in a table of means over time
 
 template <class Row>
-std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
-  std::vector<Row> some;
-  std::ranges::copy_if(rows, std::back_inserter(some), [&](const Row& row) { return row.measure == measure; });
-  return some;
+std::vector<Row> ofMeasure(std::vector<Row> rows, std::size_t measure) {
+  std::erase_if(rows, [&](const Row& row) { return row.measure != measure; });
+  return rows;
+}
+
+std::vector<PairComparison> ofAxis(std::vector<PairComparison> pairs, std::size_t axis) {
+  std::erase_if(pairs, [&](const PairComparison& pair) { return pair.axis != axis; });
+  return pairs;
 }
 
 Document header(const StudyComparison& c) {
@@ -29,12 +32,13 @@ Document header(const StudyComparison& c) {
   text.say(fmt::format("{}: {} conditions, {}, {} of {} distinct runs done", r.name, r.conditions.size(),
                        counted(r.seeds.size(), "seed"), done, r.tasks.size()));
   if (!r.summary.empty()) text.say(r.summary);
-  PlainList told, seedless;
-  const auto troubles = troublesOf(r);
-  for (std::size_t i = 0; i < troubles.size() && i < mostTroubles; ++i) told.list.push_back(troubles[i]);
-  if (troubles.size() > mostTroubles)
-    told.list.push_back(fmt::format("… and {} more; --json lists them all", troubles.size() - mostTroubles));
-  if (!told.list.empty()) text.add(std::move(told));
+  auto troubles = troublesOf(r);
+  if (const std::size_t all = troubles.size(); all > mostTroubles) {
+    troubles.resize(mostTroubles);
+    troubles.push_back(fmt::format("… and {} more; --json lists them all", all - mostTroubles));
+  }
+  if (!troubles.empty()) text.add(PlainList{{troubles.begin(), troubles.end()}});
+  PlainList seedless;
   for (const std::size_t i : c.seedless) seedless.list.push_back(r.nameOf(r.conditions[i]));
   if (!seedless.list.empty())
     text.say("seeds change nothing in these: one run each, and no interval").add(std::move(seedless));
@@ -62,7 +66,7 @@ Json unfinished(const StudyResults& r) {
   for (const ResultCondition& condition : r.conditions)
     for (std::size_t s = 0; s < r.seeds.size(); ++s) {
       const std::size_t t = condition.tasks[s];
-      if (t == noTask || r.tasks[t].status == "done") continue;
+      if (t == noTask || r.isDone(t)) continue;
       list.push_back({{"labels", labelsOf(r, condition.levels)},
                       {"seed", r.seeds[s]},
                       {"task", r.tasks[t].id},
@@ -76,9 +80,8 @@ Json unfinished(const StudyResults& r) {
 
 Document describe(const StudyComparison& c) {
   Document text = header(c);
-  PlainList verdicts;
-  for (const std::string& line : verdictsOf(c)) verdicts.list.push_back(line);
-  if (!verdicts.list.empty()) text.heading("What the study finds").add(std::move(verdicts));
+  if (const auto verdicts = verdictsOf(c); !verdicts.empty())
+    text.heading("What the study finds").add(PlainList{{verdicts.begin(), verdicts.end()}});
   return text.add(comparedTables(c));
 }
 
@@ -93,19 +96,12 @@ Document comparedTables(const StudyComparison& c) {
     const std::string name = c.measureName(m), unit = unitOfMeasure(name);
     add(name + (unit.empty() ? "" : " [" + unit + "]"), conditionTable(c, conditions));
     const auto pairs = ofMeasure(c.pairs, m);
-    for (const std::size_t axis : c.by) {
-      std::vector<PairComparison> ofAxis;
-      std::ranges::copy_if(pairs, std::back_inserter(ofAxis), [&](const auto& p) { return p.axis == axis; });
-      add(name + " by " + c.results.axes[axis].name + ", seed by seed", pairTable(c, ofAxis));
-    }
+    const auto by = [&](std::size_t axis) { return name + " by " + c.results.axes[axis].name; };
+    for (const std::size_t axis : c.by) add(by(axis) + ", seed by seed", pairTable(c, ofAxis(pairs, axis)));
     for (const std::size_t axis : c.by)
-      if (const auto interaction = interactionOf(c, m, axis)) {
-        std::vector<PairComparison> ofAxis;
-        std::ranges::copy_if(c.split, std::back_inserter(ofAxis),
-                             [&](const auto& p) { return p.measure == m && p.axis == axis; });
-        add(name + " by " + c.results.axes[axis].name + " at each level of " + c.results.axes[interaction->other].name,
-            pairTable(c, ofAxis));
-      }
+      if (const auto interaction = interactionOf(c, m, axis))
+        add(by(axis) + " at each level of " + c.results.axes[interaction->other].name,
+            pairTable(c, ofAxis(ofMeasure(c.split, m), axis)));
     add(name + ": equivalence, two one-sided tests", equivalenceTable(c, pairs));
     for (const MeasureEffects& e : ofMeasure(c.effects, m)) {
       add(name + ": main effects and interactions", effectTable(c, e));

@@ -6,9 +6,7 @@ namespace morula {
 namespace {
 
 /// A cell of the design: all conditions with these levels of the axes that are compared.
-struct DesignCell {
-  std::vector<std::size_t> conditions;
-};
+using DesignCell = std::vector<std::size_t>;
 
 std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<std::size_t>& axes) {
   std::size_t count = 1;
@@ -17,7 +15,7 @@ std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<s
   for (std::size_t i = 0; i < results.conditions.size(); ++i) {
     std::size_t cell = 0;
     for (const std::size_t a : axes) cell = cell * results.axes[a].labels.size() + results.conditions[i].levels[a];
-    cells[cell].conditions.push_back(i);
+    cells[cell].push_back(i);
   }
   return cells;
 }
@@ -26,13 +24,13 @@ std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<s
 std::optional<double> valueOf(const StudyResults& results, std::size_t measure, const DesignCell& cell,
                               std::size_t seed) {
   double sum = 0;
-  for (const std::size_t i : cell.conditions) {
+  for (const std::size_t i : cell) {
     const auto value = results.end(measure, results.conditions[i].tasks[seed]);
     if (!value) return std::nullopt;
     sum += *value;
   }
-  if (cell.conditions.empty()) return std::nullopt;
-  return sum / static_cast<double>(cell.conditions.size());
+  if (cell.empty()) return std::nullopt;
+  return sum / static_cast<double>(cell.size());
 }
 
 std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t measure,
@@ -52,13 +50,7 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
     for (const auto& seed : bySeed) values.push_back(seed[cell]);
   std::vector<std::size_t> levels;
   for (const std::size_t a : axes) levels.push_back(r.axes[a].labels.size());
-  MeasureEffects effects{.measure = measure,
-                         .axes = axes,
-                         .means = {},
-                         .analysis = {},
-                         .corrected = {},
-                         .untested = {},
-                         .seeds = bySeed.size()};
+  MeasureEffects effects{.measure = measure, .axes = axes, .seeds = bySeed.size()};
   effects.analysis = analyseFactorial(levels, values);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
   if (bySeed.size() < 2) effects.untested = "one seed has values everywhere: nothing says how they vary";

@@ -59,7 +59,7 @@ void compareOverTime(StudyComparison& c) {
     for (std::size_t i = 0; i < r.conditions.size(); ++i) {
       const auto tasks = distinctTasks(r, m, r.conditions[i]);
       if (tasks.empty() || times.empty()) continue;
-      TimeCourse& course = c.courses.emplace_back(TimeCourse{.measure = m, .condition = i, .points = {}});
+      TimeCourse& course = c.courses.emplace_back(TimeCourse{.measure = m, .condition = i});
       for (const double time : times) {
         std::vector<double> values;
         for (const std::size_t t : tasks) values.push_back(valueAt(r.tasks[t].values[m], time));

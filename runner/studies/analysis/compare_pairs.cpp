@@ -125,16 +125,6 @@ void testEquivalences(StudyComparison& c) {
     if (p.equivalence) p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
 }
 
-}  // namespace
-
-std::optional<double> PairComparison::intervalRatio() const {
-  // Differences that are all the same say nothing of what pairs save.
-  if (!unpaired || !unpaired->interval || !paired.interval) return std::nullopt;
-  return paired.interval->width() / unpaired->interval->width();
-}
-
-namespace {
-
 /// Every two levels of an axis, with these of the others.
 void addPairs(const StudyComparison& c, std::size_t measure, std::size_t axis, const Fixed& at,
               std::vector<PairComparison>& pairs) {
@@ -158,6 +148,16 @@ void correctDifferences(const StudyComparison& c, std::vector<PairComparison>& p
 }
 
 }  // namespace
+
+bool PairComparison::isOfMean() const {
+  return std::ranges::none_of(at, [](const auto& level) { return level.has_value(); });
+}
+
+std::optional<double> PairComparison::intervalRatio() const {
+  // Differences that are all the same say nothing of what pairs save.
+  if (!unpaired || !unpaired->interval || !paired.interval) return std::nullopt;
+  return paired.interval->width() / unpaired->interval->width();
+}
 
 void comparePairs(StudyComparison& c, bool within) {
   for (const std::size_t m : c.measures)

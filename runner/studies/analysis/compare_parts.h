@@ -27,6 +27,8 @@ std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 
 /// By statistics, or because both sides are known exactly.
 bool isDifferent(const PairComparison& pair);
+/// " with connections: none" for the axes whose level is fixed; "" if none is.
+std::string withLevels(const StudyResults& results, const std::vector<std::optional<std::size_t>>& at);
 /// The sentence on a pair; where a margin was given, with what it says of equivalence.
 std::string pairInWords(const StudyComparison& comparison, const PairComparison& pair);
 

@@ -8,18 +8,13 @@
 namespace morula {
 namespace {
 
-Cell bound(const std::optional<Interval>& i, double Interval::*end) {
-  return number(i ? std::optional((*i).*end) : std::nullopt);
+Cell bound(const std::optional<Interval>& i, double Interval::*end, int digits = 4) {
+  return number(i ? std::optional((*i).*end) : std::nullopt, digits);
 }
 
 /// "0.42 to 0.44".
 Words rangeOf(const std::optional<Interval>& i) {
   return i ? numberText(i->low, 4) + " to " + numberText(i->high, 4) : std::string();
-}
-
-const char* name(Known known) {
-  constexpr const char* names[] = {"estimated", "exact", "one seed"};
-  return names[static_cast<int>(known)];
 }
 
 std::string fixedOf(const StudyComparison& c, const PairComparison& pair) {
@@ -110,7 +105,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"", "", "a − b"}, [&](const Row& p) { return axisOf(p).labels[p.a] + " − " + axisOf(p).labels[p.b]; }},
       {{"at", "", "of the others"}, [&](const Row& p) { return Cell(fixedJson(c, p), fixedOf(c, p)); }},
       {{"n", "n", "pairs"}, [](const Row& p) { return p.of.size(); }},
-      {{"known", "", ""}, [](const Row& p) { return name(p.known); }},
+      {{"known", "", ""}, [](const Row& p) { return nameOf(p.known); }},
       {{"same_runs", "", ""}, [](const Row& p) { return exact(p.sameRuns); }},
       {{"mean_a", "", ""}, [](const Row& p) { return number(p.meanA); }},
       {{"mean_b", "", ""}, [](const Row& p) { return number(p.meanB); }},
@@ -146,7 +141,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"", "margin", ""}, [](const Row& p) { return p.equivalence ? number(p.equivalence->test.margin) : exact({}); }},
       {{"", "p_equivalent_holm", ""},
        [](const Row& p) { return p.equivalence ? number(p.equivalence->corrected) : exact({}); }},
-      {{"", "equivalent", ""}, [](const Row& p) { return p.equivalence ? name(p.equivalence->verdict) : exact({}); }},
+      {{"", "equivalent", ""}, [](const Row& p) { return p.equivalence ? nameOf(p.equivalence->verdict) : exact({}); }},
   };
   if (!c.margins.empty())
     fields.push_back({{"equivalence", "", ""}, [&](const Row& p) {
@@ -174,7 +169,7 @@ Table equivalenceTable(const StudyComparison& c, const std::vector<PairCompariso
       {{"p_holm", "", "Holm"}, [](const Row& p) { return number(p.equivalence->corrected, 2); }},
       {{"p_beyond", "", ""}, [](const Row& p) { return number(p.equivalence->test.pBeyond); }},
       {{"p_beyond_holm", "", ""}, [](const Row& p) { return number(p.equivalence->correctedBeyond); }},
-      {{"verdict", "", "verdict"}, [](const Row& p) { return name(p.equivalence->verdict); }},
+      {{"verdict", "", "verdict"}, [](const Row& p) { return nameOf(p.equivalence->verdict); }},
   };
   return tableOf("Equivalence", fields, tested);
 }
@@ -196,14 +191,8 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
       {{"", "by", ""}, [=](const Row& e) { return join(axesOf(e), " x "); }},
       {{"eta_squared", "value", "η²"}, [](const Row& e) { return number(e.share, 3); }},
       {{"partial_eta_squared", "", "partial"}, [](const Row& e) { return number(e.partial, 3); }},
-      {{"partial_low", "", "95 %"},
-       [](const Row& e) {
-         return number(e.partialInterval ? std::optional(e.partialInterval->low) : std::nullopt, 2);
-       }},
-      {{"partial_high", "", "interval"},
-       [](const Row& e) {
-         return number(e.partialInterval ? std::optional(e.partialInterval->high) : std::nullopt, 2);
-       }},
+      {{"partial_low", "", "95 %"}, [](const Row& e) { return bound(e.partialInterval, &Interval::low, 2); }},
+      {{"partial_high", "", "interval"}, [](const Row& e) { return bound(e.partialInterval, &Interval::high, 2); }},
       {{"f", "effect", "F"}, [](const Row& e) { return number(e.f, 3); }},
       {{"df", "", "df"},
        [](const Row& e) {

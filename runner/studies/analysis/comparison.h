@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/comparison.h"
 #include "analysis/margins.h"
 #include "analysis/study_results.h"
 #include "document/document.h"
@@ -15,29 +14,33 @@
 
 namespace morula {
 
+struct SmallMultiples;
+
 struct CompareOptions {
-  std::vector<std::string> by;        // axes whose levels are held against each other; none: all axes
-  std::vector<std::string> measures;  // none: all
-  std::vector<std::string> margins;   // as parseMargins takes them; none: equivalence is not tested
+  std::vector<std::string> by = {};        // axes whose levels are held against each other; none: all axes
+  std::vector<std::string> measures = {};  // none: all
+  std::vector<std::string> margins = {};   // as parseMargins takes them; none: equivalence is not tested
   bool within = false;  // hold levels against each other also at each level of the other axes, not only in their mean
 };
 
 /// One measure under one condition, at the end of the runs.
 struct ConditionSummary {
   std::size_t measure = 0, condition = 0;
-  std::vector<std::uint64_t> seeds;  // those with a value
-  std::vector<double> values;        // one for each of them
-  std::size_t distinct = 0;          // final states that differ
-  double mean = 0;                   // of the distinct runs: what was computed once counts once. 0 without values
-  std::optional<Interval> interval;  // of the mean, 95 %, Student's; none where seeds change nothing, or of one value
+  std::vector<std::uint64_t> seeds = {};  // those with a value
+  std::vector<double> values = {};        // one for each of them
+  std::size_t distinct = 0;               // final states that differ
+  double mean = 0;                        // of the distinct runs: what was computed once counts once. 0 without values
+  /// Of the mean, 95 %, Student's; none where seeds change nothing, or of one value.
+  std::optional<Interval> interval = {};
 };
 
 /// What is known of a difference.
-enum class Known {
-  estimated,  // two pairs or more: with an interval
-  exact,      // seeds change neither side: the difference is what it is
-  oneSeed,    // one pair of runs alone: nothing says how far it would vary
-};
+enum class Known { estimated, exact, oneSeed };
+template <>
+inline constexpr auto choices<Known> = std::to_array<Choice<Known>>(
+    {{Known::estimated, "estimated", "two pairs or more: with an interval"},
+     {Known::exact, "exact", "seeds change neither side: the difference is what it is"},
+     {Known::oneSeed, "one seed", "one pair of runs alone: nothing says how far it would vary"}});
 
 /// Whether two conditions are alike within a margin.
 struct PairEquivalence {
@@ -63,6 +66,7 @@ struct PairComparison {
   std::optional<double> corrected;  // p of `paired`, by Holm over all pairs that are tested; absent where none is
   std::optional<PairEquivalence> equivalence;
 
+  bool isOfMean() const;  // over all other axes: none is fixed
   bool isShown() const { return known == Known::estimated && corrected.value_or(1) < 0.05; }
   /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
   std::optional<double> intervalRatio() const;
@@ -71,11 +75,11 @@ struct PairComparison {
 /// Main effects and interactions of the axes that are compared, in the mean over the others; seeds are blocks.
 struct MeasureEffects {
   std::size_t measure = 0;
-  std::vector<std::size_t> axes;           // with two levels or more; factors count in these
-  std::vector<std::vector<double>> means;  // [axis of these][level]
-  FactorialAnalysis analysis;
-  std::vector<std::optional<double>> corrected{};  // [effect] its p by Holm over all effects of all measures
-  std::string untested;                            // why there is no F test; "": there is one
+  std::vector<std::size_t> axes = {};           // with two levels or more; factors count in these
+  std::vector<std::vector<double>> means = {};  // [axis of these][level]
+  FactorialAnalysis analysis = {};
+  std::vector<std::optional<double>> corrected = {};  // [effect] its p by Holm over all effects of all measures
+  std::string untested = {};                          // why there is no F test; "": there is one
   std::size_t seeds = 0;
 };
 
@@ -88,7 +92,7 @@ struct TimeCourse {
     double mean = 0;
     std::optional<Interval> interval;  // as ConditionSummary
   };
-  std::vector<Point> points;
+  std::vector<Point> points = {};
 };
 
 struct StudyComparison {
@@ -125,6 +129,17 @@ Json toJson(const StudyComparison& comparison);
 /// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
 /// says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
+
+/// A panel a measure: all values of each condition, their mean and its interval; then, where there are time courses, a panel a
+/// measure of the means over time. The first axis that is compared is told by colour and shape, the others by words.
+SmallMultiples stripsOf(const StudyComparison& comparison);
+
+/// Replaces the lines `statistic` of the scenario's golden: of each measure the difference of the first level of the axis that is
+/// compared, the scenario's own settings, from each other level. `study`: the merged database. Throws UsageError unless
+/// exactly one axis is compared, InputError where the study is of another scenario, the golden is not of this very scenario
+/// or may not be written, FileError if it cannot be.
+void writeIntoGolden(const StudyComparison& comparison, const std::filesystem::path& study,
+                     const std::filesystem::path& scenario);
 
 /// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest from all
 /// before it [Gonzalez 1985]. Far: the root of the sum of squared differences over the measures, each in standard deviations

@@ -25,26 +25,15 @@ namespace {
 
 constexpr double rounding = 1e-9;  // [1] the last step may end a rounding before the planned end
 
-bool isDone(const StudyResults& results, const ResultCondition& condition, std::size_t seed) {
-  const std::size_t task = condition.tasks[seed];
-  return task != noTask && results.tasks[task].status == "done";
-}
-
 /// The first seed that the most conditions have a finished run with.
 std::size_t commonSeed(const StudyResults& results) {
   std::size_t best = 0, most = 0;
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
-    const auto done = static_cast<std::size_t>(std::count_if(results.conditions.begin(), results.conditions.end(),
-                                                             [&](const auto& c) { return isDone(results, c, s); }));
+    const auto done = static_cast<std::size_t>(
+        std::ranges::count_if(results.conditions, [&](const auto& c) { return results.isDone(c.tasks[s]); }));
     if (done > most) best = s, most = done;
   }
   return best;
-}
-
-/// The end of the run as it is stored. [time]
-double endOf(const std::filesystem::path& study, const ResultTask& task) {
-  Store store = Store::openForReading(study);
-  return store.find(task.runId).time;
 }
 
 /// A tile, and what the colours of its cells are found from.
@@ -53,46 +42,27 @@ struct TakenTile {
   std::vector<std::optional<double>> values = {};
 };
 
-/// Takes pictures of a run at the moments that it reaches, in their order.
-class MomentTaker {
- public:
-  MomentTaker(const Scenario& scenario, const std::vector<double>& times, const std::vector<std::size_t>& cells,
-              const Colouring& colouring)
-      : scenario_(scenario), times_(times), cells_(cells), colouring_(colouring) {}
-
-  void observe(const World& world) {
-    while (tiles.size() < times_.size() + cells_.size() && isReached(world)) add(world);
-  }
-  void add(const World& world) {
-    const std::size_t cells = world.cells.path.size();
-    tiles.push_back({{pictureOf(world, scenario_), false,
-                      counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))},
-                     colourValues(world, colouring_, scenario_)});
-  }
-
-  std::vector<TakenTile> tiles;
-
- private:
-  bool isReached(const World& world) const {
-    if (!cells_.empty()) return world.cells.path.size() >= cells_[tiles.size()];
-    return world.clock.time >= times_[tiles.size()] * (1 - rounding);
-  }
-
-  const Scenario& scenario_;
-  const std::vector<double>& times_;
-  const std::vector<std::size_t>& cells_;
-  const Colouring& colouring_;
-};
-
-/// A tile for each moment; without any, one of the end.
+/// A tile for each moment that the run reaches, in their order, and for the others; without any, one of the end.
 std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario, const std::filesystem::path& study,
                                const std::vector<double>& times, const GridMoments& moments, bool quiet) {
   const std::vector<std::size_t>& cells = moments.cells;
   if (!scenario.scene.mechanics)
     throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
-  MomentTaker taker(scenario, times, cells, moments.colouring);
-  const auto run =
-      simulate(scenario, Execution{}, {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
+  std::vector<TakenTile> tiles;
+  const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
+  const auto take = [&](const World& world, const std::string& words) {
+    tiles.push_back({{pictureOf(world, scenario), false, words}, colourValues(world, moments.colouring, scenario)});
+  };
+  const auto isReached = [&](const World& world) {
+    if (!cells.empty()) return world.cells.path.size() >= cells[tiles.size()];
+    return !times.empty() && world.clock.time >= times[tiles.size()] * (1 - rounding);
+  };
+  const auto watch = [&](const World& world) {
+    while (tiles.size() < wanted && isReached(world))
+      take(world,
+           counted(world.cells.path.size(), "cell") + (cells.empty() ? "" : ", time " + numberText(world.clock.time)));
+  };
+  const auto run = simulate(scenario, Execution{}, {.quiet = quiet, .watch = watch});
   if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
@@ -101,14 +71,10 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
                                   " when the study was made, and now comes to " + hash +
                                   "; was it made by another build?",
                               task.runId, task.stateHash, hash);
-  const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
   const std::string time = numberText(run.end.time);
-  if (taker.tiles.size() < wanted) {
-    taker.add(run.world);
-    taker.tiles.back().tile.words = counted(run.end.cells, "cell") + " at the end, time " + time;
-  }
-  while (taker.tiles.size() < wanted) taker.tiles.push_back({{{}, true, "ended at time " + time}});
-  return taker.tiles;
+  if (tiles.size() < wanted) take(run.world, counted(run.end.cells, "cell") + " at the end, time " + time);
+  while (tiles.size() < wanted) tiles.push_back({{{}, true, "ended at time " + time}});
+  return tiles;
 }
 
 /// Colours them alike, and says once what colours mean; cells are called as in this scenario.
@@ -188,9 +154,9 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments) 
 std::optional<StoredPictures> storedPictures(const StudyResults& results, const std::filesystem::path& study) {
   const StudyFolder folder(study.parent_path());
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
-    StoredPictures stored{.seed = s, .files = {}};
+    StoredPictures stored{.seed = s};
     for (const ResultCondition& condition : results.conditions)
-      if (isDone(results, condition, s))
+      if (results.isDone(condition.tasks[s]))
         if (auto file = folder.storedPicture(results.tasks[condition.tasks[s]].id))
           stored.files.push_back(*std::move(file));
     if (stored.files.size() == results.conditions.size()) return stored;
@@ -211,9 +177,11 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
   OrganismGrid grid;
   std::vector<double> times = moments.times;
   if (times.empty() && moments.cells.empty() && !ends) {
+    Store store = Store::openForReading(study);
     double end = 0;
     for (const ResultCondition& condition : results.conditions)
-      if (isDone(results, condition, seed)) end = std::max(end, endOf(study, results.tasks[condition.tasks[seed]]));
+      if (const std::size_t task = condition.tasks[seed]; results.isDone(task))
+        end = std::max(end, store.find(results.tasks[task].runId).time);
     for (std::size_t i = 0; i < columns; ++i)
       times.push_back(end * static_cast<double>(i) / static_cast<double>(columns - 1));
   }
@@ -232,7 +200,7 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
     std::vector<TakenTile> tiles(spread ? 1 : columns, TakenTile{{{}, true, "no finished run"}});
     if (stored) {
       tiles = {TakenTile{{{}, false, "", readPng(readFile(stored->files[k]), stored->files[k].string())}}};
-    } else if (task != noTask && results.tasks[task].status == "done") {
+    } else if (results.isDone(task)) {
       if (!known.contains(task)) {
         const Scenario scenario = storedScenario(study.string(), results.tasks[task].runId);
         known[task] = tilesOf(results.tasks[task], scenario, study, times, moments, quiet);

@@ -35,8 +35,8 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments);
 
 struct StoredPictures {
   std::size_t seed = 0;  // its number in the study
-  std::vector<std::filesystem::path>
-      files;  // of the ends of the conditions, in their order; those that share a run share one
+  /// Of the ends of the conditions, in their order; those that share a run share one.
+  std::vector<std::filesystem::path> files = {};
 };
 /// With the first seed that all conditions have a picture of; absent without any such.
 std::optional<StoredPictures> storedPictures(const StudyResults& results, const std::filesystem::path& study);

@@ -1,12 +1,11 @@
-#include "analysis/picture.h"
-
-#include <fmt/format.h>
-
+// A study's answer as a picture.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "analysis/comparison.h"
 #include "analysis/measure_words.h"
+#include "charts/small_multiples.h"
 #include "drawing/palette.h"
 #include "files/text.h"
 
@@ -36,7 +35,8 @@ std::string labelOf(const StudyComparison& c, std::size_t condition) {
 }
 
 Panel stripsOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{.title = titleOfMeasure(c.measureName(measure)), .strips = {}, .lines = {}, .counts = true};
+  Panel panel{titleOfMeasure(c.measureName(measure)), {}, {}};
+  panel.counts = true;
   std::map<std::string, std::vector<Strip>> byLabel;
   std::vector<std::string> order;  // of labels
   for (const ConditionSummary& s : c.conditions) {
@@ -55,8 +55,7 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure) {
 }
 
 Panel coursesOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{
-      .title = titleOfMeasure(c.measureName(measure)) + " over time", .strips = {}, .lines = {}, .xLabel = "time"};
+  Panel panel{titleOfMeasure(c.measureName(measure)) + " over time", {}, {}, "time"};
   for (const TimeCourse& course : c.courses) {
     if (course.measure != measure) continue;
     PanelLine line{seriesColour(colourLevel(c, course.condition)), {}};

@@ -8,16 +8,9 @@
 #include "database/store_error.h"
 #include "files/text.h"
 #include "store/schema.h"
-#include "system/json.h"
 
 namespace morula {
 namespace {
-
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
-}
 
 [[noreturn]] void damaged(Database& db, const std::string& what) {
   throw StoreError(db.file().string() + ": " + what + "; the file is damaged: make it again with morula study merge");
@@ -36,7 +29,7 @@ void readAxes(Database& db, StudyResults& results) {
 /// Returns the number of each condition by its id.
 std::map<std::int64_t, std::size_t> readConditions(Database& db, StudyResults& results) {
   std::string columns = "condition_id, uses_seed";
-  for (const ResultAxis& axis : results.axes) columns += ", " + quoted(axis.name);
+  for (const ResultAxis& axis : results.axes) columns += ", " + sqlName(axis.name);
   std::map<std::int64_t, std::size_t> numbers;
   Statement rows(db, "SELECT " + columns + " FROM condition ORDER BY condition_id");
   for (rows.start(); rows.next();) {
@@ -122,6 +115,8 @@ void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, S
 
 }  // namespace
 
+bool StudyResults::isDone(std::size_t task) const { return task != noTask && tasks[task].status == "done"; }
+
 std::optional<double> StudyResults::end(std::size_t measure, std::size_t task) const {
   if (task == noTask || tasks[task].values[measure].empty()) return std::nullopt;
   return tasks[task].values[measure].back().value;
@@ -154,6 +149,15 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
   for (auto& [tasks, names] : byTasks)
     if (names.size() > 1) same.push_back(std::move(names));
   return same;
+}
+
+void readStoredPlan(const std::filesystem::path& file, const std::function<void(const Json&)>& read) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(5));
+  Statement rows(db, "SELECT plan FROM study");
+  try {
+    if (rows.start().next()) return read(parseJson(rows.text(0)));
+  } catch (const Json::exception&) {}
+  damaged(db, "its plan cannot be read");
 }
 
 StudyResults readStudyResults(const std::filesystem::path& file) {

@@ -2,10 +2,13 @@
 // What a merged study has found, as a comparison needs it: for each condition, seed and measure the values over time.
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "system/json.h"
 
 namespace morula {
 
@@ -43,6 +46,7 @@ struct StudyResults {
   std::vector<ResultTask> tasks;      // in the order of the plan
   std::vector<ResultCondition> conditions;
 
+  bool isDone(std::size_t task) const;
   /// The value at the end of a run. Absent unless the run is done and had something to measure.
   std::optional<double> end(std::size_t measure, std::size_t task) const;
   /// "longest, none"; "the scenario as it is" without axes.
@@ -61,5 +65,8 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
 
 /// Throws StoreError (exit 6) if the file is none that `morula study merge` has made.
 StudyResults readStudyResults(const std::filesystem::path& file);
+
+/// Hands on the plan that a merged study holds. Throws StoreError if it cannot be read, or where `read` finds it to be none.
+void readStoredPlan(const std::filesystem::path& file, const std::function<void(const Json& plan)>& read);
 
 }  // namespace morula

@@ -62,13 +62,7 @@ struct Verdicts {
   std::vector<std::string> known, open;
 };
 
-/// " with connections: none" for the axes whose level is fixed; "" if none is.
-std::string place(const StudyComparison& c, const PairComparison& pair) {
-  std::vector<std::string> fixed;
-  for (std::size_t a = 0; a < pair.at.size(); ++a)
-    if (pair.at[a]) fixed.push_back(c.results.axes[a].name + ": " + c.results.axes[a].labels[*pair.at[a]]);
-  return fixed.empty() ? "" : " with " + join(fixed);
-}
+std::string place(const StudyComparison& c, const PairComparison& pair) { return withLevels(c.results, pair.at); }
 
 const std::string& label(const StudyComparison& c, const PairComparison& pair, std::size_t level) {
   return c.results.axes[pair.axis].labels[level];
@@ -128,7 +122,7 @@ std::string equivalenceText(const PairComparison& pair) {
   const auto& same = *pair.equivalence;
   const double p = same.verdict == Equivalent::no ? same.correctedBeyond : same.corrected;
   const bool isSmall = same.verdict == Equivalent::yes && isDifferent(pair);
-  return fmt::format("; {}{} within ±{}{}{}", isSmall ? "small as it is, " : "", name(same.verdict),
+  return fmt::format("; {}{} within ±{}{}{}", isSmall ? "small as it is, " : "", nameOf(same.verdict),
                      numberText(same.test.margin, 3), intervalText("90 %", same.test.interval),
                      pair.known == Known::estimated ? ", " + pText(p) + " after Holm" : "");
 }
@@ -147,12 +141,11 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   }
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
-    const bool isFixed = std::ranges::any_of(pair.at, [](const auto& level) { return level.has_value(); });
     // If the effect depends on another axis, axisVerdicts states it at each level of that axis; its mean is left out
     // here.
-    if (!pair.equivalence && (isSilent || (!isFixed && interactionOf(c, measure, pair.axis)))) continue;
+    if (!pair.equivalence && (isSilent || (pair.isOfMean() && interactionOf(c, measure, pair.axis)))) continue;
     auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
-    part.push_back(pairVerdict(c, pair) + equivalenceText(pair));
+    part.push_back(pairInWords(c, pair));
   }
 }
 
@@ -227,9 +220,7 @@ std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effect
     means.push_back(of.labels[l] + " " + numberText(effects.means[axis][l], 3));
   std::vector<const PairComparison*> pairs;
   for (const PairComparison& p : c.pairs)
-    if (p.measure == effects.measure && p.axis == effects.axes[axis] &&
-        std::ranges::none_of(p.at, [](const auto& level) { return level.has_value(); }))
-      pairs.push_back(&p);
+    if (p.measure == effects.measure && p.axis == effects.axes[axis] && p.isOfMean()) pairs.push_back(&p);
   std::string which = levelsThatDiffer(c, pairs);
   if (which.empty()) which = join(means) + (pairs.size() > 1 ? ": no two of them are shown to differ" : "");
   return fmt::format("{}: decides on {} ({}): {}", of.name, c.measureName(effects.measure), effectText(effects, axis),
@@ -314,6 +305,13 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 
 bool isDifferent(const PairComparison& p) {
   return p.isShown() || (p.known == Known::exact && p.paired.difference != 0);
+}
+
+std::string withLevels(const StudyResults& results, const std::vector<std::optional<std::size_t>>& at) {
+  std::vector<std::string> fixed;
+  for (std::size_t a = 0; a < at.size(); ++a)
+    if (at[a]) fixed.push_back(results.axes[a].name + ": " + results.axes[a].labels[*at[a]]);
+  return fixed.empty() ? "" : " with " + join(fixed);
 }
 
 std::string pairInWords(const StudyComparison& c, const PairComparison& pair) {

@@ -9,11 +9,6 @@
 
 namespace morula {
 
-const char* name(Equivalent e) {
-  constexpr const char* names[] = {"equivalent", "different", "not decided"};
-  return names[static_cast<int>(e)];
-}
-
 Equivalence testEquivalence(const MeanDifference& d, double margin) {
   MORULA_CHECK(margin > 0, "a margin is above 0");
   Equivalence e{.margin = margin, .interval = intervalOf(d, 0.9)};

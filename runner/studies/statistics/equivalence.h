@@ -4,13 +4,17 @@
 #include <span>
 #include <vector>
 
+#include "base/choice.h"
 #include "statistics/means.h"
 
 namespace morula {
 
 enum class Equivalent { yes, no, undecided };
-/// "equivalent", "different", "not decided".
-const char* name(Equivalent e);
+template <>
+inline constexpr auto choices<Equivalent> =
+    std::to_array<Choice<Equivalent>>({{Equivalent::yes, "equivalent", "alike within the margin"},
+                                       {Equivalent::no, "different", "apart by more than the margin"},
+                                       {Equivalent::undecided, "not decided", "neither is shown"}});
 
 /// With a margin > 0. The means are equivalent if both one-sided tests at 5 % say so, which is if the 90 % interval of their
 /// difference lies within ±margin; and different if their difference is larger than the margin at 5 %: with a margin far

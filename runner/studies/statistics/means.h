@@ -58,8 +58,6 @@ double hedgesFactor(double df);
 struct Signs {
   std::size_t higher = 0, lower = 0, same = 0;
   std::size_t pairs() const { return higher + lower + same; }
-  /// All differ, and in one direction.
-  bool agree() const { return pairs() > 0 && same == 0 && (higher == 0 || lower == 0); }
 };
 Signs signsOf(std::span<const double> a, std::span<const double> b);
 

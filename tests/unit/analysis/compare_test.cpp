@@ -1,6 +1,5 @@
 // Comparisons of studies whose values are known.
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/comparison.h"
 #include "base/random.h"
@@ -39,8 +38,8 @@ MadeStudy policies() {
   study.values = [](const std::vector<int>& levels, int seed) {
     const double z = noise(seed, 11), own = noise(seed, std::uint64_t(20 + levels[1]));
     const bool random = levels[0] == 1;
-    return std::map<std::string, double>{{"clone_radius", random ? 1 / 0.955 * (1 + 0.005 * z + 0.001 * own) : 1},
-                                         {"sister_contact", random && seed == 3 ? 0.994 : 1}};
+    return Values{{"clone_radius", random ? 1 / 0.955 * (1 + 0.005 * z + 0.001 * own) : 1},
+                  {"sister_contact", random && seed == 3 ? 0.994 : 1}};
   };
   return study;
 }
@@ -51,24 +50,41 @@ const PairComparison& pairOf(const StudyComparison& c, const std::string& measur
   throw std::runtime_error("no such pair");
 }
 
+void checkCorrectedByHolm(const std::vector<PairComparison>& pairs) {
+  std::vector<double> p;
+  for (const PairComparison& pair : pairs) p.push_back(pair.paired.p);
+  const auto corrected = correctHolm(p);
+  for (std::size_t i = 0; i < p.size(); ++i) CHECK(pairs[i].corrected == corrected[i]);
+}
+
 bool says(const std::vector<std::string>& lines, const std::string& sentence) {
   return std::ranges::find(lines, sentence) != lines.end();
+}
+
+/// A sentence that begins and ends so, with this part between.
+bool says(const std::vector<std::string>& lines, const std::string& begin, const std::string& part,
+          const std::string& end = "") {
+  return std::ranges::any_of(lines, [&](const std::string& line) {
+    return line.starts_with(begin) && line.find(part) != line.npos && line.ends_with(end);
+  });
+}
+
+/// The sentences of a comparison, which a check that fails shows.
+std::vector<std::string> shownVerdicts(const StudyComparison& c) {
+  auto verdicts = verdictsOf(c);
+  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  return verdicts;
 }
 
 }  // namespace
 
 TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   const auto c = compared(policies());
-  const auto verdicts = verdictsOf(c);
-  for (const auto& line : verdicts) UNSCOPED_INFO(line);
-  CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
-    return line.starts_with("clone_radius: 4.5 % tighter under longest (") &&
-           line.find("), every one of 10 pairs: difference -0.") != line.npos && line.ends_with(" after Holm");
-  }));
+  const auto verdicts = shownVerdicts(c);
+  CHECK(says(verdicts, "clone_radius: 4.5 % tighter under longest (", "), every one of 10 pairs: difference -0.",
+             " after Holm"));
   CHECK(says(verdicts, "sister_contact is 0.994 to 1 everywhere: it tells nothing"));
-  CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
-    return line.starts_with("clone_radius: no difference is shown between none (") && line.ends_with(", n = 10");
-  }));
+  CHECK(says(verdicts, "clone_radius: no difference is shown between none (", "", ", n = 10"));
   CHECK(verdicts[0].starts_with("division: decides on clone_radius (η² "));  // the axes come first
   CHECK(
       verdicts[1].starts_with("connections: no effect is shown on clone_radius (η² "));  // sister_contact tells nothing
@@ -81,7 +97,7 @@ TEST_CASE("Conditions that differ most come first, and those without values last
   MadeStudy study;
   study.axes = {{"where", {"middle", "low", "nothing", "near low", "high"}}};
   study.seeds = 3;
-  study.values = [](const std::vector<int>& levels, int seed) -> std::map<std::string, double> {
+  study.values = [](const std::vector<int>& levels, int seed) -> Values {
     const double places[] = {5, 0, 0, 0.5, 9.8};  // the two farthest apart: low and high
     if (levels[0] == 2) return {};
     return {{"neighbours", places[levels[0]] + 0.01 * seed}, {"sphericity", 1}};
@@ -124,22 +140,17 @@ TEST_CASE("Pairs are of one seed, in the mean over the other axes, and the same 
   CHECK(pair.paired.p == Approx(comparePaired(none, both).p));
   CHECK(pair.unpaired->interval->low == Approx(compareUnpaired(none, both).interval->low));
   CHECK(*pair.intervalRatio() < 0.5);  // seeds share most of what varies
-  std::vector<double> p;
-  for (const PairComparison& any : c.pairs) p.push_back(any.paired.p);
-  const auto corrected = correctHolm(p);
-  for (std::size_t i = 0; i < p.size(); ++i) CHECK(c.pairs[i].corrected == corrected[i]);
-  CHECK(p.size() == 4);
+  checkCorrectedByHolm(c.pairs);
+  CHECK(c.pairs.size() == 4);
 }
 
 TEST_CASE("Within: the levels are compared at each level of the other axis, too") {
-  const auto c = compared(policies(), {.by = {}, .measures = {"clone-radius"}, .margins = {}, .within = true});
+  const auto c = compared(policies(), {.measures = {"clone-radius"}, .within = true});
   CHECK(c.pairs.size() == 6);
   CHECK(c.pairs[1].at[1] == 0);
-  CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
-    return line.starts_with("clone_radius: 4.5 % tighter under longest (") &&
-           line.find(" with connections: none, every one of 10 pairs: ") != line.npos;
-  }));
-  const auto one = compared(policies(), {.by = {"division"}, .measures = {}, .margins = {}, .within = true});
+  CHECK(says(verdictsOf(c), "clone_radius: 4.5 % tighter under longest (",
+             " with connections: none, every one of 10 pairs: "));
+  const auto one = compared(policies(), {.by = {"division"}, .within = true});
   CHECK(one.pairs.size() == 2);  // the mean over connections alone: they are not among the axes compared
 }
 
@@ -169,10 +180,7 @@ TEST_CASE("What seeds change on neither side is exact, and is no test") {
   const auto& pair = pairOf(c, "clone_radius", "division");
   CHECK(pair.known == Known::exact);
   CHECK(pair.of.size() == 1);
-  CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
-    return line.starts_with("clone_radius: ") && line.find(" tighter under longest (") != line.npos &&
-           line.ends_with("), exactly: seeds change neither");
-  }));
+  CHECK(says(verdictsOf(c), "clone_radius: ", " tighter under longest (", "), exactly: seeds change neither"));
   const Json json = toJson(c);
   CHECK(json["pairs"][0]["p"].is_null());
   CHECK(json["pairs"][0]["low"].is_null());
@@ -201,9 +209,8 @@ TEST_CASE("Main effects and interaction are those of the design") {
   MadeStudy study;
   study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y"}}};
   study.values = [](const std::vector<int>& l, int seed) {
-    return std::map<std::string, double>{{"volume", 10 + l[0] + 2 * l[1] + (l[0] == 2 && l[1] == 1 ? 1.5 : 0) +
-                                                        noise(seed, 5) +
-                                                        0.1 * noise(seed, std::uint64_t(30 + 2 * l[0] + l[1]))}};
+    return Values{{"volume", 10 + l[0] + 2 * l[1] + (l[0] == 2 && l[1] == 1 ? 1.5 : 0) + noise(seed, 5) +
+                                 0.1 * noise(seed, std::uint64_t(30 + 2 * l[0] + l[1]))}};
   };
   const auto c = compared(study);
   REQUIRE(c.effects.size() == 1);
@@ -212,8 +219,7 @@ TEST_CASE("Main effects and interaction are those of the design") {
   CHECK(effects.means[0][2] - effects.means[0][0] == Approx(2.75).margin(0.2));
   REQUIRE(effects.analysis.effects.size() == 3);
   for (const FactorEffect& e : effects.analysis.effects) CHECK(*e.p < 1e-6);
-  const auto verdicts = verdictsOf(c);
-  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  const auto verdicts = shownVerdicts(c);
   CHECK(verdicts[0].starts_with("a: what it does to volume depends on b (interaction, η² "));
   CHECK_THAT(verdicts[0], ContainsSubstring("partial η² ") && ContainsSubstring(": with b x: 1 ") &&
                               ContainsSubstring(": every two differ; with b y: 1 "));
@@ -221,10 +227,7 @@ TEST_CASE("Main effects and interaction are those of the design") {
   // Nothing is said of the mean over an axis that it depends on, and every pair of levels stands at each level of the other.
   for (const auto& line : verdicts) CHECK(!line.starts_with("volume: "));
   CHECK(c.split.size() == 2 * 3 + 3);
-  std::vector<double> p;
-  for (const PairComparison& pair : c.split) p.push_back(pair.paired.p);
-  const auto corrected = correctHolm(p);
-  for (std::size_t i = 0; i < p.size(); ++i) CHECK(c.split[i].corrected == corrected[i]);
+  checkCorrectedByHolm(c.split);
   CHECK_THAT(textOf(describe(c)), ContainsSubstring("volume by a at each level of b"));
   CHECK(toJson(c)["split"].size() == 9);
 }
@@ -233,11 +236,10 @@ TEST_CASE("Where what one axis does depends on another, levels with no differenc
   MadeStudy study;
   study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y", "z"}}};
   study.values = [](const std::vector<int>& l, int seed) {
-    return std::map<std::string, double>{{"volume", 10 + (l[1] == 1 && l[0] == 2 ? 3 : 0) + noise(seed, 5) +
-                                                        0.1 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]))}};
+    return Values{{"volume", 10 + (l[1] == 1 && l[0] == 2 ? 3 : 0) + noise(seed, 5) +
+                                 0.1 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]))}};
   };
-  const auto verdicts = verdictsOf(compared(study));
-  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  const auto verdicts = shownVerdicts(compared(study));
   CHECK_THAT(verdicts[0], ContainsSubstring(": with b y: 1 ") &&
                               ContainsSubstring(": 1 and 3, 2 and 3 differ; with b x, z: "
                                                 "no difference is shown (95 % intervals within ±0."));
@@ -252,10 +254,9 @@ TEST_CASE(
   study.cells = [](const std::vector<int>& l) { return 60 + l[0]; };
   study.values = [](const std::vector<int>& l, int seed) {
     const double z = noise(seed, 5) + 0.3 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]));
-    return std::map<std::string, double>{{"clone_radius", 10 + (l[0] == 2 ? 1 : 0) + z}, {"clone_spread", 1 + 0.1 * z}};
+    return Values{{"clone_radius", 10 + (l[0] == 2 ? 1 : 0) + z}, {"clone_spread", 1 + 0.1 * z}};
   };
-  const auto verdicts = verdictsOf(compared(study));
-  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  const auto verdicts = shownVerdicts(compared(study));
   const auto line = [&](const std::string& begin) {
     const auto at = std::ranges::find_if(verdicts, [&](const auto& v) { return v.starts_with(begin); });
     return at == verdicts.end() ? std::string() : *at;
@@ -274,7 +275,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A difference that is shown and within the margin is one sentence") {
-  const auto c = compared(policies(), {.by = {}, .measures = {}, .margins = {"0.1"}});
+  const auto c = compared(policies(), {.margins = {"0.1"}});
   int sentences = 0;
   for (const auto& line : verdictsOf(c)) {
     if (!line.starts_with("clone_radius: ")) continue;
@@ -289,9 +290,9 @@ TEST_CASE("A difference that is shown and within the margin is one sentence") {
 
 TEST_CASE("Equivalent, different or not decided, by margins of a number, a share of the mean or a measure") {
   const auto verdictWith = [](const std::string& margin) {
-    const auto c = compared(policies(), {.by = {}, .measures = {}, .margins = {margin}});
+    const auto c = compared(policies(), {.margins = {margin}});
     const auto& pair = pairOf(c, "clone_radius", "division");
-    return pair.equivalence ? std::string(name(pair.equivalence->verdict)) : "none";
+    return pair.equivalence ? std::string(nameOf(pair.equivalence->verdict)) : "none";
   };
   CHECK(verdictWith("0.1") == "equivalent");
   CHECK(verdictWith("10%") == "equivalent");
@@ -334,7 +335,7 @@ TEST_CASE("Other output says the same numbers") {
 
 TEST_CASE("A measure that is the same in all runs leaves the family, and the p-values of others are as without it") {
   MadeStudy study = policies();
-  const auto alone = compared(study, {.by = {}, .measures = {"clone-radius"}, .margins = {}});
+  const auto alone = compared(study, {.measures = {"clone-radius"}});
   const auto values = study.values;
   study.values = [=](const std::vector<int>& levels, int seed) {
     auto all = values(levels, seed);
@@ -354,13 +355,11 @@ TEST_CASE("What the study has not is refused, with what was probably meant") {
       return "";
     } catch (const UsageError& error) { return error.what(); }
   };
-  CHECK(message({.by = {"divison"}, .measures = {}, .margins = {}}) ==
-        "--by: the study has no axis 'divison'; did you mean division?");
-  CHECK_THAT(message({.by = {}, .measures = {"mass"}, .margins = {}}),
-             ContainsSubstring("it has sister_contact, clone_radius"));
+  CHECK(message({.by = {"divison"}}) == "--by: the study has no axis 'divison'; did you mean division?");
+  CHECK_THAT(message({.measures = {"mass"}}), ContainsSubstring("it has sister_contact, clone_radius"));
   for (const char* wrong : {"", "0", "-1", "abc", "5%%", "inf", "clone_radius=", "radius=0.1"})
-    CHECK_THAT(message({.by = {}, .measures = {}, .margins = {wrong}}), ContainsSubstring("--equivalent: "));
-  CHECK_THAT(message({.by = {}, .measures = {}, .margins = {"0.1", "0.2"}}), ContainsSubstring("two margins"));
+    CHECK_THAT(message({.margins = {wrong}}), ContainsSubstring("--equivalent: "));
+  CHECK_THAT(message({.margins = {"0.1", "0.2"}}), ContainsSubstring("two margins"));
 }
 
 TEST_CASE("A database that is no study's is refused") {
@@ -375,7 +374,7 @@ TEST_CASE("A database that is no study's is refused") {
 
 TEST_CASE("A study without axes has conditions and no pairs") {
   MadeStudy study;
-  study.values = [](const std::vector<int>&, int seed) { return std::map<std::string, double>{{"cells", 30. + seed}}; };
+  study.values = [](const std::vector<int>&, int seed) { return Values{{"cells", 30. + seed}}; };
   const auto c = compared(study);
   CHECK(c.conditions.size() == 1);
   CHECK(c.conditions[0].mean == 35.5);

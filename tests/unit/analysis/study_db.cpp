@@ -3,68 +3,49 @@
 #include <set>
 
 #include "database/database.h"
+#include "store/rows.h"
 #include "store/schema.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 
 namespace {
 
-/// A row of `run` of which only the id and the state matter.
-void insertRun(Database& db, const std::string& id, const std::string& state) {
-  const auto number = db.integer("SELECT count(*) FROM pragma_table_info('run')");
-  std::string names, values;
-  for (std::int64_t i = 0; i < number; ++i) {
-    Statement column(db, "SELECT name, type, \"notnull\" FROM pragma_table_info('run') WHERE cid = ?");
-    column.start(i).next();
-    const std::string name = column.text(0);
-    if (column.integer(2) == 0 && name != "run_id") continue;
-    names += (names.empty() ? "" : ", ") + name;
-    std::string value = column.text(1) == "TEXT" ? "''" : "0";
-    if (name == "run_id") value = "'" + id + "'";
-    if (name == "status") value = "'done'";
-    if (name == "git_state") value = "'clean'";
-    values += (values.empty() ? "" : ", ") + value;
-  }
-  db.execute("INSERT INTO run (" + names + ") VALUES (" + values + ")");
-  db.execute("UPDATE run SET state_hash = '" + state + "' WHERE run_id = '" + id + "'");
+template <class Row, class... Context>
+void insert(Database& db, const Row& row, const Context&... context) {
+  Statement(db, sqlTable<Row>().insert()).run(context..., row);
 }
 
 void makeTables(Database& db, const MadeStudy& study) {
-  std::string labels;
-  for (const auto& axis : study.axes) labels += ", \"" + axis.name + "\" TEXT NOT NULL";
-  db.execute("CREATE TABLE study (name TEXT, summary TEXT, plan_id TEXT, plan TEXT, build_id TEXT)");
-  db.execute("CREATE TABLE axis (number INTEGER PRIMARY KEY, name TEXT)");
-  db.execute("CREATE TABLE level (axis INTEGER, number INTEGER, label TEXT, keys TEXT)");
-  db.execute("CREATE TABLE condition (condition_id INTEGER PRIMARY KEY" + labels +
-             ", uses_seed INTEGER, distinct_runs INTEGER)");
-  db.execute(
-      "CREATE TABLE task (task_id TEXT PRIMARY KEY, number INTEGER, condition_id INTEGER, seed INTEGER, status TEXT, "
-      "reason TEXT, run_id TEXT, result_hash TEXT)");
-  db.execute("CREATE TABLE replicate (condition_id INTEGER, seed INTEGER, task_id TEXT)");
-  db.execute("CREATE TABLE result (run_id TEXT, measure TEXT, time REAL, value REAL)");
-  db.execute("INSERT INTO study VALUES ('made', 'A study that was never run', '', '', '')");
+  std::vector<std::string> names;
+  for (const auto& axis : study.axes) names.push_back(axis.name);
+  makeTaskTables(db);
+  makeStudyTables(db, names, {});
+  insert(db, StudyRow{"made", "A study that was never run", "", "", ""});
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    Statement(db, "INSERT INTO axis VALUES (?, ?)").run(static_cast<int>(a), study.axes[a].name);
-    for (std::size_t l = 0; l < study.axes[a].labels.size(); ++l)
-      Statement(db, "INSERT INTO level VALUES (?, ?, ?, '{}')")
-          .run(static_cast<int>(a), static_cast<int>(l), study.axes[a].labels[l]);
+    insert(db, AxisRow{a, names[a]});
+    std::uint64_t number = 0;
+    for (const std::string& label : study.axes[a].labels) insert(db, LevelRow{a, number++, label, "{}"});
   }
 }
 
 void insertTask(Database& db, const MadeStudy& study, const std::string& task, const std::vector<int>& levels,
                 int seed) {
   const std::string trouble = study.trouble ? study.trouble(levels, seed) : "";
-  const auto run = trouble == "missing" ? std::nullopt : std::optional(task + "-run");
-  Statement(db, "INSERT INTO task VALUES (?, (SELECT count(*) FROM task), 0, ?, ?, ?, ?, NULL)")
-      .run(task, seed, trouble.empty() ? "done" : trouble, trouble == "failed" ? "numerical failure: too fast" : "",
-           run);
-  if (!run) return;
-  insertRun(db, *run, trouble.empty() ? "state of " + task : "");
-  if (study.cells) Statement(db, "UPDATE run SET cells = ? WHERE run_id = ?").run(study.cells(levels), *run);
+  TaskRow row{task, std::uint64_t(db.integer("SELECT count(*) FROM task")), 0, std::uint64_t(seed)};
+  row.status = trouble.empty() ? "done" : trouble;
+  if (trouble == "failed") row.reason = "numerical failure: too fast";
+  if (trouble != "missing") row.runId = task + "-run";
+  insert(db, row);
+  if (trouble == "missing") return;
+  RunEnd end;
+  if (study.cells) end.cells = std::uint64_t(study.cells(levels));
+  if (trouble.empty()) end.stateHash = Hasher().field("state").add(task).digest();
+  else end.status = RunStatus::failed;
+  insertRun(db, row.runId, {}, "", &end);
   if (!trouble.empty()) return;
   for (const auto& [measure, value] : study.values(levels, seed))
-    for (const double t : study.times)
-      Statement(db, "INSERT INTO result VALUES (?, ?, ?, ?)").run(*run, measure, t, value * t / study.times.back());
+    for (const double t : study.times) insert(db, ResultRow{measure, t, value * t / study.times.back()}, row.runId);
 }
 
 }  // namespace
@@ -89,7 +70,7 @@ void writeStudy(const MadeStudy& study, const std::filesystem::path& file) {
       for (const int l : meant) task += "-" + std::to_string(l);
       if (!seedless) task += "-seed-" + std::to_string(seed);
       if (made.insert(task).second) insertTask(db, study, task, meant, seed);
-      Statement(db, "INSERT INTO replicate VALUES (?, ?, ?)").run(condition, seed, task);
+      insert(db, ReplicateRow{std::uint64_t(condition), std::uint64_t(seed), task});
     }
     std::size_t a = levels.size();
     while (a > 0 && ++levels[a - 1] == int(study.axes[a - 1].labels.size())) levels[--a] = 0;

@@ -1,6 +1,5 @@
 #pragma once
 // Merged databases of studies that were never run, for tests that know what is in them.
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -9,6 +8,8 @@
 
 namespace morula {
 
+using Values = std::map<std::string, double>;  // by measure
+
 struct MadeStudy {
   struct MadeAxis {
     std::string name;
@@ -16,8 +17,8 @@ struct MadeStudy {
   };
   std::vector<MadeAxis> axes;
   int seeds = 10;
-  /// The values at the end of the run of these levels and this seed, by measure. None: there was nothing to measure.
-  std::function<std::map<std::string, double>(const std::vector<int>& levels, int seed)> values;
+  /// The values at the end of the run of these levels and this seed. None: there was nothing to measure.
+  std::function<Values(const std::vector<int>& levels, int seed)> values;
   /// Whether seeds change nothing for these levels. Absent: they always do.
   std::function<bool(const std::vector<int>& levels)> seedless = {};
   /// "failed", "missing" or "".

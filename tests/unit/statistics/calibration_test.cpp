@@ -59,6 +59,31 @@ void checkLevel(double found, std::size_t n, double least = 3.5, double most = 6
   CHECK(found <= (n >= 5 ? most : 10));
 }
 
+/// What each of two policies and five ways to hold on (which hardly matter) does to a measure: seeds place cells anew under the
+/// other policy, and almost alike under the others ways to hold on.
+std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
+  Numbers numbers(8'000'000 + 1000 * n + study);
+  std::vector<double> values(10 * n);
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t policy = 0; policy < 2; ++policy) {
+      const double placed = numbers.normal();
+      for (std::size_t way = 0; way < 5; ++way) values[(5 * policy + way) * n + r] = placed + 0.05 * numbers.normal();
+    }
+  return values;
+}
+
+/// Normal deviates of the levels' effects whose contrasts vary very differently, or alike.
+std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size_t levels, double ratio) {
+  Numbers numbers(9'000'000 + 100'000 * levels + 1000 * n + study);
+  std::vector<double> values(levels * n);
+  for (std::size_t r = 0; r < n; ++r) {
+    const double shared = numbers.normal();
+    double spread = 1;
+    for (std::size_t l = 0; l < levels; ++l, spread *= ratio) values[l * n + r] = shared + spread * numbers.normal();
+  }
+  return values;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -138,35 +163,6 @@ TEST_CASE("Different and equivalent are said wrongly in 5 % of studies, with a m
       else CHECK(equivalent <= 0.065 * studies);  // a margin within the error cannot be shown to hold
     }
 }
-
-namespace {
-
-/// What each of two policies and five ways to hold on (which hardly matter) does to a measure: seeds place cells anew under the
-/// other policy, and almost alike under the others ways to hold on.
-std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
-  Numbers numbers(8'000'000 + 1000 * n + study);
-  std::vector<double> values(10 * n);
-  for (std::size_t r = 0; r < n; ++r)
-    for (std::size_t policy = 0; policy < 2; ++policy) {
-      const double placed = numbers.normal();
-      for (std::size_t way = 0; way < 5; ++way) values[(5 * policy + way) * n + r] = placed + 0.05 * numbers.normal();
-    }
-  return values;
-}
-
-/// Normal deviates of the levels' effects whose contrasts vary very differently, or alike.
-std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size_t levels, double ratio) {
-  Numbers numbers(9'000'000 + 100'000 * levels + 1000 * n + study);
-  std::vector<double> values(levels * n);
-  for (std::size_t r = 0; r < n; ++r) {
-    const double shared = numbers.normal();
-    double spread = 1;
-    for (std::size_t l = 0; l < levels; ++l, spread *= ratio) values[l * n + r] = shared + spread * numbers.normal();
-  }
-  return values;
-}
-
-}  // namespace
 
 TEST_CASE("A main effect is found in 5 % of studies without any though seeds place cells anew under one axis only") {
   const std::vector<std::size_t> levels{2, 5};
