@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "accuracy/into_golden.h"
-#include "accuracy/settling_error.h"
 #include "accuracy/target.h"
 #include "base/error.h"
 #include "base/number_text.h"

@@ -112,6 +112,10 @@ void refuseWithoutError(const Scenario& scenario);
 /// Throws InputError for such a scene, or one whose own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
+/// How far from rest each settling of a quasi-static scene ends: runs it to its end, and from each settling once more until the
+/// residual is a hundredth of the tolerance (SettlingRecord). Throws InputError for a scene that cannot run to its end.
+Table measureSettlings(Scenario scenario, const Execution& how);
+
 /// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more than `target`,
 /// by CPU time.
 std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours = true);
@@ -127,6 +131,16 @@ std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const
 
 /// For people.
 Document describe(const AccuracyReport& report);
+
+/// "1/128", or as a number; of steps that the scene chooses a share of them.
+std::string stepText(double timeStep);
+std::string stepText(const Setting& setting);
+/// Every setting, and what its error is made of; below it those that failed with their reasons.
+Document settingTables(const AccuracyReport& report);
+/// How fast errors fall with the time step.
+Table orderTable(const AccuracyReport& report);
+/// The least CPU time for an error, ours and Bullet's.
+Table bulletTable(const AccuracyReport& report);
 
 /// For other programs. `picture`: where it lies.
 Json toJson(const AccuracyReport& report, const std::string& picture);

@@ -14,12 +14,6 @@
 #include "system/clock.h"
 
 namespace morula {
-
-bool areMultiples(const std::vector<double>& times, double timeStep) {
-  for (const double time : times)
-    if (time / timeStep != std::floor(time / timeStep)) return false;
-  return true;
-}
 namespace {
 
 /// Bullet's bodies as shapes; `world`: the scene at its start, with the same cells.
@@ -49,7 +43,68 @@ BulletRequest requestOf(const World& world, const BulletSetting& setting, const 
   return request;
 }
 
+/// [runTrial] in a process of its own. Cost: CPU time of Bullet's steps alone.
+Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const BulletSearch& search, int rounds) {
+  const std::vector<double>& times = search.times;
+  const World world = makeWorld(scenario.scene, search.execution);
+  const BulletRequest request = requestOf(world, setting, times);
+  Trial trial;
+  trial.setting = settingOf(scenario, setting.timeStep);
+  // B2's links see places half a step ahead, and B3 is implicit: both are of first order, as this one.
+  trial.setting.integrator =
+      setting.baseline == Baseline::b1 ? Integrator::velocityVerlet : Integrator::symplecticEuler;
+  std::vector<double> seconds;
+  for (int round = 0; round < rounds; ++round) {
+    BulletResult result;
+    try {
+      result = runInBullet(request, search.program);
+    } catch (const std::exception& error) {  // no answer, or none that can be read
+      trial.failure = error.what();
+      break;
+    }
+    seconds.push_back(std::accumulate(result.stepSeconds.begin(), result.stepSeconds.end(), 0.0));
+    trial.shapes = {shapesOf(world, request.scene.cells, 0)};
+    for (std::size_t i = 0; i < times.size(); ++i) trial.shapes.push_back(shapesOf(world, result.reports[i], times[i]));
+  }
+  trial.born = world.lineage.entries;
+  if (!seconds.empty()) trial.cpuSeconds = median(seconds);
+  trial.steps = trial.forceEvaluations = static_cast<std::uint64_t>(request.steps);
+  trial.vertexSteps = trial.steps * static_cast<std::uint64_t>(world.bodies->livingVertices);
+  // What has blown up stays finite in Bullet, or is no number: neither is a solution.
+  for (const Shapes& shapes : trial.shapes)
+    for (const ComparedCell& cell : shapes.cells)
+      if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())
+        trial.failure = "a cell is inside out or no number by time " + numberText(shapes.time);
+  return trial;
+}
+
+bool isSameChoice(const BulletSetting& a, const BulletSetting& b) {
+  return a.margin == b.margin && a.iterations == b.iterations;
+}
+
+/// The choices of a baseline that are worth going on with.
+std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices,
+                                       const std::vector<BulletTrial>& trials,
+                                       const std::function<std::optional<double>(const Trial&)>& errorOf) {
+  std::vector<std::optional<double>> errors;
+  std::vector<double> seconds;
+  for (const BulletTrial& t : trials) errors.push_back(errorOf(t.trial)), seconds.push_back(t.trial.cpuSeconds);
+  const auto best = unbeaten(errors, seconds);
+  std::vector<BulletSetting> list;
+  for (const BulletSetting& c : choices)
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (best[i] && isSameChoice(trials[i].setting, c)) {
+        list.push_back(c);
+        break;
+      }
+  return list.empty() ? choices : list;  // none has come to the end yet: shorter steps may
+}
+
 }  // namespace
+
+bool areMultiples(const std::vector<double>& times, double timeStep) {
+  return std::ranges::all_of(times, [&](double time) { return time / timeStep == std::floor(time / timeStep); });
+}
 
 std::string seriesName(const BulletSetting& s, bool touching) {
   std::string text = fmt::format("bullet {}", name(s.baseline));
@@ -79,40 +134,6 @@ std::vector<double> bulletTimeSteps(double longest, double longestStable, int ha
   return steps;
 }
 
-Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const std::vector<double>& times,
-                     const Execution& execution, int rounds, const std::string& program) {
-  const World world = makeWorld(scenario.scene, execution);
-  const BulletRequest request = requestOf(world, setting, times);
-  Trial trial;
-  trial.setting = settingOf(scenario, setting.timeStep);
-  // B2's links see places half a step ahead, and B3 is implicit: both are of first order, as this one.
-  trial.setting.integrator =
-      setting.baseline == Baseline::b1 ? Integrator::velocityVerlet : Integrator::symplecticEuler;
-  std::vector<double> seconds;
-  for (int round = 0; round < rounds; ++round) {
-    BulletResult result;
-    try {
-      result = runInBullet(request, program);
-    } catch (const std::exception& error) {  // no answer, or none that can be read
-      trial.failure = error.what();
-      break;
-    }
-    seconds.push_back(std::accumulate(result.stepSeconds.begin(), result.stepSeconds.end(), 0.0));
-    trial.shapes = {shapesOf(world, request.scene.cells, 0)};
-    for (std::size_t i = 0; i < times.size(); ++i) trial.shapes.push_back(shapesOf(world, result.reports[i], times[i]));
-  }
-  trial.born = world.lineage.entries;
-  if (!seconds.empty()) trial.cpuSeconds = median(seconds);
-  trial.steps = trial.forceEvaluations = static_cast<std::uint64_t>(request.steps);
-  trial.vertexSteps = trial.steps * static_cast<std::uint64_t>(world.bodies->livingVertices);
-  // What has blown up stays finite in Bullet, or is no number: neither is a solution.
-  for (const Shapes& shapes : trial.shapes)
-    for (const ComparedCell& cell : shapes.cells)
-      if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())
-        trial.failure = "a cell is inside out or no number by time " + numberText(shapes.time);
-  return trial;
-}
-
 std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors, const std::vector<double>& seconds) {
   std::vector<bool> best;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -123,28 +144,6 @@ std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors, con
   }
   return best;
 }
-
-namespace {
-
-/// The choices of a baseline that are worth going on with.
-std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices,
-                                       const std::vector<BulletTrial>& trials,
-                                       const std::function<std::optional<double>(const Trial&)>& errorOf) {
-  std::vector<std::optional<double>> errors;
-  std::vector<double> seconds;
-  for (const BulletTrial& t : trials) errors.push_back(errorOf(t.trial)), seconds.push_back(t.trial.cpuSeconds);
-  const auto best = unbeaten(errors, seconds);
-  std::vector<BulletSetting> list;
-  for (const BulletSetting& c : choices)
-    for (std::size_t i = 0; i < trials.size(); ++i)
-      if (best[i] && trials[i].setting.margin == c.margin && trials[i].setting.iterations == c.iterations) {
-        list.push_back(c);
-        break;
-      }
-  return list.empty() ? choices : list;  // none has come to the end yet: shorter steps may
-}
-
-}  // namespace
 
 std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch& search,
                                    const std::function<std::optional<double>(const Trial&)>& errorOf,
@@ -160,8 +159,7 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
       setting.timeStep = step;
       const std::string series = seriesName(setting, touching);
       tell(fmt::format("{}, time step {}", series, numberText(step)));
-      trials.push_back(
-          {setting, series, runBulletTrial(scenario, setting, search.times, search.execution, rounds, search.program)});
+      trials.push_back({setting, series, runBulletTrial(scenario, setting, search, rounds)});
     };
     std::vector<BulletSetting> choices = bulletChoices(baseline, touching);
     if (choices.size() > 1) {
@@ -171,9 +169,7 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
       choices = bestChoices(choices, trials, errorOf);
       // Measured once more, as often as ours.
       std::erase_if(trials, [&](const BulletTrial& t) {
-        return std::any_of(choices.begin(), choices.end(), [&](const BulletSetting& c) {
-          return c.margin == t.setting.margin && c.iterations == t.setting.iterations;
-        });
+        return std::ranges::any_of(choices, [&](const BulletSetting& c) { return isSameChoice(c, t.setting); });
       });
     }
     for (const BulletSetting& choice : choices)

@@ -29,10 +29,6 @@ std::vector<BulletSetting> bulletChoices(Baseline baseline, bool touching);
 std::vector<double> bulletTimeSteps(double longest, double longestStable, int halvings,
                                     const std::vector<double>& times);
 
-/// [runTrial] in a process of its own. Cost: CPU time of Bullet's steps alone.
-Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const std::vector<double>& times,
-                     const Execution& execution, int rounds, const std::string& program);
-
 struct BulletSearch {
   double longest = 0;        // [time] step that ours begin with
   double longestStable = 0;  // [time] of all steps the longest that B1 can bear; 0: not known

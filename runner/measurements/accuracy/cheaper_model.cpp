@@ -1,5 +1,5 @@
-#include "accuracy/cheaper_model.h"
-
+// The cheaper cell models, in place of a scene's own.
+#include "accuracy/trial.h"
 #include "mesh/measures.h"
 #include "physics/cell_model.h"
 #include "physics/mesh_template.h"

@@ -1,23 +1,25 @@
 // What accuracy has found, for people at a terminal.
 #include <fmt/format.h>
 
-#include "accuracy/tables.h"
+#include "accuracy/accuracy.h"
 #include "base/number_text.h"
 
 namespace morula {
 namespace {
 
-std::vector<Cell> line(const char* what, const std::string& text) { return {what, text}; }
+/// A name and what is said of it; "": the same as above.
+struct Facts {
+  Table table{"What is compared", {}};
+  void say(const char* what, const std::string& text) { table.rows.push_back({what, text}); }
+};
 
-void tellReference(const AccuracyReference& r, Table& facts) {
-  facts.rows.push_back(
-      line("reference",
-           fmt::format("{}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}",
-                       nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order)));
-  facts.rows.push_back(
-      line("witness", fmt::format("{}, time step {}: {:.2g} away, its own error {:.2g}: {}",
-                                  nameOf(r.witness.integrator), stepText(r.witness.timeStep), r.distance,
-                                  r.witnessLeft.error, r.agrees ? "they agree" : "THEY DO NOT AGREE")));
+void tellReference(const AccuracyReference& r, Facts& facts) {
+  facts.say("reference",
+            fmt::format("{}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}",
+                        nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order));
+  facts.say("witness", fmt::format("{}, time step {}: {:.2g} away, its own error {:.2g}: {}",
+                                   nameOf(r.witness.integrator), stepText(r.witness.timeStep), r.distance,
+                                   r.witnessLeft.error, r.agrees ? "they agree" : "THEY DO NOT AGREE"));
 }
 
 std::string measuresText(const StateError& e) {
@@ -27,17 +29,14 @@ std::string measuresText(const StateError& e) {
   return text;
 }
 
-void tellMesh(const MeshError& mesh, Table& facts) {
-  const auto say = [&](const std::string& text) { facts.rows.push_back(line("", text)); };
-  if (mesh.none || !mesh.unknown.empty()) {
-    facts.rows.push_back(
-        line("mesh", mesh.none ? "no error: spheres have no mesh" : "error not known: " + mesh.unknown));
-    return;
-  }
+void tellMesh(const MeshError& mesh, Facts& facts) {
+  const auto say = [&](const std::string& text) { facts.say("", text); };
+  if (mesh.none) return facts.say("mesh", "no error: spheres have no mesh");
+  if (!mesh.unknown.empty()) return facts.say("mesh", "error not known: " + mesh.unknown);
   const LevelError& own = *mesh.find(mesh.own);
-  facts.rows.push_back(line(
-      "mesh", fmt::format("icosphere {}, up to {}: {}", mesh.own, numberText(mesh.until), measuresText(own.worst))));
-  say(fmt::format("at time {}: {}", numberText(mesh.until), measuresText(own.atEnd)));
+  const std::string until = numberText(mesh.until);
+  facts.say("mesh", fmt::format("icosphere {}, up to {}: {}", mesh.own, until, measuresText(own.worst)));
+  say(fmt::format("at time {}: {}", until, measuresText(own.atEnd)));
   std::string levels;
   for (const LevelError& level : mesh.levels)
     levels += fmt::format("{} {} ({:.2g})", levels.empty() ? "" : ",", level.level, level.worst.largest());
@@ -51,21 +50,16 @@ void tellMesh(const MeshError& mesh, Table& facts) {
   if (!mesh.limit.empty()) say("finer ones: " + mesh.limit);
 }
 
-void tellOwn(const AccuracyReport& report, Table& facts) {
+void tellOwn(const AccuracyReport& report, Facts& facts) {
   const AccuracyRow& own = report.own;
-  const auto say = [&](const std::string& text) { facts.rows.push_back(line("", text)); };
-  if (!own.failure.empty() || !own.error) {
-    facts.rows.push_back(line("as it is", !own.failure.empty()
-                                              ? "failed: " + own.failure
-                                              : "other cells live from " + numberText(*own.partedAt) + " on"));
-    return;
-  }
+  const auto say = [&](const std::string& text) { facts.say("", text); };
+  if (!own.failure.empty()) return facts.say("as it is", "failed: " + own.failure);
+  if (!own.error) return facts.say("as it is", "other cells live from " + numberText(*own.partedAt) + " on");
   const ErrorParts& p = own.parts;
   const auto orUnknown = [](const std::optional<double>& a) { return a ? fmt::format("{:.2g}", *a) : "not known"; };
-  facts.rows.push_back(
-      line("as it is",
-           fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}", p.mesh ? "" : "at least ", p.sum(),
-                       orUnknown(p.time), own.resolved ? "" : "~", orUnknown(p.mesh), p.precision.value_or(0))));
+  facts.say("as it is",
+            fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}", p.mesh ? "" : "at least ", p.sum(),
+                        orUnknown(p.time), own.resolved ? "" : "~", orUnknown(p.mesh), p.precision.value_or(0)));
   say(fmt::format("on its mesh, up to {}: {}", numberText(own.until), measuresText(own.errors)));
   say(fmt::format("in {:.4f} s, {} evaluations, time step {}{}", own.cpuSeconds, own.forceEvaluations,
                   stepText(own.setting), own.setting.automatic ? " at least" : ""));
@@ -93,16 +87,16 @@ Table speedTable(const std::vector<SpeedAtError>& speeds) {
 Document describe(const AccuracyReport& report) {
   const double until = report.times.back();
   const bool whole = report.end && until >= *report.end * (1 - 1e-6);
-  Table facts{"What is compared", {}};
+  Facts facts;
   tellReference(report.reference, facts);
   tellMesh(report.mesh, facts);
   tellOwn(report, facts);
-  for (const std::string& remark : report.remarks) facts.rows.push_back(line("remark", remark));
+  for (const std::string& remark : report.remarks) facts.say("remark", remark);
   Document text;
   text.say(fmt::format("{}: compared up to time {}{}, at {} times{}", report.scenario, numberText(until, 6),
                        whole || !report.end ? "" : " of " + numberText(*report.end, 6), report.times.size(),
                        report.horizon && report.horizon->parted ? "; later is chaos: see the remark" : ""))
-      .add(std::move(facts));
+      .add(std::move(facts.table));
   if (report.rows.empty()) return text;
   text.heading("settings").add(settingTables(report));
   text.heading("order, from the slope of the error on the scenario's mesh over the time step").add(orderTable(report));

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "accuracy/bullet_trial.h"
-#include "accuracy/cheaper_model.h"
 #include "accuracy/reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -78,12 +77,12 @@ class Experiment {
       throw InputError(fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
                                    scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
     if (h.parted && !options_.until)
-      report_.remarks.push_back(
+      remark(
           fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; what comes "
                       "later is not compared (--until)",
                       numberText(h.end), mostAmplification));
     else if (h.parted)
-      report_.remarks.push_back(
+      remark(
           fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors up to {} "
                       "are made of that too",
                       numberText(h.end), mostAmplification, numberText(end)));
@@ -269,14 +268,14 @@ class Experiment {
   void addRemarks() {
     const AccuracyReference& r = report_.reference;
     if (!r.agrees)
-      report_.remarks.push_back(
+      remark(
           fmt::format("the witness does not agree with the reference: they are {:.2g} apart, and their own errors are "
                       "{:.2g} and {:.2g}",
                       r.distance, r.witnessLeft.error, r.left.error));
     std::size_t below = 0;
     for (const AccuracyRow& row : report_.rows) below += row.error && !row.resolved;
     if (below > 0)
-      report_.remarks.push_back(
+      remark(
           fmt::format("{} of {} errors are below ten times the reference's own, {:.2g}: they are marked ~ and neither "
                       "fitted nor interpolated",
                       below, report_.rows.size(), r.left.error));
@@ -295,7 +294,7 @@ class Experiment {
       double angle = 0;
       for (const DividedElsewhere& cut : list) angle = std::max(angle, cut.angle);
       const auto& ratio = list.front().extentRatio;
-      report_.remarks.push_back(fmt::format(
+      remark(fmt::format(
           "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from it{}; {}",
           list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
           ratio ? fmt::format(": its largest extent is {:.4f} times its second largest, so that a small "
@@ -306,13 +305,15 @@ class Experiment {
                                                  : "their errors are those of another plane, whatever the time step"));
     }
     if (const auto& cut = study_.error.cut)
-      report_.remarks.push_back(fmt::format(
+      remark(fmt::format(
           "on another mesh {} divides at {} across another plane, {:.0f} degrees from it{}: the mesh's error "
           "is stated up to before",
           cellText(cut->mother), numberText(cut->time), cut->angle,
           cut->extentRatio ? fmt::format(" (its two largest extents are {:.4f} to 1)", *cut->extentRatio)
                            : std::string()));
   }
+
+  void remark(std::string text) { report_.remarks.push_back(std::move(text)); }
 
   const ReadScenario& read_;
   const AccuracyOptions& options_;

@@ -11,6 +11,9 @@
 namespace morula {
 namespace {
 
+/// Where only two levels are there: faces are flat, to second order in their edges.
+constexpr double assumedMeshOrder = 2;
+
 double largestPressure(const Shapes& shapes) {
   double largest = 0;
   for (const ComparedCell& cell : shapes.cells) largest = std::max(largest, std::abs(cell.pressure));
@@ -90,7 +93,7 @@ RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRa
 }
 
 const LevelError* MeshError::find(std::uint64_t level) const {
-  const auto found = std::find_if(levels.begin(), levels.end(), [&](const LevelError& l) { return l.level == level; });
+  const auto found = std::ranges::find(levels, level, &LevelError::level);
   return found == levels.end() ? nullptr : &*found;
 }
 

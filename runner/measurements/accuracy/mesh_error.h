@@ -63,9 +63,6 @@ struct MeshError {
   std::optional<double> errorOf(std::uint64_t level) const;
 };
 
-/// Order that is assumed where only two levels are there: faces are flat, to second order in their edges.
-inline constexpr double assumedMeshOrder = 2;
-
 /// Below it errors hardly fall from mesh to mesh, and nothing is extrapolated.
 inline constexpr double leastMeshOrder = 1;
 

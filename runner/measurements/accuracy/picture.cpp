@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accuracy/tables.h"
+#include "accuracy/accuracy.h"
 #include "base/number_text.h"
 #include "drawing/palette.h"
 

@@ -1,5 +1,5 @@
-#include "accuracy/settling_error.h"
-
+// The error of a quasi-static scene: how far from rest each of its settlings ends.
+#include "accuracy/accuracy.h"
 #include "base/error.h"
 #include "loop/simulate.h"
 

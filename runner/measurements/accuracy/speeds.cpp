@@ -14,8 +14,7 @@ bool counts(const AccuracyRow& row) { return row.error && row.resolved && !row.p
 std::vector<std::vector<const AccuracyRow*>> bySeries(const std::vector<AccuracyRow>& rows) {
   std::vector<std::vector<const AccuracyRow*>> groups;
   for (const AccuracyRow& row : rows) {
-    const auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front()->series == row.series; });
+    const auto group = std::ranges::find(groups, row.series, [](const auto& g) { return g.front()->series; });
     if (group == groups.end()) groups.push_back({&row});
     else group->push_back(&row);
   }
@@ -30,25 +29,6 @@ std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool 
   return points;
 }
 
-}  // namespace
-
-std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours) {
-  std::vector<const AccuracyRow*> rows;
-  for (const AccuracyRow& row : report.rows)
-    if ((row.engine == "morula") == ours && row.failure.empty() && row.error && !row.partedAt &&
-        *row.error + report.reference.left.error <= target)
-      rows.push_back(&row);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const AccuracyRow* a, const AccuracyRow* b) { return a->cpuSeconds < b->cpuSeconds; });
-  return rows;
-}
-
-double ErrorParts::sum() const {
-  return time.value_or(0) + mesh.value_or(0) + precision.value_or(0) + model.value_or(0);
-}
-
-namespace {
-
 /// Between neighbouring runs, or of one that is more exact and not dearer.
 std::optional<double> leastSeconds(const std::vector<const AccuracyRow*>& series, double error) {
   std::optional<double> least = costAtError(work(series, true), error);
@@ -59,6 +39,20 @@ std::optional<double> leastSeconds(const std::vector<const AccuracyRow*>& series
 }
 
 }  // namespace
+
+std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours) {
+  std::vector<const AccuracyRow*> rows;
+  for (const AccuracyRow& row : report.rows)
+    if ((row.engine == "morula") == ours && row.failure.empty() && row.error && !row.partedAt &&
+        *row.error + report.reference.left.error <= target)
+      rows.push_back(&row);
+  std::ranges::stable_sort(rows, {}, &AccuracyRow::cpuSeconds);
+  return rows;
+}
+
+double ErrorParts::sum() const {
+  return time.value_or(0) + mesh.value_or(0) + precision.value_or(0) + model.value_or(0);
+}
 
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows) {
   std::optional<Rival> best;

@@ -78,8 +78,7 @@ StateError compareShapes(const Shapes& shapes, const Shapes& reference, double e
 std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
                                                      std::span<const DivisionRecord> reference, double least) {
   for (const DivisionRecord& there : reference) {  // by time
-    const auto here =
-        std::find_if(divisions.begin(), divisions.end(), [&](const DivisionRecord& d) { return d.path == there.path; });
+    const auto here = std::ranges::find(divisions, there.path, &DivisionRecord::path);
     if (here == divisions.end()) continue;
     // To daughter A: the same plane with the daughters on the other sides is as far as can be.
     const double cosine = std::clamp(dot(here->axis, there.axis), -1.0, 1.0);

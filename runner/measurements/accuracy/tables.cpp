@@ -1,10 +1,10 @@
-#include "accuracy/tables.h"
-
+// What accuracy has found, as tables for a terminal and for pages.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/accuracy.h"
 #include "base/number_text.h"
 
 namespace morula {

@@ -25,14 +25,11 @@ std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion
   } catch (const InputError&) { return {}; }  // its row has failed too
   const auto pathOf = [](const std::string& change) { return change.substr(0, change.find('=')); };
   std::vector<std::string> command{"run", question.file};
-  const auto add = [&](const std::string& option, const std::string& value) {
-    command.push_back(option);
-    command.push_back(value);
+  const auto add = [&](const char* option, const std::string& value) {
+    command.insert(command.end(), {option, value});
   };
   for (const std::string& given : question.set)
-    if (std::none_of(changes.begin(), changes.end(),
-                     [&](const std::string& change) { return pathOf(change) == pathOf(given); }))
-      add("--set", given);
+    if (std::ranges::find(changes, pathOf(given), pathOf) == changes.end()) add("--set", given);
   if (allowOutside) command.push_back("--allow-outside");
   if (!question.seed.empty()) add("--seed", question.seed);
   for (const std::string& change : changes) add("--set", change);
@@ -40,10 +37,8 @@ std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion
 }
 
 std::string lastLine(const std::string& text) {
-  const auto end = text.find_last_not_of('\n');
-  if (end == std::string::npos) return "";
-  const auto begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? -1 : begin));
+  const auto lines = linesOf(text.substr(0, text.find_last_not_of('\n') + 1));
+  return lines.empty() ? "" : lines.back();
 }
 
 /// Runs commands to their ends, within one budget for all.

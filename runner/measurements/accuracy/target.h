@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "accuracy/accuracy.h"
-#include "scenario/scenario.h"
 
 namespace morula {
 

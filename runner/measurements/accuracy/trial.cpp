@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -20,6 +19,11 @@ constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by 
 struct TooLong {
   std::string text;
 };
+
+/// Of the forces; XPBD's sub-steps count.
+std::uint64_t evaluationsPerStep(const Setting& s) {
+  return static_cast<std::uint64_t>(kindOf(s.integrator).evaluations) * s.substeps.value_or(1);
+}
 
 /// Steps until the time is reached and adds up what that costs.
 void goTo(World& world, double time, double mostSeconds, Trial& trial, double& seconds) {
@@ -48,11 +52,24 @@ void runOnce(const Scene& scene, const std::vector<double>& times, const Executi
   }
 }
 
-}  // namespace
-
-std::uint64_t evaluationsPerStep(const Setting& s) {
-  return static_cast<std::uint64_t>(kindOf(s.integrator).evaluations) * s.substeps.value_or(1);
+void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
+  const auto take = [&](const char* path) { changes.push_back(fmt::format("{}=null", path)); };
+  changes.push_back(fmt::format("physics.cell.model={}", nameOf(other.model)));
+  take("physics.membrane");
+  take("physics.pressure");
+  if (kindOf(other.model).hasRestShape) {
+    const auto give = [&](const char* key, double value) {
+      changes.push_back(fmt::format("physics.shape-matching.{}={}", key, numberText(value)));
+    };
+    give("stiffness", other.matched.stiffness);
+    give("linear", other.matched.linear);
+    give("damping", other.matched.damping);
+  } else {
+    for (const char* path : {"physics.shape-matching", "physics.mesh.coarsen", "physics.contact.radius"}) take(path);
+  }
 }
+
+}  // namespace
 
 Setting settingOf(const Scenario& scenario, double timeStep) {
   const MechanicsScene& m = *scenario.scene.mechanics;
@@ -72,27 +89,6 @@ Setting settingAsItIs(const Scenario& scenario, double leastTimeStep) {
   s.autoShare = scenario.scene.mechanics->physics.autoShare;
   return s;
 }
-
-namespace {
-
-void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
-  const auto take = [&](const char* path) { changes.push_back(fmt::format("{}=null", path)); };
-  changes.push_back(fmt::format("physics.cell.model={}", nameOf(other.model)));
-  take("physics.membrane");
-  take("physics.pressure");
-  if (kindOf(other.model).hasRestShape) {
-    const auto give = [&](const char* key, double value) {
-      changes.push_back(fmt::format("physics.shape-matching.{}={}", key, numberText(value)));
-    };
-    give("stiffness", other.matched.stiffness);
-    give("linear", other.matched.linear);
-    give("damping", other.matched.damping);
-  } else {
-    for (const char* path : {"physics.shape-matching", "physics.mesh.coarsen", "physics.contact.radius"}) take(path);
-  }
-}
-
-}  // namespace
 
 std::string timeStepChange(const Setting& s) {
   if (!s.automatic) return "physics.time_step=" + exactText(s.timeStep);

@@ -21,6 +21,19 @@ struct OtherModel {
   ShapeMatchingParameters matched;  // of shape matching only
 };
 
+/// Those that leave out something that the model has.
+std::vector<CellModel> cheaperThan(CellModel model);
+
+/// The shape matching that moves like the shell near its lengths and volume at rest:
+///
+///   k = (k_s ΣL² + 3 k_p + 6 P_0 V) / I              it breathes as fast, x → (1 + ε) x
+///   (1 − β) k = 2/5 k_s ΣL² / I,  κ = 2/5 k_d ΣL² / I  it swings as fast at constant volume, and as damped
+///
+/// with the edges L, the volume V and I = Σ m_p |x|² of the egg, whose vertices lie about the origin. The 2/5
+/// is the mean over all directions in which a cell is pulled long: of (e·E e)² for an edge's direction e,
+/// 1/5, over |E x|²/|x|², 1/2, with E = diag(1, −½, −½).
+ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& egg);
+
 struct Setting {
   Integrator integrator = Integrator::velocityVerlet;
   double timeStep = 0;
@@ -33,9 +46,6 @@ struct Setting {
   double autoShare = 1;                   // of the steps that it would choose, where `automatic`
   std::optional<double> coarsen;          // [length] physics.mesh.coarsen; absent: the scene's
 };
-
-/// Of the forces, in each time step: XPBD's sub-steps count.
-std::uint64_t evaluationsPerStep(const Setting& setting);
 
 /// The scenario's own way, with another time step.
 Setting settingOf(const Scenario& scenario, double timeStep);

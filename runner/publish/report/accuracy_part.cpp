@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "accuracy/accuracy.h"
-#include "accuracy/tables.h"
-#include "base/error.h"
 #include "base/number_text.h"
 #include "document/document.h"
 #include "files/read_file.h"

@@ -1,7 +1,4 @@
 // The shape matching that stands in for a shell pulls as the shell does, near rest.
-#include "accuracy/cheaper_model.h"
-
-#include "accuracy/accuracy.h"
 #include "catch.h"
 #include "reader.h"
 #include "unit/physics/lab.h"
@@ -74,11 +71,7 @@ TEST_CASE("Two cells in a shell as shells, matched shapes and spheres: each has 
       "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 0.5}\n"
       "physics:\n  mesh: {icosphere: 1}\n  membrane: {stiffness: 12}\n  drag: 10\n  cell: {radius: 1}\n"
       "  contact: {radius: 1.1}\ncells:\n  - {at: [0.97, 0, 0]}\n  - {at: [-0.97, 0, 0]}\n";
-  AccuracyOptions options;
-  options.integrators = {};
-  options.otherPrecision = options.otherLaw = false;
-  options.rounds = 1, options.halvings = 1;
-  const AccuracyReport report = measureAccuracy(reader(pair), options);
+  const AccuracyReport report = measureAccuracy(reader(pair), fewSettings());
   INFO(textOf(describe(report)));
   const AccuracyRow *shell = best(report, "velocity-verlet"),
                     *matched = best(report, "velocity-verlet, shape-matching"),
@@ -97,11 +90,7 @@ TEST_CASE("A lone sphere in no medium bears any time step: the longest that is t
   const std::string lone =
       "morula: 1\nname: lone\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics:\n"
       "  mesh: {icosphere: 1}\n  drag: 0\n";
-  AccuracyOptions options;
-  options.integrators = {};
-  options.otherPrecision = options.otherLaw = false;
-  options.rounds = 1, options.halvings = 1;
-  const AccuracyReport report = measureAccuracy(reader(lone), options);
+  const AccuracyReport report = measureAccuracy(reader(lone), fewSettings());
   INFO(textOf(describe(report)));
   const AccuracyRow* sphere = best(report, "velocity-verlet, sphere");
   REQUIRE(sphere);

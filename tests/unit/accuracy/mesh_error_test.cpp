@@ -1,28 +1,21 @@
 // What meshes say together, from manufactured runs; and which meshes take part.
 #include "accuracy/mesh_error.h"
 
-#include <cmath>
-
-#include "accuracy/accuracy.h"
 #include "catch.h"
 #include "reader.h"
 #include "scenes.h"
+#include "unit/mesh/zoo.h"
 
 using namespace morula;
 
 namespace {
-
-Mesh moved(Mesh mesh, const Vector& by) {
-  for (Point& x : mesh.vertices) x += by;
-  return mesh;
-}
 
 /// One cube, at time 0 at the origin, and at times 1 and 2 off by that along x; its pressure is off by as
 /// much.
 Trial run(double off) {
   Trial trial;
   for (int time = 0; time < 3; ++time) {
-    Shapes shapes{double(time), {comparedCell({}, moved(scenes::cube(), {time > 0 ? off : 0, 0, 0}))}};
+    Shapes shapes{double(time), {comparedCell({}, zoo::moved(scenes::cube(), {time > 0 ? off : 0, 0, 0}))}};
     shapes.cells[0].pressure = 2 + off;
     ContactMeasures contact{{}, CellPath::parse("A"), CellPath::parse("B")};
     contact["area"] = 1 + off;

@@ -1,17 +1,22 @@
 #pragma once
+// What tests of accuracy share: scenarios given as text, and few settings.
 #include <string>
 
-#include "accuracy/trial.h"
+#include "accuracy/accuracy.h"
 
 namespace morula {
 
-/// Of a scenario given as text.
 inline ReadScenario reader(const std::string& text) {
   return [text](const std::vector<std::string>& changes) {
     std::vector<Override> overrides;
     for (const auto& change : changes) overrides.push_back(parseOverride(change));
     return readScenario(text, "test.yaml", ".", overrides);
   };
+}
+
+/// The scene's own integrator, precision and law in two time steps, each once.
+inline AccuracyOptions fewSettings() {
+  return {.otherPrecision = false, .otherLaw = false, .halvings = 1, .rounds = 1};
 }
 
 }  // namespace morula

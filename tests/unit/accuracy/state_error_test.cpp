@@ -2,19 +2,14 @@
 #include "accuracy/state_error.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "catch.h"
 #include "scenes.h"
+#include "unit/mesh/zoo.h"
 
 using namespace morula;
 
 namespace {
-
-Mesh shifted(Mesh mesh, const Vector& by) {
-  for (Point& x : mesh.vertices) x += by;
-  return mesh;
-}
 
 ComparedCell cell(const char* path, const Mesh& mesh) { return comparedCell(CellPath::parse(path), mesh); }
 
@@ -22,8 +17,9 @@ ComparedCell cell(const char* path, const Mesh& mesh) { return comparedCell(Cell
 
 TEST_CASE("Centroid, volume and surface are each the worst over the cells, in egg radii or relative") {
   const Mesh cube = scenes::cube();
-  const Shapes reference{1, {cell("A", cube), cell("B", shifted(cube, {5, 0, 0}))}};
-  Shapes other{1, {cell("A", shifted(cube, {0, 0.3, 0.4})), cell("B", shifted(scenes::scaled(cube, 1.1), {5, 0, 0}))}};
+  const Shapes reference{1, {cell("A", cube), cell("B", zoo::moved(cube, {5, 0, 0}))}};
+  Shapes other{
+      1, {cell("A", zoo::moved(cube, {0, 0.3, 0.4})), cell("B", zoo::moved(scenes::scaled(cube, 1.1), {5, 0, 0}))}};
   const StateError error = compareShapes(other, reference, 2);
   CHECK(error.centroid == Approx(0.25).epsilon(1e-12));
   CHECK(error.volume == Approx(0.331).epsilon(1e-12));
@@ -37,7 +33,7 @@ TEST_CASE("A cell's centroid is that of what it encloses, wherever its vertices 
   Mesh half = makeIcosphere(3);
   for (Point& x : half.vertices) x.z = std::max(x.z, 0.0);
   CHECK(comparedCell({}, half).centroid.z == Approx(0.375).epsilon(0.01));
-  CHECK(comparedCell({}, shifted(half, {1e3, 0, 0})).centroid.x == Approx(1e3).epsilon(1e-12));
+  CHECK(comparedCell({}, zoo::moved(half, {1e3, 0, 0})).centroid.x == Approx(1e3).epsilon(1e-12));
 }
 
 TEST_CASE("Other cells are told, and not compared") {
