@@ -1,19 +1,16 @@
 // How many cell cycles per second the compiled DNA runs without physics, over the 4094 genes of the thesis'
 // tree of C. elegans. Not a test: it prints numbers and judges nothing.
-#include <chrono>
 #include <cstdio>
 #include <vector>
 
 #include "biology/dna.h"
 #include "biology/full_tree.h"
 #include "biology/logical_dna.h"
+#include "system/clock.h"
 
 using namespace morula;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 struct Cell {
   CellPath path;
@@ -42,24 +39,24 @@ std::uint64_t runCellCycles(BiologicalUnit& unit, std::vector<Cell>& cells, std:
 
 int main() {
   const std::string text = makeFullTreeDna(10);
-  auto begin = Clock::now();
+  double begin = seconds(ClockKind::wall);
   const Dna dna = parseDna(text, "full-tree.dna");
-  std::printf("read %zu genes          %8.2f ms\n", dna.genes.size(), 1e3 * secondsSince(begin));
-  begin = Clock::now();
+  std::printf("read %zu genes          %8.2f ms\n", dna.genes.size(), 1e3 * (seconds(ClockKind::wall) - begin));
+  begin = seconds(ClockKind::wall);
   const auto unit = makeLogicalDna(dna, {});
-  std::printf("compiled                 %8.2f ms\n", 1e3 * secondsSince(begin));
+  std::printf("compiled                 %8.2f ms\n", 1e3 * (seconds(ClockKind::wall) - begin));
 
   std::vector<Cell> cells, next;
   const auto report = [&](const char* what, int organisms, int cycles) {
     std::uint64_t run = 0;
-    begin = Clock::now();
+    begin = seconds(ClockKind::wall);
     for (int organism = 0; organism < organisms; ++organism) {
       cells = {{CellPath{}, unit->startState()}};
       for (int cycle = 0; cycle < cycles; ++cycle) run += runCellCycles(*unit, cells, next);
     }
-    const double seconds = secondsSince(begin);
+    const double took = seconds(ClockKind::wall) - begin;
     std::printf("%s %8.2f million cell cycles per second (%llu in %.3f s, %zu cells at the end)\n", what,
-                run / seconds / 1e6, static_cast<unsigned long long>(run), seconds, cells.size());
+                run / took / 1e6, static_cast<unsigned long long>(run), took, cells.size());
   };
   report("egg to 1024, first time  ", 1, 12);
   report("egg to 1024, again       ", 2000, 12);

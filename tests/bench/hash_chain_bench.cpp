@@ -3,7 +3,6 @@
 //   hash_chain_bench [SCENARIO]     default: scenarios/thesis/elegans-128.yaml
 #include <fmt/format.h>
 
-#include <ctime>
 #include <filesystem>
 
 #include "scenario/scenario.h"
@@ -11,6 +10,7 @@
 #include "simulation/world.h"
 #include "store/recorder.h"
 #include "store/store.h"
+#include "system/clock.h"
 
 using namespace morula;
 
@@ -18,37 +18,31 @@ namespace {
 
 constexpr std::uint64_t turn = 64;  // steps, as between two links
 
-double cpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 struct Contestant {
   World world;
   Recorder recorder;
   double seconds = 0;
 
   void go() {
-    const double begin = cpuSeconds();
-    for (std::uint64_t i = 0; i < turn && !finished(world); ++i) {
-      step(world);
-      recorder.observe(world);
-    }
-    seconds += cpuSeconds() - begin;
+    seconds += timeOf(ClockKind::process, [&] {
+      for (std::uint64_t i = 0; i < turn && !finished(world); ++i) {
+        step(world);
+        recorder.observe(world);
+      }
+    });
   }
 };
 
 /// Storing what the recorder has.
 double secondsToStore(Contestant& c, const std::filesystem::path& file) {
-  const double begin = cpuSeconds();
-  RunRecord record;
-  record.scenario = "hash-chain";
-  record.scenarioHash = std::string(32, '0');
-  auto store = Store::openForWriting(file);
-  const auto id = store.begin(record);
-  store.finish(id, endOf(c.world, RunStatus::done), c.recorder.take(c.world));
-  return cpuSeconds() - begin;
+  return timeOf(ClockKind::process, [&] {
+    RunRecord record;
+    record.scenario = "hash-chain";
+    record.scenarioHash = std::string(32, '0');
+    auto store = Store::openForWriting(file);
+    const auto id = store.begin(record);
+    store.finish(id, endOf(c.world, RunStatus::done), c.recorder.take(c.world));
+  });
 }
 
 }  // namespace

@@ -13,8 +13,14 @@ namespace {
 constexpr int cells = 64;
 
 World& packed() {
-  static World world = makePackedWorld({.cells = cells}, {}, "", [](const std::string&) {});
+  static World world = makePackedWorld({.cells = cells});
   return world;
+}
+
+/// Named "WHAT/ISA".
+template <class Run>
+void add(const std::string& what, Isa isa, const Run& run) {
+  benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(), run);
 }
 
 /// Runs a stage over all blocks; items are vertices.
@@ -27,14 +33,13 @@ void overBlocks(benchmark::State& state, const Stage& stage) {
 }
 
 void addStage(const std::string& what, Isa isa, PhysicsKernels::Stage stage) {
-  benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(),
-                               [=](benchmark::State& state) { overBlocks(state, stage); });
+  add(what, isa, [=](benchmark::State& state) { overBlocks(state, stage); });
 }
 
 /// With a time step of 0, which moves nothing. Kicks start from no force, for force and acceleration share a
 /// place.
 void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage stage) {
-  benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
+  add(what, isa, [=](benchmark::State& state) {
     Bodies& b = *packed().bodies;
     const auto acceleration = b.acceleration;
     b.acceleration.assign(b.acceleration.size(), 0);
@@ -46,8 +51,7 @@ void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage 
 }
 
 void addContact(Isa isa, double friction) {
-  const std::string what = friction > 0 ? "contact with friction/" : "contact/";
-  benchmark::RegisterBenchmark((what + name(isa)).c_str(), [=](benchmark::State& state) {
+  add(friction > 0 ? "contact with friction" : "contact", isa, [=](benchmark::State& state) {
     World& world = packed();
     Contacts& c = *world.contacts;
     ContactParameters parameters = c.parameters;
@@ -63,17 +67,16 @@ void addContact(Isa isa, double friction) {
 }
 
 void addSearch(Isa isa, ContactSearch method) {
-  benchmark::RegisterBenchmark((std::string("search by ") + nameOf(method) + "/" + name(isa)).c_str(),
-                               [=](benchmark::State& state) {
-                                 const Bodies& bodies = *packed().bodies;
-                                 Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
-                                 resetContacts(c, bodies);
-                                 for (auto _ : state) {
-                                   c.listIsValid = false;
-                                   refreshList(c, bodies, 1);
-                                 }
-                                 state.SetItemsProcessed(state.iterations() * cells * bodies.vertexCount());
-                               });
+  add(std::string("search by ") + nameOf(method), isa, [=](benchmark::State& state) {
+    const Bodies& bodies = *packed().bodies;
+    Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
+    resetContacts(c, bodies);
+    for (auto _ : state) {
+      c.listIsValid = false;
+      refreshList(c, bodies, 1);
+    }
+    state.SetItemsProcessed(state.iterations() * cells * bodies.vertexCount());
+  });
 }
 
 }  // namespace

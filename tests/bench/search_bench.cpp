@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <string>
 #include <vector>
 
 #include "biology/dna.h"
+#include "biology/full_tree.h"
 #include "contacts/contacts.h"
 #include "simulation/stages.h"
 #include "simulation/world.h"
+#include "system/clock.h"
 
 using namespace morula;
 
@@ -21,39 +21,27 @@ namespace {
 
 constexpr double fixedStep = 1.0 / 2800;  // between the stability limits of 128 and of 256 of these cells
 
-/// [ns] of CPU, all threads together: other programs on the machine disturb it least.
-double now() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+/// [ns] Of so many calls, for one of them: CPU, all threads together, which other programs on the machine disturb least.
+template <class Work>
+double timed(int calls, const Work& work) {
+  return 1e9 / calls * timeOf(ClockKind::process, [&] {
+           for (int k = 0; k < calls; ++k) work();
+         });
 }
 
-/// The median of five, per call. [ns]
+/// The median of five.
 template <class Work>
-double timed(int calls, Work&& work) {
-  std::vector<double> times;
-  for (int i = 0; i < 5; ++i) {
-    const double start = now();
-    for (int k = 0; k < calls; ++k) work();
-    times.push_back((now() - start) / calls);
-  }
-  std::nth_element(times.begin(), times.begin() + 2, times.end());
-  return times[2];
+double timedOften(int calls, const Work& work) {
+  std::vector<double> times(5);
+  for (double& time : times) time = timed(calls, work);
+  return median(times);
 }
 
 /// Everybody divides `generations` times; cells fill the unit sphere.
 Scene organism(int generations) {
-  std::string dna = "START: s0\n";
-  for (int i = 0; i < generations; ++i) {
-    const std::string now = "s" + std::to_string(i), next = "s" + std::to_string(i + 1);
-    dna += "g" + std::to_string(2 * i) + "(" + next + "|" + now + ")\n";
-    dna += "g" + std::to_string(2 * i + 1) + "(divide|" + now + ")\n";
-  }
-  const std::string last = "s" + std::to_string(generations);
-  dna += "g" + std::to_string(2 * generations) + "(" + last + "|" + last + ")\n";
   Scene scene;
   scene.name = "packed";
-  scene.dna = parseDna(dna, "packed");
+  scene.dna = parseDna(makeFullTreeDna(generations), "packed");
   scene.cycle.length = 0.5;
   scene.stop.cycles = generations + 1;
   MechanicsScene m;
@@ -84,9 +72,7 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   const bool slow = method == ContactSearch::bruteForce;
   if (!slow) search();
   const auto before = list.counters;
-  const double start = now();
-  if (slow) search();
-  const double ns = slow ? now() - start : timed(std::max(1, int(2e5 / vertices)), search);
+  const double ns = slow ? timed(1, search) : timedOften(std::max(1, int(2e5 / vertices)), search);
   const SearchCounters& c = list.counters;
   const double n = vertices * static_cast<double>(c.searches - before.searches);
   const auto per = [&](std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then) / n; };
@@ -104,11 +90,10 @@ void printStages(World& world) {
   const double vertices = double(bodies.count) * bodies.vertexCount();
   const int calls = std::max(1, int(1e6 / vertices));
   const auto eachBlock = [&](auto&& work) {
-    return timed(calls,
-                 [&] {
-                   for (int i = 0; i < bodies.blockCount(); ++i) work(bodies.block(i, 0), i);
-                 }) /
-           vertices;
+    const auto all = [&] {
+      for (int i = 0; i < bodies.blockCount(); ++i) work(bodies.block(i, 0), i);
+    };
+    return timedOften(calls, all) / vertices;
   };
   const double internal = eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
   evaluateForces(world);
@@ -116,9 +101,7 @@ void printStages(World& world) {
       eachBlock([&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
   evaluateForces(world);
   const auto steps = world.clock.step, rebuilds = contacts.rebuilds;
-  const double start = now();
-  for (int i = 0; i < 300; ++i) step(world);
-  const double whole = (now() - start) / 300 / vertices;
+  const double whole = timed(300, [&] { step(world); }) / vertices;
   std::printf("| %d | %.1f | %.1f | %.1f | %.0f |\n", bodies.count, internal, law, whole,
               static_cast<double>(world.clock.step - steps) /
                   static_cast<double>(std::max<std::uint64_t>(1, contacts.rebuilds - rebuilds)));

@@ -26,15 +26,15 @@ void append(std::vector<double>& to, const std::vector<double>& from) { to.inser
 
 class SceneBench {
  public:
-  SceneBench(const BenchOptions& options, const PackedScene& packed, std::string name, bool whole)
+  SceneBench(const BenchOptions& options, const PlannedScene& scene)
       : options_(options),
-        packed_(packed),
-        name_(std::move(name)),
-        whole_(whole),
-        everyStage_(whole || !packed.contact || packed.precision == Precision::binary32),
+        packed_(scene.packed),
+        name_(scene.name),
+        whole_(scene.whole),
+        everyStage_(whole_ || !packed_.contact || packed_.precision == Precision::binary32),
         isas_(everyStage_ ? options.isas : std::vector{options.isas.back()}),
         bulletProgram_(bulletProgram()),
-        subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
+        subject_(packed_, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                  options.tell) {
     // By the size alone, so that what is counted on the way is the same everywhere.
     const double wanted = options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
@@ -240,7 +240,7 @@ class SceneBench {
 /// From packing to the last round, all rows but for their shares of the machine's limits; `meter` is read in
 /// every round. Only one scene is in memory at a time.
 std::vector<BenchRow> measureScene(const PlannedScene& scene, const BenchOptions& options, LimitMeter& meter) {
-  SceneBench bench(options, scene.packed, scene.name, scene.whole);
+  SceneBench bench(options, scene);
   for (int i = 0; i < options.rounds; ++i) {
     options.tell(fmt::format("{} scene, {} cells, level {}: round {} of {}", scene.name, scene.packed.cells,
                              scene.packed.level, i + 1, options.rounds));

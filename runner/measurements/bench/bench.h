@@ -12,7 +12,6 @@
 #include "bench/machine_limits.h"
 #include "bench/work.h"
 #include "charts/chart.h"
-#include "contacts/contact_search.h"
 #include "document/document.h"
 
 namespace morula {

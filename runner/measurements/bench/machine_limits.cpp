@@ -23,28 +23,22 @@ volatile double sink;  // results go somewhere
 
 /// Turns per second of a kernel: as many turns as take long enough.
 template <class Kernel>
-double rate(const Kernel& kernel) {
-  long turns = 1000;
-  while (true) {
-    const double time = timeOf(ClockKind::cpu, [&] { sink = kernel(turns); });
-    if (time >= sampleSeconds) return static_cast<double>(turns) / time;
-    turns *= 4;
-  }
+double rate(const Kernel& kernel, long turns = 1000) {
+  for (;; turns *= 4)
+    if (const double time = timeOf(ClockKind::cpu, [&] { sink = kernel(turns); }); time >= sampleSeconds)
+      return static_cast<double>(turns) / time;
 }
 
 double measureBandwidth(AlignedVector<double>& memory, std::size_t bytes) {
   const std::size_t count = bytes / 24 / 8 * 8;
   double *a = memory.data(), *b = a + count, *c = b + count;
   const auto& kernels = peakKernels(bestIsa());
-  long turns = 1;
-  kernels.triad(a, b, c, count);
-  while (true) {
-    const double time = timeOf(ClockKind::cpu, [&] {
-      for (long t = 0; t < turns; ++t) kernels.triad(a, b, c, count);
-    });
-    if (time >= sampleSeconds) return static_cast<double>(turns) * static_cast<double>(24 * count) / time;
-    turns *= 4;
-  }
+  const auto triads = [&](long turns) {
+    for (long t = 0; t < turns; ++t) kernels.triad(a, b, c, count);
+    return a[0];
+  };
+  triads(1);
+  return rate(triads, 1) * static_cast<double>(24 * count);
 }
 
 }  // namespace
@@ -56,19 +50,14 @@ double MachineLimits::bandwidthFor(double bytes) const {
 }
 
 double processorsFor(int threads) {
-  const auto cpu = [] {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
   const auto turns = static_cast<long>(5e-3 * rate(peakKernels(Isa::scalar).multiplyAdd));
   std::vector<double> results(static_cast<std::size_t>(threads));
-  const double before = cpu();
+  const double before = seconds(ClockKind::process);
   const double wall = timeOf(ClockKind::wall, [&] {
     parallelFor(threads, threads, [&](int i) { results[i] = peakKernels(Isa::scalar).multiplyAdd(turns); });
   });
   sink = results.back();
-  return (cpu() - before) / wall;
+  return (seconds(ClockKind::process) - before) / wall;
 }
 
 LimitMeter::LimitMeter(std::vector<Isa> isas) : memory_(largest / sizeof(double), 1.0) {

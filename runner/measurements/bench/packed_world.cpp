@@ -99,12 +99,6 @@ std::vector<Body> smallSpheres(const World& world, const std::vector<PlacedCell>
   return bodies;
 }
 
-std::vector<Body> allBodies(const World& world) {
-  std::vector<Body> bodies;
-  for (int slot = 0; slot < world.bodies->count; ++slot) bodies.push_back(takeBody(*world.bodies, slot));
-  return bodies;
-}
-
 std::vector<CellPath> paths(const std::vector<PlacedCell>& places) {
   std::vector<CellPath> list;
   for (const PlacedCell& place : places) list.push_back(place.path);
@@ -135,7 +129,9 @@ std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell
   }
   const double fill = measureWorld(world)["shell_fill"].value_or(0);
   if (fill < wantedFill) throw BugError(fmt::format("{} cells fill only {:.3f} of their shell", packed.cells, fill));
-  return allBodies(world);
+  std::vector<Body> bodies;
+  for (int slot = 0; slot < world.bodies->count; ++slot) bodies.push_back(takeBody(*world.bodies, slot));
+  return bodies;
 }
 
 Hash keyOf(const PackedScene& packed, const Scene& scene) {

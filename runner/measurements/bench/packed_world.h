@@ -53,8 +53,9 @@ std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem
                                 const std::function<void(const std::string&)>& tell);
 
 /// Both together: the scene's world with its settled cells.
-World makePackedWorld(const PackedScene& packed, const Execution& execution, const std::filesystem::path& folder,
-                      const std::function<void(const std::string&)>& tell);
+World makePackedWorld(
+    const PackedScene& packed, const Execution& execution = {}, const std::filesystem::path& folder = "",
+    const std::function<void(const std::string&)>& tell = [](const std::string&) {});
 
 /// Nothing if there is no such file, if it was written under another key, or if it is damaged.
 std::optional<std::vector<Body>> readBodies(const std::filesystem::path& file, const Hash& key);

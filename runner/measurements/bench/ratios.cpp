@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <tuple>
 
 #include "bench/bench.h"
 
@@ -20,14 +21,10 @@ class BenchTable {
   const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1, bool wall = false) const {
     return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
   }
-  const BenchRow* free(Stage stage, int cells, const std::string& isa) const {
-    return find(rows_, "free", "morula", stage, cells, cellVertices, isa);
-  }
-  const BenchRow* other(const std::string& engine, Stage stage, int cells) const {
-    return find(rows_, "packed", engine, stage, cells, cellVertices, "");
-  }
-  const BenchRow* step(const std::string& scene, const std::string& engine, int cells, const std::string& isa) const {
-    return find(rows_, scene, engine, Stage::step, cells, cellVertices, isa);
+  /// By one thread.
+  const BenchRow* row(const std::string& scene, const std::string& engine, Stage stage, int cells,
+                      const std::string& isa = "") const {
+    return find(rows_, scene, engine, stage, cells, cellVertices, isa);
   }
   const std::set<std::string>& isas() const { return isas_; }
   const std::set<int>& cells() const { return cells_; }
@@ -47,8 +44,8 @@ void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
                                                       {"packed-single", Precision::binary32}};
   for (const int cells : {64, 128, 256})
     for (const auto& [scene, precision] : scenes) {
-      const BenchRow *ours = t.step(scene, "morula", cells, t.reference()),
-                     *bullet = t.step(scene, "bullet-b1", cells, "");
+      const BenchRow *ours = t.row(scene, "morula", Stage::step, cells, t.reference()),
+                     *bullet = t.row(scene, "bullet-b1", Stage::step, cells);
       if (ours && bullet)
         ratios.push_back({fmt::format("times faster than Bullet B1, both in {} precision, {} cells, {}",
                                       nameOf(precision), cells, t.reference()),
@@ -57,7 +54,7 @@ void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
 }
 
 void againstOrdinaryCode(const BenchTable& t, std::vector<BenchRatio>& ratios) {
-  const BenchRow* ordinary = t.other("scalar", Stage::internal, 64);
+  const BenchRow* ordinary = t.row("packed", "scalar", Stage::internal, 64);
   if (!ordinary) return;
   const std::pair<int, double> promised[] = {{64, 1}, {512, 75.0 / 45}, {2048, 95.0 / 45}};
   for (const auto& [cells, most] : promised)
@@ -68,28 +65,26 @@ void againstOrdinaryCode(const BenchTable& t, std::vector<BenchRatio>& ratios) {
 }
 
 void scaling(const BenchTable& t, std::vector<BenchRatio>& ratios) {
-  struct Promise {
-    int many, few;
-    double most;
-  };
-  for (const Promise p : {Promise{256, 128, 1.4}, Promise{2048, 64, 2.2}}) {
-    const BenchRow *many = t.packed(Stage::step, p.many, t.reference()),
-                   *few = t.packed(Stage::step, p.few, t.reference());
-    if (many && few)
-      ratios.push_back({fmt::format("ns per vertex-step, {} over {} cells, {}", p.many, p.few, t.reference()),
-                        ns(*many) / ns(*few), p.most, false});
+  for (const auto& [many, few, most] : {std::tuple{256, 128, 1.4}, {2048, 64, 2.2}}) {
+    const BenchRow *large = t.packed(Stage::step, many, t.reference()),
+                   *small = t.packed(Stage::step, few, t.reference());
+    if (large && small)
+      ratios.push_back({fmt::format("ns per vertex-step, {} over {} cells, {}", many, few, t.reference()),
+                        ns(*large) / ns(*small), most, false});
   }
 }
 
 void kernels(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   for (const std::string& isa : t.isas()) {
-    if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareOfPeak)
+    const BenchRow* row = t.packed(Stage::internal, 64, isa);
+    if (row && row->shareOfPeak)
       ratios.push_back({fmt::format("inner forces, share of the multiply–add peak, 64 cells, {}", isa),
                         *row->shareOfPeak, 0.7, true});
-    if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareWithRoots)
+    if (row && row->shareWithRoots)
       ratios.push_back({fmt::format("the same with an edge's root and quotient counted, 64 cells, {}", isa),
                         *row->shareWithRoots, 0.7, true, "tells what the rest is"});
-    const BenchRow *step = t.free(Stage::step, 64, isa), *internal = t.free(Stage::internal, 64, isa);
+    const BenchRow *step = t.row("free", "morula", Stage::step, 64, isa),
+                   *internal = t.row("free", "morula", Stage::internal, 64, isa);
     if (step && internal)
       ratios.push_back({fmt::format("step without contact over inner forces, 64 cells, {}", isa),
                         ns(*step) / ns(*internal), 1.1, false});

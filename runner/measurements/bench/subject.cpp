@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "contacts/contacts.h"
-#include "simulation/population.h"
 #include "simulation/stages.h"
 
 namespace morula {

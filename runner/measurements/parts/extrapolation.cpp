@@ -1,11 +1,11 @@
-#include "parts/extrapolation.h"
-
+// From the eras that a trial run came to, to those that it did not.
 #include <algorithm>
 #include <cmath>
 
 #include "base/maths.h"
 #include "bench/packed_world.h"
 #include "contacts/contacts.h"
+#include "parts/trial_run.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 

@@ -9,134 +9,122 @@
 namespace morula {
 namespace {
 
-class Reasons {
+using Paths = std::initializer_list<const char*>;
+
+class PartList {
  public:
-  explicit Reasons(const Scenario& scenario) : scenario_(scenario) {}
+  explicit PartList(const Scenario& scenario) : scenario_(scenario) {}
 
-  bool given(const std::string& path) const { return scenario_.places.contains(path); }
+  /// `asks`: keys that ask for it, of which the first that is given is told.
+  void add(const char* name, const std::string& what, Paths asks) { parts.push_back({name, true, what, whyOf(asks)}); }
+  /// The same where it is engaged; otherwise `needs` would ask for it.
+  void add(const char* name, bool engaged, const std::string& what, Paths asks, const std::string& needs) {
+    if (engaged) add(name, what, asks);
+    else absent({name}, needs);
+  }
+  void absent(Paths names, const std::string& needs) {
+    for (const char* name : names) parts.push_back({name, false, "", needs});
+  }
 
-  /// Where the first of these that is given stands.
-  std::string of(std::initializer_list<const char*> paths) const {
+  std::vector<Part> parts;
+
+ private:
+  std::string whyOf(Paths paths) const {
     for (const std::string path : paths)
       if (const auto place = scenario_.places.find(path); place != scenario_.places.end())
         return place->second + (place->second.ends_with(path) ? "" : ": " + path);
     return "default";
   }
 
- private:
   const Scenario& scenario_;
 };
-
-Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
 /// What slows cells does not matter where none moves.
 const char* ofMotion(const PhysicsParameters& p) {
   return kindOf(p.integrator).settles ? "without effect on where cells rest" : "";
 }
 
-void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
-  if (!kindOf(p.cell.model).hasMembrane) {
-    for (const char* name : {"springs", "damping", "pressure"})
-      parts.push_back(absent(name, "physics.cell.model: shell"));
-    parts.push_back(kindOf(p.cell.model).hasRestShape ? Part{"shape-matching", true, "", why.of({"physics.cell.model"})}
-                                                      : absent("shape-matching", "physics.cell.model: shape-matching"));
-    return;
+void addModel(PartList& list, const PhysicsParameters& p) {
+  const CellModelKind& model = kindOf(p.cell.model);
+  if (model.hasMembrane) {
+    list.add("springs", "", {"physics.membrane.stiffness"});
+    list.add("damping", p.membrane.damping > 0, ofMotion(p), {"physics.membrane.damping"},
+             "physics.membrane.damping > 0");
+    list.add("pressure", "", {"physics.pressure"});
+  } else {
+    list.absent({"springs", "damping", "pressure"}, "physics.cell.model: shell");
   }
-  parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
-  parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, ofMotion(p), why.of({"physics.membrane.damping"})}
-                                         : absent("damping", "physics.membrane.damping > 0"));
-  parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
-  parts.push_back(absent("shape-matching", "physics.cell.model: shape-matching"));
+  list.add("shape-matching", model.hasRestShape, "", {"physics.cell.model"}, "physics.cell.model: shape-matching");
 }
 
-void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons& why) {
-  if (!scenario.scene.mechanics) {
-    for (const char* name : {"bodies", "springs", "damping", "pressure", "shape-matching", "drag", "integration",
-                             "motility", "growth", "shell"})
-      parts.push_back(absent(name, "physics"));
-    return;
-  }
+std::string shapeOf(const ShellParameters& shell) {
+  if (shell.mesh) return fmt::format("mesh of {} planes", shell.mesh->planes.size());
+  const double* a = shell.semiAxes;
+  return a[0] == a[1] && a[1] == a[2] ? "sphere" : "ellipsoid";
+}
+
+void addBodies(PartList& list, const Scenario& scenario) {
+  if (!scenario.scene.mechanics)
+    return list.absent({"bodies", "springs", "damping", "pressure", "shape-matching", "drag", "integration", "motility",
+                        "growth", "shell"},
+                       "physics");
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;
   const bool spheres = !kindOf(p.cell.model).hasMesh;
-  parts.push_back({"bodies", true,
-                   fmt::format("{}{}{}", spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size()),
-                               p.coarsen ? ", fewer when small" : "",
-                               p.precision == Precision::binary32 ? ", in single precision" : ""),
-                   spheres ? why.of({"physics.cell.model"}) : why.of({"physics.mesh", "physics"})});
-  addModel(parts, p, why);
-  parts.push_back(p.drag > 0 ? Part{"drag", true, ofMotion(p), why.of({"physics.drag"})}
-                             : absent("drag", "physics.drag > 0"));
-  parts.push_back({"integration", true,
-                   fmt::format("{}, {}{}", kindOf(p.integrator).title,
-                               p.timeStep                     ? "fixed time step"
-                               : kindOf(p.integrator).settles ? "masses have no effect"
-                                                              : "automatic time step",
-                               p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
-                   why.of({"physics.integrator", "physics.time_step"})});
-  parts.push_back(p.motility ? Part{"motility", true, "", why.of({"physics.motility"})}
-                             : absent("motility", "physics.motility"));
-  parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})} : absent("growth", "physics.growth"));
-  if (!p.shell) {
-    parts.push_back(absent("shell", "physics.shell"));
-    return;
-  }
-  if (p.shell->mesh) {
-    parts.push_back(
-        {"shell", true, fmt::format("mesh of {} planes", p.shell->mesh->planes.size()), why.of({"physics.shell"})});
-    return;
-  }
-  const double* a = p.shell->semiAxes;
-  parts.push_back({"shell", true, a[0] == a[1] && a[1] == a[2] ? "sphere" : "ellipsoid", why.of({"physics.shell"})});
+  const std::string shape = spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size());
+  const std::string bodies = shape + (p.coarsen ? ", fewer when small" : "") +
+                             (p.precision == Precision::binary32 ? ", in single precision" : "");
+  if (spheres) list.add("bodies", bodies, {"physics.cell.model"});
+  else list.add("bodies", bodies, {"physics.mesh", "physics"});
+  addModel(list, p);
+  list.add("drag", p.drag > 0, ofMotion(p), {"physics.drag"}, "physics.drag > 0");
+  list.add("integration",
+           fmt::format("{}, {}{}", kindOf(p.integrator).title,
+                       p.timeStep                     ? "fixed time step"
+                       : kindOf(p.integrator).settles ? "masses have no effect"
+                                                      : "automatic time step",
+                       p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
+           {"physics.integrator", "physics.time_step"});
+  list.add("motility", p.motility.has_value(), "", {"physics.motility"}, "physics.motility");
+  list.add("growth", p.growth.has_value(), "", {"physics.growth"}, "physics.growth");
+  list.add("shell", p.shell.has_value(), p.shell ? shapeOf(*p.shell) : "", {"physics.shell"}, "physics.shell");
 }
 
-void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk& ask, const Reasons& why) {
+void addContact(PartList& list, const Scenario& scenario, const RunAsk& ask) {
   const auto& mechanics = scenario.scene.mechanics;
-  if (!mechanics || !mechanics->contact) {
-    for (const char* name : {"contact", "friction", "adhesion", "search"})
-      parts.push_back(absent(name, "physics.contact"));
-    return;
-  }
+  if (!mechanics || !mechanics->contact)
+    return list.absent({"contact", "friction", "adhesion", "search"}, "physics.contact");
   const ContactParameters& c = *mechanics->contact;
   const bool thesis = c.law == ContactLaw::thesis;
-  parts.push_back({"contact", true,
-                   thesis                                           ? "the thesis' law"
-                   : !kindOf(mechanics->physics.cell.model).hasMesh ? "of spheres"
-                                                                    : "pair law",
-                   why.of({"physics.contact.law", "physics.contact"})});
-  parts.push_back(!thesis && c.friction > 0
-                      ? Part{"friction", true, ofMotion(mechanics->physics), why.of({"physics.contact.friction"})}
-                      : absent("friction", thesis ? "physics.contact.law: pair, and friction > 0"
-                                                  : "physics.contact.friction > 0"));
-  parts.push_back(c.adhesion
-                      ? Part{"adhesion", true, c.adhesion->pairs.empty() ? "of all cells" : "by pairs of substances",
-                             why.of({"physics.contact.adhesion"})}
-                      : absent("adhesion", "physics.contact.adhesion"));
-  parts.push_back({"search", true, nameOf(ask.search),
-                   ask.search == ContactSearch::grid ? why.of({"physics.contact"}) : "--search"});
+  list.add("contact",
+           thesis                                           ? "the thesis' law"
+           : !kindOf(mechanics->physics.cell.model).hasMesh ? "of spheres"
+                                                            : "pair law",
+           {"physics.contact.law", "physics.contact"});
+  list.add("friction", !thesis && c.friction > 0, ofMotion(mechanics->physics), {"physics.contact.friction"},
+           thesis ? "physics.contact.law: pair, and friction > 0" : "physics.contact.friction > 0");
+  list.add("adhesion", c.adhesion.has_value(),
+           c.adhesion && c.adhesion->pairs.empty() ? "of all cells" : "by pairs of substances",
+           {"physics.contact.adhesion"}, "physics.contact.adhesion");
+  list.add("search", nameOf(ask.search), {"physics.contact"});
+  if (ask.search != ContactSearch::grid) list.parts.back().why = "--search";
 }
 
-void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk& ask, const Reasons& why) {
+void addRecord(PartList& list, const Scenario& scenario, const RunAsk& ask) {
   const auto& record = scenario.record;
-  parts.push_back(record.every
-                      ? Part{"samples", true, fmt::format("every {:.6g}", *record.every), why.of({"record.every"})}
-                      : Part{"samples", true, "start and end", "default"});
-  parts.push_back(record.meshes ? Part{"surfaces", true, fmt::format("of all cells, every {:.6g}", *record.meshes),
-                                       why.of({"record.meshes"})}
-                                : absent("surfaces", "record.meshes"));
+  const auto every = [](const std::optional<double>& time) { return fmt::format("every {:.6g}", time.value_or(0)); };
+  list.add("samples", record.every ? every(record.every) : "start and end", {"record.every"});
+  list.add("surfaces", record.meshes.has_value(), "of all cells, " + every(record.meshes), {"record.meshes"},
+           "record.meshes");
   const std::string golden = ask.golden.empty() ? "" : "golden file " + ask.golden;
-  if (wantsHashes(scenario, !golden.empty()))
-    parts.push_back({"hashes", true, "of the states on the way", golden.empty() ? why.of({"check"}) : golden});
-  else parts.push_back(absent("hashes", "a golden file, or check"));
-  parts.push_back(golden.empty() ? absent("golden", "morula review SCENARIO --accept")
-                                 : Part{"golden", true, "the result against the accepted one", golden});
-  if (!ask.pictures) parts.push_back(absent("pictures", "a run without --no-pictures"));
-  else
-    parts.push_back({"pictures", true,
-                     record.pictures && scenario.scene.mechanics
-                         ? fmt::format("at the end, and every {:.6g}", *record.pictures)
-                         : "at the end",
-                     why.of({"record.pictures"})});
+  list.add("hashes", wantsHashes(scenario, !golden.empty()), "of the states on the way", {"check"},
+           "a golden file, or check");
+  if (!golden.empty()) list.parts.back().why = golden;
+  list.add("golden", !golden.empty(), "the result against the accepted one", {}, "morula review SCENARIO --accept");
+  if (!golden.empty()) list.parts.back().why = golden;
+  list.add("pictures", ask.pictures,
+           record.pictures && scenario.scene.mechanics ? "at the end, and " + every(record.pictures) : "at the end",
+           {"record.pictures"}, "a run without --no-pictures");
 }
 
 std::string describeDivision(const DivisionParameters& division) {
@@ -152,24 +140,21 @@ std::string describeDivision(const DivisionParameters& division) {
 }  // namespace
 
 std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
-  const Reasons why(scenario);
   const auto& mechanics = scenario.scene.mechanics;
-  std::vector<Part> parts;
+  PartList list(scenario);
   const std::size_t genes = scenario.scene.dna.genes.size();
   const std::size_t senses = scenario.scene.senses.size();
-  parts.push_back({"biology", true, counted(genes, "gene") + (senses > 0 ? ", " + counted(senses, "sense") : ""),
-                   why.of({"dna.file", "dna"})});
-  addBodies(parts, scenario, why);
-  addContact(parts, scenario, ask, why);
-  parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
-                                                      : absent("connections", "connections"));
-  parts.push_back(mechanics ? Part{"division", true, describeDivision(mechanics->division),
-                                   why.of({"division.rules", "division.plane", "division"})}
-                            : absent("division", "physics"));
+  list.add("biology", counted(genes, "gene") + (senses > 0 ? ", " + counted(senses, "sense") : ""),
+           {"dna.file", "dna"});
+  addBodies(list, scenario);
+  addContact(list, scenario, ask);
+  list.add("connections", mechanics && mechanics->connections, "", {"connections"}, "connections");
+  list.add("division", mechanics.has_value(), mechanics ? describeDivision(mechanics->division) : "",
+           {"division.rules", "division.plane", "division"}, "physics");
   if (scenario.scene.variation != VariationParameters{})
-    parts.push_back({"variation", true, "a seed makes cells differ", why.of({"variation"})});
-  addRecord(parts, scenario, ask, why);
-  return parts;
+    list.add("variation", "a seed makes cells differ", {"variation"});
+  addRecord(list, scenario, ask);
+  return std::move(list.parts);
 }
 
 }  // namespace morula

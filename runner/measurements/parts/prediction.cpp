@@ -9,7 +9,6 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "loop/simulate.h"
-#include "parts/extrapolation.h"
 #include "parts/rates.h"
 #include "physics/integrator.h"
 #include "simulation/measures.h"
@@ -199,7 +198,7 @@ void addShares(Prediction& f) {
 std::optional<Scenario> settledInstead(const Scenario& scenario) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || kindOf(mechanics->physics.integrator).settles) return std::nullopt;
-  const double together = settledTogether * scenario.scene.cycle.length;
+  const double together = 0.25 * scenario.scene.cycle.length;  // events so close to each other share a settling
   return readScenario(scenario.resolved, scenario.file, "",
                       {parseOverride("physics.integrator=fire"), parseOverride("physics.time_step=null"),
                        parseOverride("physics.settle.together=" + exactText(together))},

@@ -47,9 +47,6 @@ struct PredictionOptions {
 /// Throws InputError and NumericalError as the run would.
 Prediction predictCost(const Scenario& scenario, const PredictionOptions& options);
 
-/// Of a cycle: events so close to each other share a settling in what follows.
-inline constexpr double settledTogether = 0.25;
-
 /// The scenario with physics.integrator fire, from rest to rest, whose cost may be predicted likewise. Absent: it settles
 /// already, or has no bodies. Throws InputError with the keys that do not go with it.
 std::optional<Scenario> settledInstead(const Scenario& scenario);

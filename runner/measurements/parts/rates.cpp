@@ -181,7 +181,7 @@ StepRates measureRates(World& world) {
                                     .level = 1,
                                     .friction = world.contacts->parameters.friction,
                                     .precision = world.bodies->parameters.precision},
-                                   world.execution, "", [](const std::string&) {});
+                                   world.execution);
     measureContact(packed, rates);
   }
   for (double* rate : {&rates.springs, &rates.damping, &rates.pressure, &rates.shapeMatching, &rates.drag,

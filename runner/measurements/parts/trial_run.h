@@ -1,9 +1,11 @@
 #pragma once
 // The beginning of a run, made to see what the rest will be like: how many cells live when, as the genes alone say, and how
-// many steps, searches and contacts the first of them need. What is counted is the same on every machine.
+// many steps, searches and contacts the first of them need; and from its eras to those that it did not come to. What is counted
+// is the same on every machine.
 #include <cstdint>
 #include <vector>
 
+#include "simulation/memory.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -52,5 +54,18 @@ struct TrialRun {
 
 /// Runs the scene for about so many steps times vertices. `world` is new. Throws NumericalError as a run would.
 TrialRun tryBeginning(World world, const Life& life, double vertexSteps = 8e6);
+
+/// [time] Up to which a time step will be stable after so many divisions: for equal parts of a free egg, times what the
+/// trial run has found real cells to lose against them with each division, being uneven and pressed.
+double predictTimeStepLimit(const TrialRun& trial, int generation);
+
+/// [vertices] Of a cell, in the mean over those that live: cells may have different meshes. Of the egg if none lives.
+double verticesPerCell(const Bodies& bodies);
+
+/// One for each era of a life with bodies.
+std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial);
+
+/// At the largest number of cells. Exact for a trial run that came to its end with them.
+MemoryUse extrapolateMemory(const Life& life, const TrialRun& trial);
 
 }  // namespace morula

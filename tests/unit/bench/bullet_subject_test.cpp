@@ -1,7 +1,6 @@
 // What Bullet is timed with, and when, by a Bullet that only keeps count.
 #include "bench/bullet_subject.h"
 
-#include <limits>
 #include <set>
 
 #include "catch.h"

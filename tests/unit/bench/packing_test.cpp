@@ -1,35 +1,19 @@
 // Where packed cells begin, and that they come to fill their shell.
-
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "bench/packed_world.h"
 #include "bench/subject.h"
 #include "catch.h"
 #include "simulation/measures.h"
+#include "temporary_folder.h"
 
 using namespace morula;
 
 namespace {
 
-void silent(const std::string&) {}
-
-struct Folder {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("morula-bench-test-" + std::to_string(::getpid()));
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
 bool same(const std::vector<Body>& a, const std::vector<Body>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].position != b[i].position || a[i].velocity != b[i].velocity || a[i].mass != b[i].mass ||
-        a[i].restScale != b[i].restScale || a[i].pressureConstant != b[i].pressureConstant)
-      return false;
-  return true;
+  return std::ranges::equal(a, b, [](const Body& x, const Body& y) {
+    return std::tie(x.position, x.velocity, x.mass, x.restScale, x.pressureConstant) ==
+           std::tie(y.position, y.velocity, y.mass, y.restScale, y.pressureConstant);
+  });
 }
 
 std::vector<Body> someBodies() {
@@ -69,7 +53,7 @@ TEST_CASE("Cells of neighbouring paths lie near each other, as sisters do") {
 }
 
 TEST_CASE("Packed cells fill their shell and stay in it") {
-  const World world = makePackedWorld({.cells = 8}, {}, "", silent);
+  const World world = makePackedWorld({.cells = 8});
   const WorldMeasures m = measureWorld(world);
   CHECK(m.at("cells") == 8);
   CHECK(m.at("shell_fill") >= 0.85);
@@ -79,25 +63,25 @@ TEST_CASE("Packed cells fill their shell and stay in it") {
 }
 
 TEST_CASE("What was packed once is found again, bit by bit") {
-  const Folder folder;
+  const TemporaryFolder folder;
   int packings = 0;
   const auto count = [&](const std::string&) { ++packings; };
-  const auto first = settledBodies({.cells = 2, .level = 1}, folder.path, count);
+  const auto first = settledBodies({.cells = 2, .level = 1}, folder.path(), count);
   CHECK(packings == 1);
-  CHECK(same(settledBodies({.cells = 2, .level = 1}, folder.path, count), first));
+  CHECK(same(settledBodies({.cells = 2, .level = 1}, folder.path(), count), first));
   CHECK(packings == 1);
   // Another friction is the same packing; another mesh is not.
-  CHECK(same(settledBodies({.cells = 2, .level = 1, .friction = 0.3}, folder.path, count), first));
+  CHECK(same(settledBodies({.cells = 2, .level = 1, .friction = 0.3}, folder.path(), count), first));
   CHECK(packings == 1);
-  CHECK_FALSE(same(settledBodies({.cells = 2, .level = 2}, folder.path, count), first));
+  CHECK_FALSE(same(settledBodies({.cells = 2, .level = 2}, folder.path(), count), first));
   CHECK(packings == 2);
   CHECK(same(settledBodies({.cells = 2, .level = 1}, "", count), first));
   CHECK(packings == 3);
 }
 
 TEST_CASE("A file of bodies gives back what it was given, and nothing when it is not whole") {
-  const Folder folder;
-  const auto file = folder.path / "new" / "some.bodies";
+  const TemporaryFolder folder;
+  const auto file = folder / "new/some.bodies";
   const Hash key{1, 2};
   CHECK_FALSE(readBodies(file, key));
   writeBodies(file, key, someBodies());
@@ -105,24 +89,18 @@ TEST_CASE("A file of bodies gives back what it was given, and nothing when it is
   CHECK(same(*readBodies(file, key), someBodies()));
   CHECK_FALSE(readBodies(file, Hash{1, 3}));
 
-  std::string bytes;
-  {
-    std::ifstream in(file, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-  }
-  const auto put = [&](const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
-  for (std::size_t length = 0; length < bytes.size(); length += 13) {
-    put(bytes.substr(0, length));
-    CHECK_FALSE(readBodies(file, key));
-  }
+  const auto isRefused = [&](const std::string& text) {
+    writeText(file, text);
+    return !readBodies(file, key);
+  };
+  const std::string bytes = readText(file);
+  for (std::size_t length = 0; length < bytes.size(); length += 13) CHECK(isRefused(bytes.substr(0, length)));
   for (std::size_t at = 0; at < bytes.size(); at += 7) {
     std::string changed = bytes;
     changed[at] = static_cast<char>(changed[at] ^ 0x40);
-    put(changed);
-    CHECK_FALSE(readBodies(file, key));
+    CHECK(isRefused(changed));
   }
-  put(bytes + "x");
-  CHECK_FALSE(readBodies(file, key));
+  CHECK(isRefused(bytes + "x"));
 }
 
 TEST_CASE("A file that cannot be written is an error") {
@@ -130,8 +108,7 @@ TEST_CASE("A file that cannot be written is an error") {
 }
 
 TEST_CASE("Stirred cells move as fast as is said, each its own way, the same every time") {
-  World a = makePackedWorld({.cells = 8, .level = 1}, {}, "", silent),
-        b = makePackedWorld({.cells = 8, .level = 1}, {}, "", silent);
+  World a = makePackedWorld({.cells = 8, .level = 1}), b = makePackedWorld({.cells = 8, .level = 1});
   stir(a);
   stir(b);
   CHECK(a.bodies->velocity == b.bodies->velocity);

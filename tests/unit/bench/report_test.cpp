@@ -51,27 +51,26 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   }
 
   const auto ratios = findRatios(rows);
-  REQUIRE(find(ratios, "Bullet B1, both in double precision, 64 cells"));
-  CHECK(find(ratios, "Bullet B1, both in double precision, 64 cells")->value == 50);
-  CHECK(find(ratios, "Bullet B1, both in double precision, 64 cells")->holds());
-  CHECK(find(ratios, "Bullet B1, both in single precision, 64 cells")->value == 20);
-  CHECK_FALSE(find(ratios, "Bullet B1, both in single precision, 64 cells")->holds());
+  const std::string threads = "two threads over one, 512 cells";
+  for (const auto& [what, value, holds, isJudged] :
+       {std::tuple<std::string, double, bool, bool>{"Bullet B1, both in double precision, 64 cells", 50, true, true},
+        {"Bullet B1, both in single precision, 64 cells", 20, false, true},
+        {"256 over 128 cells", 1.5, false, true},
+        {"multiply–add peak", 0.75, true, true},
+        {"root and quotient", 0.9, true, false},
+        {"step of 64 cells over", 40.0 / 45, true, true},
+        {"without contact", 9.0 / 8, false, true},
+        {threads, 1.2, false, true}}) {
+    CAPTURE(what);
+    REQUIRE(find(ratios, what));
+    CHECK(find(ratios, what)->value == value);
+    CHECK(find(ratios, what)->holds() == holds);
+    CHECK(find(ratios, what)->notJudged.empty() == isJudged);
+  }
   CHECK_FALSE(find(ratios, "Bullet B1, both in double precision, 128 cells"));
-  CHECK(find(ratios, "256 over 128 cells")->value == 1.5);
-  CHECK_FALSE(find(ratios, "256 over 128 cells")->holds());
   CHECK_FALSE(find(ratios, "2048 over 64"));
-  CHECK(find(ratios, "multiply–add peak")->holds());
-  CHECK(find(ratios, "root and quotient")->value == 0.9);
-  CHECK_FALSE(find(ratios, "root and quotient")->notJudged.empty());
-  CHECK(find(ratios, "step of 64 cells over")->value == Approx(40.0 / 45));
-  CHECK(find(ratios, "without contact")->value == 9.0 / 8);
-  CHECK_FALSE(find(ratios, "without contact")->holds());
-  CHECK(find(ratios, "two threads over one, 512 cells")->value == 1.2);
-  CHECK_FALSE(find(ratios, "two threads over one, 512 cells")->holds());
-  CHECK(find(ratios, "two threads over one, 512 cells")->notJudged.empty());
   for (BenchRow& r : rows) r.processors = 1.1;
-  CHECK_THAT(find(findRatios(rows), "two threads over one, 512 cells")->notJudged,
-             ContainsSubstring("only 1.1 processors"));
+  CHECK_THAT(find(findRatios(rows), threads)->notJudged, ContainsSubstring("only 1.1 processors"));
 }
 
 TEST_CASE("Work is counted per vertex: an icosahedron by hand") {

@@ -24,6 +24,13 @@ std::map<std::string, Part> byName(const Scenario& scenario, const RunAsk& ask =
   return all;
 }
 
+std::set<std::string> engagedIn(const std::map<std::string, Part>& parts) {
+  std::set<std::string> names;
+  for (const auto& [name, part] : parts)
+    if (part.engaged) names.insert(name);
+  return names;
+}
+
 const std::string genes =
     "morula: 1\nname: some\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 2}\n";
 
@@ -65,10 +72,7 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["connections"].engaged == world.connections.has_value());
     CHECK(parts["growth"].engaged == world.model.mechanics->physics.growth.has_value());
     CHECK(parts["division"].engaged == (world.divisionPolicy != nullptr));
-    std::set<std::string> engaged;
-    for (const auto& [name, part] : parts)
-      if (part.engaged) engaged.insert(name);
-    different.insert(engaged);
+    different.insert(engagedIn(parts));
   }
   CHECK(different.size() == 96);
 }
@@ -94,10 +98,8 @@ TEST_CASE("Without physics there are genes, and nothing that needs a body") {
   const Scenario scenario = read(genes);
   const World world = makeWorld(scenario.scene);
   REQUIRE_FALSE(world.bodies);
-  std::set<std::string> engaged;
-  for (const auto& [name, part] : byName(scenario, {.pictures = false}))
-    if (part.engaged) engaged.insert(name);
-  CHECK(engaged == std::set<std::string>{"biology", "samples"});  // of the start and of the end
+  CHECK(engagedIn(byName(scenario, {.pictures = false})) ==
+        std::set<std::string>{"biology", "samples"});  // of the start and of the end
 }
 
 TEST_CASE("Each part names the line that asks for it, or says that it is a default") {

@@ -7,7 +7,6 @@
 #include "bench/work.h"
 #include "catch.h"
 #include "contacts/contacts.h"
-#include "parts/extrapolation.h"
 #include "parts/rates.h"
 #include "scenes.h"
 #include "simulation/hash.h"
@@ -46,15 +45,9 @@ Predicted predict(const Scene& scene, double vertexSteps) {
   return {life, std::move(trial), std::move(eras)};
 }
 
-double steps(const std::vector<EraCounts>& eras) {
+double sumOf(double EraCounts::*count, const std::vector<EraCounts>& eras) {
   double sum = 0;
-  for (const EraCounts& o : eras) sum += o.steps;
-  return sum;
-}
-
-double pairs(const std::vector<EraCounts>& eras) {
-  double sum = 0;
-  for (const EraCounts& o : eras) sum += o.pairs;
+  for (const EraCounts& era : eras) sum += era.*count;
   return sum;
 }
 
@@ -122,7 +115,7 @@ TEST_CASE("A trial run that comes to the end has counted exactly what a run coun
     const Counted real = ran(scene);
     CHECK(f.trial.whole);
     CHECK(stateHash(f.trial.world) == stateHash(real.world));
-    CHECK(steps(f.eras) == real.steps);
+    CHECK(sumOf(&EraCounts::steps, f.eras) == real.steps);
     CHECK(f.life.eras.back().cells == real.world.cells.path.size());
     const MemoryUse m = extrapolateMemory(f.life, f.trial), r = measureMemory(real.world);
     CHECK(m.total() == Approx(double(r.total())).epsilon(0.1));
@@ -138,8 +131,8 @@ TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory t
   REQUIRE_FALSE(f.trial.whole);
   CHECK(f.trial.world.bodies->count == 8);
   CHECK(f.life.mostCells() == 64);
-  CHECK(steps(f.eras) == Approx(real.steps).epsilon(0.3));
-  CHECK(pairs(f.eras) == Approx(real.pairs).epsilon(0.3));
+  CHECK(sumOf(&EraCounts::steps, f.eras) == Approx(real.steps).epsilon(0.3));
+  CHECK(sumOf(&EraCounts::pairs, f.eras) == Approx(real.pairs).epsilon(0.3));
   const MemoryUse m = extrapolateMemory(f.life, f.trial), r = measureMemory(real.world);
   CHECK(double(m.total()) == Approx(double(r.total())).epsilon(0.1));
   CHECK(m.bodies == Approx(double(r.bodies)).epsilon(0.01));
@@ -163,7 +156,7 @@ TEST_CASE("Memory is that of the arrays") {
 }
 
 TEST_CASE("Packed cells take at most 400 B per vertex, with all that finds and keeps their contacts") {
-  World world = makePackedWorld({.cells = 64}, {}, "", [](const std::string&) {});
+  World world = makePackedWorld({.cells = 64});
   for (int i = 0; i < 100; ++i) step(world);
   const double vertices = world.bodies->livingVertices;
   CHECK(world.contacts->list.pairs > 4 * vertices);
@@ -234,13 +227,11 @@ TEST_CASE("Lanes that nobody uses are paid for") {
 
 TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   const auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml");
-  PredictionOptions options;
-  options.trial = 2e5;
-  const Prediction f = predictCost(scenario, options);
+  const Prediction f = predictCost(scenario, {.trial = 2e5});
   CHECK(f.cells == 4);
   CHECK(f.vertices == 162);
   std::size_t engaged = 0;
-  for (const Part& part : partsOf(scenario, options.ask)) engaged += part.engaged;
+  for (const Part& part : partsOf(scenario, {})) engaged += part.engaged;
   CHECK(f.costs.size() == engaged);
   double sum = 0;
   for (const PartCost& c : f.costs) {
@@ -257,8 +248,7 @@ TEST_CASE("A prediction has a line for each part, and shares of one whole") {
 
 TEST_CASE("Odd lives have predictions, too: nothing to do, everybody dead, far too many") {
   auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml");
-  PredictionOptions options;
-  options.trial = 1e5;
+  const PredictionOptions options{.trial = 1e5};
   scenario.scene.mechanics->mesh = makeIcosphere(0);
   scenario.scene.stop = {};
   scenario.scene.stop.cells = 1;
@@ -283,8 +273,7 @@ TEST_CASE("Odd lives have predictions, too: nothing to do, everybody dead, far t
 
 TEST_CASE("A fixed time step that later cells will not stand is told beforehand") {
   auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-128.yaml");
-  PredictionOptions options;
-  options.trial = 2e5;
+  const PredictionOptions options{.trial = 2e5};
   scenario.scene.mechanics->mesh = makeIcosphere(0);
   scenario.scene.mechanics->physics.timeStep = 0x1p-9;
   const Prediction f = predictCost(scenario, options);
