@@ -1,14 +1,12 @@
 // Faults in what is stored: rows lost or edited in a database.
-#include <functional>
 
 #include "catch.h"
 #include "explain/explain.h"
-#include "explain/run_source.h"
 #include "simulation/checkpoint.h"
 #include "store/recorder.h"
 #include "store/store.h"
 #include "temporary_folder.h"
-#include "unit/simulation/worlds.h"
+#include "unit/explain/runs.h"
 #include "unit/store/example_run.h"
 
 using namespace morula;
@@ -80,21 +78,10 @@ TEST_CASE("A stored run tells the window and the cell; its states are gone") {
   StoredRunOnDisk stored(scene);
   const auto chain = stored.chainAfter("");
   REQUIRE(chain.size() > 12);
-  const auto runWith = [&](std::uint64_t when) {
-    return OwnRun(
-        "now",
-        [scene] {
-          return makeWorld(scene, {Isa::scalar, 1});
-        },
-        [when](World& w) {
-          step(w);
-          if (w.clock.step == when) w.bodies->velocity[w.bodies->at(0, 3)] += 1e-9;
-        });
-  };
   StoredRunSource before("run", chain, chain.back().step, "");
-  OwnRun same = runWith(0);
+  OwnRun same = runOf(scene, "now");
   CHECK(explain(before, same, 8).failureClass.empty());
-  OwnRun other = runWith(67);
+  OwnRun other = runOf(scene, "now", changingAt(67, [](World& w) { w.bodies->velocity[w.bodies->at(0, 3)] += 1e-9; }));
   const Explanation x = explain(before, other, 8);
   CHECK(x.failureClass == "COMPUTATION");
   CHECK(x.lastEqual == 64u);
@@ -108,10 +95,8 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
   const Scene scene = shortLife();
   constexpr std::uint64_t when = 43;
   const auto make = [scene] { return makeWorld(scene, {Isa::scalar, 1}); };
-  OwnRun other("", make, [](World& w) {
-    step(w);
-    if (w.clock.step == when) w.bodies->position[w.bodies->at(0, 3) + blockLanes] += 1e-9;
-  });
+  OwnRun other =
+      runOf(scene, "", changingAt(when, [](World& w) { w.bodies->position[w.bodies->at(0, 3) + blockLanes] += 1e-9; }));
   TemporaryFolder folder;
   writeText(folder / "coarse", writeHashTrace(other.hashTrace(0, 1u << 30, 64)));
   writeText(folder / "fine", writeHashTrace(other.hashTrace(0, 64, 1)));
@@ -122,7 +107,7 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
                                     "/coarse ;;\nesac\n");
   std::filesystem::permissions(folder / "program", std::filesystem::perms::owner_all);
   ProgramRun expected((folder / "program").string(), "x.yaml", make);
-  OwnRun actual("now", make, [](World& w) { step(w); });
+  OwnRun actual = runOf(scene, "now");
   const Explanation x = explain(expected, actual);
   CAPTURE(x.text);
   CHECK(x.failureClass == "COMPUTATION");
@@ -141,14 +126,7 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
 }
 
 TEST_CASE("A trail survives its way through text, and a damaged one is refused") {
-  const Scene scene = shortLife();
-  OwnRun run(
-      "",
-      [scene] {
-        return makeWorld(scene, {Isa::scalar, 1});
-      },
-      [](World& w) { step(w); });
-  HashTrace trace = run.hashTrace(0, 1u << 30, 16);
+  HashTrace trace = runOf(shortLife(), "").hashTrace(0, 1u << 30, 16);
   trace.failure = "it broke: twice";
   const std::string text = writeHashTrace(trace);
   const HashTrace back = readHashTrace(text);
