@@ -1,12 +1,22 @@
 // What a chart shows, and where its words and numbers lie.
 #include "charts/chart.h"
 
-#include <algorithm>
-
 #include "catch.h"
 #include "pictures.h"
 
 using namespace morula;
+
+namespace {
+
+/// The pixels of `below` where `above` has others.
+Image coveredBy(const Image& above, const Image& below) {
+  Image covered;
+  for (std::size_t i = 0; i < below.pixels.size(); ++i)
+    if (above.pixels[i] != below.pixels[i]) covered.pixels.push_back(below.pixels[i]);
+  return covered;
+}
+
+}  // namespace
 
 TEST_CASE("No number beside the vertical axis lies on the axis' title") {
   Chart chart;
@@ -19,19 +29,13 @@ TEST_CASE("No number beside the vertical axis lies on the axis' title") {
     const Image without = drawChart(chart).pixels();
     chart.yLabel = "a long title that stands upright beside all the numbers of the axis from top to bottom";
     const Image with = drawChart(chart).pixels();
-    std::size_t title = 0, covered = 0;
-    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
-      if (with.pixels[i] == without.pixels[i]) continue;
-      ++title;
-      covered += without.pixels[i] != paper;
-    }
-    CHECK(title > 100);
-    CHECK(covered == 0);
+    const Image title = coveredBy(with, without);
+    CHECK(title.pixels.size() > 100);
+    CHECK(countPixels(title, isInk) == 0);
   }
 }
 
 TEST_CASE("A chart shows its lines, and draws nothing of nothing") {
-  const Colour red{200, 0, 0}, blue{0, 0, 200};
   Chart chart;
   chart.title = "title";
   chart.lines = {{"one", red, {{8, 10}, {64, 100}}}, {"two", blue, {{8, 20}, {64, 30}}, true}};
@@ -45,7 +49,6 @@ TEST_CASE("A chart shows its lines, and draws nothing of nothing") {
 }
 
 TEST_CASE("Labels of points lie beside their line and not on it, whichever way it goes") {
-  const Colour red{200, 0, 0};
   for (const bool rising : {true, false}) {
     CAPTURE(rising);
     Chart chart;
@@ -54,13 +57,8 @@ TEST_CASE("Labels of points lie beside their line and not on it, whichever way i
     const Image without = drawChart(chart).pixels();
     chart.lines[0].pointLabels = {"1/128", "1/256", "1/512"};
     const Image with = drawChart(chart).pixels();
-    std::size_t labels = 0, covered = 0;
-    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
-      if (with.pixels[i] == without.pixels[i]) continue;
-      ++labels;
-      covered += without.pixels[i].g < 100;  // of the line or a point
-    }
-    CHECK(labels > 200);
-    CHECK(covered == 0);
+    const Image labels = coveredBy(with, without);
+    CHECK(labels.pixels.size() > 200);
+    CHECK(countPixels(labels, [](Colour c) { return c.g < 100; }) == 0);  // of the line or a point
   }
 }

@@ -69,20 +69,13 @@ TEST_CASE("instruments stand below the scene and leave it as it is", "[instrumen
   CHECK(isReddish(image.at(200, (400 - band) / 2)));
   OrganismPicture scene = picture({ball("", {0, 0, 0}, 1, red)}, 400);
   scene.height = 400 - band;
-  const Image alone = drawOrganism(scene);
-  for (int y = 0; y < 400 - band; ++y)
-    for (int x = 0; x < 400; ++x) REQUIRE(image.at(x, y) == alone.at(x, y));
+  REQUIRE(part(image, 0, 0, 400, 400 - band) == drawOrganism(scene));
   // Narrow pictures have more rows, and none has its instruments beyond an edge.
   CHECK(instrumentsHeight(p.instruments, 150, 10) > instrumentsHeight(p.instruments, 1500, 10));
   for (const int width : {150, 400, 900}) {
     OrganismPicture narrow = p;
     narrow.width = width, narrow.height = 700;
-    const Image drawn = drawOrganism(narrow);
-    for (int y = 0; y < drawn.height; ++y) {
-      REQUIRE(drawn.at(0, y) == paper);
-      REQUIRE(drawn.at(width - 1, y) == paper);
-    }
-    for (int x = 0; x < width; ++x) REQUIRE(drawn.at(x, drawn.height - 1) == paper);
+    REQUIRE_FALSE(touchesEdges(drawOrganism(narrow)));
   }
 }
 
@@ -90,10 +83,8 @@ TEST_CASE("a colour bar begins and ends with the colours of its ends", "[instrum
   Drawing drawing(300, 80);
   drawColourBar(drawing, {"q", 0, 1}, {20, 10}, 250, 14);
   const Image image = drawing.pixels();
-  int first = 300, last = 0;
   const int y = 10 + 21 + 6;
-  for (int x = 0; x < 300; ++x)
-    if (image.at(x, y) != paper) first = std::min(first, x), last = std::max(last, x);
+  const auto [first, last, top, bottom] = extentOf(part(image, 0, y, 300, 1), isInk);
   CHECK(first == 20);
   CHECK(last == 269);
   CHECK(image.at(first, y) == scaleColour(0));

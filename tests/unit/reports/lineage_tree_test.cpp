@@ -34,29 +34,16 @@ TreePicture fullTree(int depth) {
   return tree;
 }
 
-int count(const Image& image, Colour colour) {
-  return int(std::count(image.pixels.begin(), image.pixels.end(), colour));
-}
-
-/// The columns in which a colour occurs, first and last.
-std::pair<int, int> columnsOf(const Image& image, Colour colour) {
-  int first = image.width, last = -1;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      if (image.at(x, y) == colour) first = std::min(first, x), last = std::max(last, x);
-  return {first, last};
-}
-
 }  // namespace
 
 TEST_CASE("branch A is drawn left of branch B, each in its colour", "[lineage]") {
   const Image image = drawLineage(fullTree(2)).pixels();
-  const auto [redFirst, redLast] = columnsOf(image, red);
-  const auto [blueFirst, blueLast] = columnsOf(image, blue);
-  REQUIRE(redFirst < redLast);
-  REQUIRE(redLast < blueFirst);
-  REQUIRE(blueFirst < blueLast);
-  REQUIRE(count(image, neutralGrey) > 100);
+  const Extent reds = extentOf(image, [](Colour c) { return c == red; }),
+               blues = extentOf(image, [](Colour c) { return c == blue; });
+  REQUIRE(reds.left < reds.right);
+  REQUIRE(reds.right < blues.left);
+  REQUIRE(blues.left < blues.right);
+  REQUIRE(countPixels(image, neutralGrey) > 100);
 }
 
 TEST_CASE("the tree is the same in whatever order its cells are given", "[lineage]") {
@@ -109,11 +96,11 @@ TEST_CASE("few leaves are labelled, many are not", "[lineage]") {
 TEST_CASE("one cell is a line, and none is paper", "[lineage]") {
   TreePicture one;
   one.nodes = {{"", 0, 3, Fate::alive, red, "a0"}};
-  REQUIRE(count(drawLineage(one).pixels(), red) > 300);
+  REQUIRE(countPixels(drawLineage(one), red) > 300);
   one.nodes[0].ended = 0;  // before the first step
   REQUIRE_NOTHROW(drawLineage(one));
   const Image none = drawLineage({}).pixels();
-  REQUIRE(count(none, paper) == none.width * none.height);
+  REQUIRE(countPixels(none, isInk) == 0);
 }
 
 TEST_CASE("sizes are kept or refused", "[lineage]") {

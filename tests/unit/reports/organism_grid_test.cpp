@@ -24,13 +24,7 @@ OrganismGrid twoByTwo() {
           {{red, "red"}}};
 }
 
-/// Pixels of a kind in the rectangle.
-std::ptrdiff_t count(const Image& image, int left, int right, bool (*kind)(Colour)) {
-  std::ptrdiff_t n = 0;
-  for (int y = 0; y < image.height - 60; ++y)  // without the legend
-    n += std::count_if(&image.at(left, y), &image.at(left, y) + (right - left), kind);
-  return n;
-}
+constexpr int side = 340;  // [pixel] of a tile
 
 }  // namespace
 
@@ -38,13 +32,13 @@ TEST_CASE("organisms of a grid have one scale", "[comparison]") {
   const auto pages = drawOrganismGrid(twoByTwo());
   REQUIRE(pages.size() == 1);
   const Image image = pages[0].pixels();
-  const int side = 340, first = image.width - 12 - 2 * side;
-  const auto large = count(image, first, first + side, isReddish),
-             small = count(image, first + side, first + 2 * side, isReddish);
+  const int first = image.width - 12 - 2 * side, height = image.height - 60;  // without the legend
+  const Image left = part(image, first, 0, side, height), right = part(image, first + side, 0, side, height);
+  const int large = countPixels(left, isReddish), small = countPixels(right, isReddish);
   REQUIRE(small > 500);
   CHECK(double(large) / double(small) == Approx(4).epsilon(0.1));  // twice the radius; highlights are not red
-  CHECK(count(image, first, first + side, isBluish) > 10000);
-  CHECK(count(image, first + side, first + 2 * side, isBluish) == 0);  // empty
+  CHECK(countPixels(left, isBluish) > 10000);
+  CHECK(countPixels(right, isBluish) == 0);  // empty
 }
 
 TEST_CASE("a grid that does not fit is refused", "[comparison]") {
@@ -80,24 +74,21 @@ TEST_CASE("a grid goes on beside itself, and then on further pages, none of them
   // Each row once, whatever the page: 13 red balls of equal size.
   const OrganismGrid one = gridOf(1, 1), many = gridOf(13, 2);
   const auto reds = [](const std::vector<Drawing>& pages) {
-    std::ptrdiff_t n = 0;
-    for (const Drawing& page : pages) {
-      const Image image = page.pixels();
-      n += std::count_if(image.pixels.begin(), image.pixels.end(), isReddish);
-    }
-    return double(n);
+    double n = 0;
+    for (const Drawing& page : pages) n += countPixels(page.pixels(), isReddish);
+    return n;
   };
   const auto pages = drawOrganismGrid(many);
   REQUIRE(pages.size() > 1);
-  const double side = 180.0 / 340;  // of the smaller tiles
-  CHECK(reds(pages) == Approx(26 * side * side * reds(drawOrganismGrid(one))).epsilon(0.05));
+  const double scale = 180.0 / side;  // of the smaller tiles
+  CHECK(reds(pages) == Approx(26 * scale * scale * reds(drawOrganismGrid(one))).epsilon(0.05));
 }
 
 TEST_CASE("a picture that is there is shown as it is", "[comparison]") {
   OrganismGrid grid = twoByTwo();
   for (OrganismTile& t : grid.tiles) t = {{}, false, "", Image(40, 40, {1, 2, 3})};
   const Image image = drawOrganismGrid(grid)[0].pixels();
-  CHECK(std::ranges::count(image.pixels, Colour{1, 2, 3}) == 4 * 40 * 40);
+  CHECK(countPixels(image, Colour{1, 2, 3}) == 4 * 40 * 40);
 }
 
 }  // namespace morula

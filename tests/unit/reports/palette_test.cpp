@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "image/colour_difference.h"
 
 namespace morula {
 namespace {
@@ -27,24 +28,16 @@ const Matrix eyes[] = {
     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
     {{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}}};
 
-/// CIE L*a*b* of a colour as these eyes see it.
-Triple seen(const Matrix& eye, Colour c) {
+/// A colour as these eyes see it.
+Lab seen(const Matrix& eye, Colour c) {
   Triple light = times(eye, {linearLight(c.r), linearLight(c.g), linearLight(c.b)});
   for (double& a : light) a = std::clamp(a, 0.0, 1.0);
-  Triple xyz =
-      times({{{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}},
-            light);
-  const Triple white{0.95047, 1, 1.08883};
-  for (int i = 0; i < 3; ++i) {
-    const double t = xyz[i] / white[i];
-    xyz[i] = t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
-  }
-  return {116 * xyz[1] - 16, 500 * (xyz[0] - xyz[1]), 200 * (xyz[1] - xyz[2])};
+  return labOf({light[0], light[1], light[2]});
 }
 
 double difference(const Matrix& eye, Colour a, Colour b) {
-  const Triple x = seen(eye, a), y = seen(eye, b);
-  return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+  const Lab x = seen(eye, a), y = seen(eye, b);
+  return std::hypot(x.L - y.L, x.a - y.a, x.b - y.b);
 }
 
 }  // namespace
@@ -79,7 +72,7 @@ TEST_CASE("clones are told apart by all eyes and, of three divisions, in grey", 
           CAPTURE(&eye - eyes, paths[i], paths[k]);
           CHECK(difference(eye, a, b) > (divisions < 4 ? 25 : 10));
           if (&eye == eyes && divisions < 4)
-            CHECK(std::abs(seen(eye, a)[0] - seen(eye, b)[0]) > (divisions < 3 ? 14 : 7));
+            CHECK(std::abs(seen(eye, a).L - seen(eye, b).L) > (divisions < 3 ? 14 : 7));
         }
         // Six times what eyes just tell apart, as cells have dark rims; the lightest clone has 17.7.
         CHECK(difference(eye, cloneColour(paths[i]), {0xfa, 0xfa, 0xf8}) > 15);
@@ -109,7 +102,7 @@ TEST_CASE("no two series have one colour", "[palette]") {
 TEST_CASE("the scale rises in lightness for all eyes, evenly enough", "[palette]") {
   for (const Matrix& eye : eyes)
     for (int i = 0; i < 16; ++i) {
-      const double step = seen(eye, scaleColour((i + 1) / 16.0))[0] - seen(eye, scaleColour(i / 16.0))[0];
+      const double step = seen(eye, scaleColour((i + 1) / 16.0)).L - seen(eye, scaleColour(i / 16.0)).L;
       CAPTURE(&eye - eyes, i);
       CHECK(step > 2);
       CHECK(step < 10);

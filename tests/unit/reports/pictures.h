@@ -32,9 +32,48 @@ inline int brightness(Colour c) { return c.r + c.g + c.b; }
 
 inline Colour centre(const Image& image) { return image.at(image.width / 2, image.height / 2); }
 
-inline int countPixels(const Drawing& drawing, Colour colour) {
-  const Image image = drawing.pixels();
-  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
+template <class Kind>
+int countPixels(const Image& image, Kind kind) {
+  return static_cast<int>(std::ranges::count_if(image.pixels, kind));
+}
+
+inline int countPixels(const Image& image, Colour colour) {
+  return countPixels(image, [&](Colour c) { return c == colour; });
+}
+
+inline int countPixels(const Drawing& drawing, Colour colour) { return countPixels(drawing.pixels(), colour); }
+
+inline bool isInk(Colour c) { return c != paper; }
+
+inline Image part(const Image& image, int left, int top, int width, int height) {
+  Image result(width, height, {});
+  for (int y = 0; y < height; ++y) std::copy_n(&image.at(left, top + y), width, &result.at(0, y));
+  return result;
+}
+
+/// The first and last column and row with pixels of a kind.
+struct Extent {
+  int left, right = -1, top, bottom = -1;
+};
+
+template <class Kind>
+Extent extentOf(const Image& image, Kind kind) {
+  Extent e{.left = image.width, .top = image.height};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (kind(image.at(x, y)))
+        e = {std::min(e.left, x), std::max(e.right, x), std::min(e.top, y), std::max(e.bottom, y)};
+  return e;
+}
+
+inline bool touchesEdges(const Image& image) {
+  const Extent e = extentOf(image, isInk);
+  return e.left == 0 || e.top == 0 || e.right == image.width - 1 || e.bottom == image.height - 1;
+}
+
+/// How far the channel that differs most is off.
+inline int apart(Colour a, Colour b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
 }  // namespace morula

@@ -1,7 +1,5 @@
 #include "organism/surface.h"
 
-#include <cmath>
-
 #include "catch.h"
 #include "pictures.h"
 

@@ -10,6 +10,19 @@
 
 namespace morula {
 
+namespace {
+
+/// A solid colour behind two veils, each as opaque as it says, in linear light.
+Colour seenThrough(double a, Colour front, double b, Colour middle, Colour back) {
+  const auto channel = [&](std::uint8_t Colour::*c) {
+    const double behind = b * linearLight(middle.*c) + (1 - b) * linearLight(back.*c);
+    return channelOf(a * linearLight(front.*c) + (1 - a) * behind);
+  };
+  return {channel(&Colour::r), channel(&Colour::g), channel(&Colour::b)};
+}
+
+}  // namespace
+
 TEST_CASE("what lies behind a translucent cell shines through", "[organism]") {
   CellShape veil = ball("A", {0, 0, 0.8}, 0.6, blue);
   const CellShape back = ball("B", {0, 0, -0.8}, 1, red);
@@ -33,14 +46,7 @@ TEST_CASE("translucent cells before each other and before a solid one are compos
   front.opacity = 0.3;
   middle.opacity = 0.6;
   const Colour together = centre(drawOrganism(picture({back, front, middle})));
-  const auto expected = [&](std::uint8_t Colour::*channel) {
-    const double f = linearLight(alone[0].*channel), m = linearLight(alone[1].*channel),
-                 b = linearLight(alone[2].*channel);
-    return int(channelOf(0.3 * f + 0.7 * (0.6 * m + 0.4 * b)));
-  };
-  REQUIRE(std::abs(together.r - expected(&Colour::r)) <= 2);
-  REQUIRE(std::abs(together.g - expected(&Colour::g)) <= 2);
-  REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
+  REQUIRE(apart(together, seenThrough(0.3, alone[0], 0.6, alone[1], alone[2])) <= 2);
 }
 
 TEST_CASE("a cell within two translucent ones has the colour that three veils give, to 2 of 255", "[organism]") {
@@ -50,16 +56,9 @@ TEST_CASE("a cell within two translucent ones has the colour that three veils gi
   for (const CellShape& cell : {outer, inner, core}) alone.push_back(centre(drawOrganism(picture({cell}))));
   for (const auto& [a, b] : {std::pair{0.3, 0.6}, {0.5, 0.5}, {0.15, 0.85}}) {
     outer.opacity = a, inner.opacity = b;
-    const auto expected = [&, a = a, b = b](std::uint8_t Colour::*channel) {
-      return int(channelOf(a * linearLight(alone[0].*channel) +
-                           (1 - a) * (b * linearLight(alone[1].*channel) + (1 - b) * linearLight(alone[2].*channel))));
-    };
-    for (const auto& cells : {std::vector{outer, inner, core}, {core, outer, inner}, {inner, core, outer}}) {
-      const Colour seen = centre(drawOrganism(picture(cells)));
-      CHECK(std::abs(seen.r - expected(&Colour::r)) <= 2);
-      CHECK(std::abs(seen.g - expected(&Colour::g)) <= 2);
-      CHECK(std::abs(seen.b - expected(&Colour::b)) <= 2);
-    }
+    const Colour expected = seenThrough(a, alone[0], b, alone[1], alone[2]);
+    for (const auto& cells : {std::vector{outer, inner, core}, {core, outer, inner}, {inner, core, outer}})
+      CHECK(apart(centre(drawOrganism(picture(cells))), expected) <= 2);
   }
 }
 
