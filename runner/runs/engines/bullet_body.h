@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "engines/bullet_scene.h"
 #include "engines/bullet_soft_body.h"
+#include "engines/bullet_world.h"
 
 namespace morula {
 
@@ -26,5 +26,8 @@ void checkPrecision(const Mesh& egg, btSoftBodyWorldInfo& info);
 
 /// The scene's cells as the bodies are now.
 std::vector<Body> readCells(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies);
+
+/// makeBulletWorld for B3.
+std::unique_ptr<BulletWorld> makeImplicitWorld(const BulletScene& scene);
 
 }  // namespace morula

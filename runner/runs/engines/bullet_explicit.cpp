@@ -1,5 +1,5 @@
 #include "engines/bullet_body.h"
-#include "engines/bullet_engine.h"
+#include "engines/bullet_world.h"
 #include "physics/stages.h"
 
 namespace morula {
@@ -13,7 +13,7 @@ Bodies makeNotebook(const BulletScene& scene) {
   return bodies;
 }
 
-struct ExplicitEngine final : BulletEngine {
+struct ExplicitWorld final : BulletWorld {
   BulletScene scene;
   Bodies notebook;                  // of B1, `acceleration` is that of the nodes as they are
   PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
@@ -26,7 +26,7 @@ struct ExplicitEngine final : BulletEngine {
   btSoftRigidDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
   std::vector<std::unique_ptr<btSoftBody>> bodies;
 
-  explicit ExplicitEngine(const BulletScene& asked)
+  explicit ExplicitWorld(const BulletScene& asked)
       : scene(asked),
         notebook(makeNotebook(asked)),
         secondOrder(asked.baseline == Baseline::b1 && asked.physics.integrator != Integrator::thesisVerlet) {
@@ -50,7 +50,7 @@ struct ExplicitEngine final : BulletEngine {
     // Half a step back, so that Bullet's first whole kick ends half a step after the start.
     if (secondOrder) eachNode([&](btSoftBody::Node& node, std::size_t at) { node.m_v -= halfKick(at); });
   }
-  ~ExplicitEngine() override {
+  ~ExplicitWorld() override {
     for (auto& body : bodies) world.removeSoftBody(body.get());
   }
 
@@ -123,8 +123,10 @@ struct ExplicitEngine final : BulletEngine {
 
 }  // namespace
 
-std::unique_ptr<BulletEngine> makeExplicitEngine(const BulletScene& scene) {
-  return std::make_unique<ExplicitEngine>(scene);
+std::unique_ptr<BulletWorld> makeBulletWorld(const BulletScene& scene) {
+  return scene.baseline == Baseline::b3 ? makeImplicitWorld(scene) : std::make_unique<ExplicitWorld>(scene);
 }
+
+bool bulletIsAvailable() { return true; }
 
 }  // namespace morula

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "engines/bullet_body.h"
-#include "engines/bullet_engine.h"
 
 namespace morula {
 namespace {
@@ -57,7 +56,7 @@ class ContentsForce final : public btDeformableLagrangianForce {
   const BulletScene& scene_;
 };
 
-struct ImplicitEngine final : BulletEngine {
+struct ImplicitWorld final : BulletWorld {
   BulletScene scene;
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
@@ -69,7 +68,7 @@ struct ImplicitEngine final : BulletEngine {
   ContentsForce contents{scene};
   std::vector<std::unique_ptr<btSoftBody>> bodies;
 
-  explicit ImplicitEngine(const BulletScene& asked)
+  explicit ImplicitWorld(const BulletScene& asked)
       : scene(asked), springs(asked.physics.membrane.stiffness, asked.physics.membrane.damping, true) {
     MORULA_CHECK(!scene.contact && !scene.physics.shell, "B3 has neither contact nor shell");
     constraints.setDeformableSolver(&deformables);
@@ -86,7 +85,7 @@ struct ImplicitEngine final : BulletEngine {
       world.addForce(bodies.back().get(), &contents);
     }
   }
-  ~ImplicitEngine() override {
+  ~ImplicitWorld() override {
     for (auto& body : bodies) world.removeSoftBody(body.get());
   }
 
@@ -96,8 +95,8 @@ struct ImplicitEngine final : BulletEngine {
 
 }  // namespace
 
-std::unique_ptr<BulletEngine> makeImplicitEngine(const BulletScene& scene) {
-  return std::make_unique<ImplicitEngine>(scene);
+std::unique_ptr<BulletWorld> makeImplicitWorld(const BulletScene& scene) {
+  return std::make_unique<ImplicitWorld>(scene);
 }
 
 }  // namespace morula

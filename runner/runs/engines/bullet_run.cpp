@@ -32,13 +32,13 @@ World makeBulletStart(Scenario scenario) {
 }
 
 BulletRun::BulletRun(const Scenario& scenario, Baseline baseline, double margin, Integrator integrator)
-    : world_(makeBulletStart(scenario)), bullet_(sceneOf(world_, baseline, margin, integrator)) {}
+    : world_(makeBulletStart(scenario)), bullet_(makeBulletWorld(sceneOf(world_, baseline, margin, integrator))) {}
 
 void BulletRun::step() {
-  bullet_.step();
+  bullet_->step();
   Clock& clock = world_.clock;
   clock.time = static_cast<double>(++clock.step) * clock.timeStep;
-  take(bullet_.cells());
+  take(bullet_->cells());
 }
 
 namespace {

@@ -19,7 +19,7 @@ class BulletRun {
   void take(const std::vector<Body>& cells);
 
   World world_;  // without contacts: ours have no say in it
-  BulletWorld bullet_;
+  std::unique_ptr<BulletWorld> bullet_;
 };
 
 /// Where the scenario begins, with its time step.

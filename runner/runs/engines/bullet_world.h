@@ -9,18 +9,13 @@ namespace morula {
 
 class BulletWorld {
  public:
-  /// Throws FileError if Bullet is absent, BugError if its library is not the one of its headers.
-  explicit BulletWorld(const BulletScene& scene);
-  ~BulletWorld();
-  BulletWorld(const BulletWorld&) = delete;
-  BulletWorld& operator=(const BulletWorld&) = delete;
-
-  void step();
-  std::vector<Body> cells() const;
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
+  virtual ~BulletWorld() = default;
+  virtual void step() = 0;
+  virtual std::vector<Body> cells() = 0;  // velocities at the time of the positions
 };
+
+/// B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact. B3: btDeformableMultiBodyDynamicsWorld, implicit;
+/// without contact and shell. Throws FileError if Bullet is absent, BugError if its library is not the one of its headers.
+std::unique_ptr<BulletWorld> makeBulletWorld(const BulletScene& scene);
 
 }  // namespace morula

@@ -151,13 +151,13 @@ namespace {
 constexpr const char* workerVerb = "engine-worker";
 
 BulletResult runRequest(const BulletRequest& request) {
-  BulletWorld world(request.scene);
+  const auto world = makeBulletWorld(request.scene);
   BulletResult result;
   for (int i = 1; i <= request.steps; ++i) {
-    result.stepSeconds.push_back(timeOf(ClockKind::process, [&] { world.step(); }));
-    if (std::binary_search(request.reports.begin(), request.reports.end(), i)) result.reports.push_back(world.cells());
+    result.stepSeconds.push_back(timeOf(ClockKind::process, [&] { world->step(); }));
+    if (std::binary_search(request.reports.begin(), request.reports.end(), i)) result.reports.push_back(world->cells());
   }
-  result.cells = world.cells();
+  result.cells = world->cells();
   return result;
 }
 

@@ -31,9 +31,9 @@ int countInside(const BulletScene& scene, const Body& cell, const Body& other) {
 }
 
 std::vector<Body> run(const BulletScene& scene, int steps) {
-  BulletWorld world(scene);
-  for (int i = 0; i < steps; ++i) world.step();
-  return world.cells();
+  const auto world = makeBulletWorld(scene);
+  for (int i = 0; i < steps; ++i) world->step();
+  return world->cells();
 }
 
 }  // namespace

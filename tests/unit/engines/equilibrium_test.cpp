@@ -8,9 +8,9 @@ using namespace morula;
 namespace {
 
 Body settle(const BulletScene& scene, int steps) {
-  BulletWorld world(scene);
-  for (int i = 0; i < steps; ++i) world.step();
-  return world.cells()[0];
+  const auto world = makeBulletWorld(scene);
+  for (int i = 0; i < steps; ++i) world->step();
+  return world->cells()[0];
 }
 
 /// [radii] Where pressurisedCell(3) rests with springs that are all alike, as B3's are.

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "catch.h"
-#include "engines/bullet_world.h"
 #include "engines/engine_worker.h"
+#include "lab.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 #include "temporary_folder.h"
@@ -82,10 +82,7 @@ TEST_CASE("Shapes are told at the times that are asked for, and the last are tho
 }
 
 TEST_CASE("Bullet moves the same cells, in the time step that is given, stable or not") {
-  if (!bulletIsAvailable()) {
-    WARN("this program was built without Bullet");
-    return;
-  }
+  NEEDS_BULLET
   const ExternalRun run = serve(scenarioOf(two), Engine::b1);
   CHECK(run.end == ExternalRun::End::done);
   CHECK(run.step == 32);

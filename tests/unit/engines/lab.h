@@ -1,6 +1,5 @@
 #pragma once
 // Scenes for Bullet of one kind: round cells, all alike.
-#include <cmath>
 
 #include "engines/bullet_scene.h"
 #include "mesh/measures.h"

@@ -5,14 +5,9 @@
 
 namespace morula {
 
-struct BulletWorld::State {};
-
-BulletWorld::BulletWorld(const BulletScene&) {
+std::unique_ptr<BulletWorld> makeBulletWorld(const BulletScene&) {
   throw FileError("this program was built without Bullet: install libbullet-dev and build again");
 }
-BulletWorld::~BulletWorld() = default;
-void BulletWorld::step() {}
-std::vector<Body> BulletWorld::cells() const { return {}; }
 
 bool bulletIsAvailable() { return false; }
 
