@@ -2,7 +2,6 @@
 #include "engines/bullet_check.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -43,7 +42,7 @@ double aspect(const Shape& shape) {
   return values[2] == 0 ? 1 : std::sqrt(values[2] / values[0]);
 }
 
-double meanRadius(const Shape& shape) {
+double radiusOf(const Shape& shape) {
   const Point centre = measureCentroid(shape);
   double sum = 0;
   for (const Point& p : shape) sum += norm(p - centre);
@@ -93,15 +92,12 @@ class Metric {
 /// Indices of cells whose distance is looked at: of those that touch, or of all where none does.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(const World& world, bool& touching) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  const auto& paths = world.cells.path;
-  const auto place = [&](const CellPath& path) {
-    return static_cast<std::size_t>(std::find(paths.begin(), paths.end(), path) - paths.begin());
-  };
+  const auto place = [&](const CellPath& path) { return static_cast<std::size_t>(cellNumber(world.cells, path)); };
   for (const ContactMeasures& c : measureContacts(world)) pairs.push_back({place(c.a), place(c.b)});
   touching = !pairs.empty();
   if (touching) return pairs;
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    for (std::size_t j = i + 1; j < paths.size(); ++j) pairs.push_back({i, j});
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i)
+    for (std::size_t j = i + 1; j < world.cells.path.size(); ++j) pairs.push_back({i, j});
   return pairs;
 }
 
@@ -151,18 +147,14 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
 
 std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<Shape>& shapes,
                                            const BulletCheck& check) {
-  std::vector<Shape> own;
-  std::vector<std::string> names;
-  for (const CellPath& path : ours.cells.path) {
-    own.push_back(cellVertices(ours, path));
-    names.push_back(path.text());
-  }
+  const std::vector<Shape> own = shapesOf(ours);
+  const auto nameOf = [&](std::size_t cell) { return ours.cells.path[cell].text(); };
   std::vector<CheckResult> results;
   const auto relative = [](double tolerance) { return "rel " + exactText(tolerance); };
   const auto eachCell = [&](const char* field, const std::optional<double>& tolerance, const auto& measure) {
     if (!tolerance) return;
     Metric metric(field, relative(*tolerance), *tolerance);
-    for (std::size_t i = 0; i < own.size(); ++i) metric.seeRelative(measure(shapes[i]), measure(own[i]), names[i]);
+    for (std::size_t i = 0; i < own.size(); ++i) metric.seeRelative(measure(shapes[i]), measure(own[i]), nameOf(i));
     results.push_back(metric.result(ours.clock.step));
   };
 
@@ -171,11 +163,11 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
     for (std::size_t i = 0; i < own.size(); ++i)
       for (std::size_t v = 0; v < own[i].size(); ++v) {
         const double off = norm(own[i][v] - shapes[i][v]);
-        metric.see(0, off, off, names[i]);
+        metric.see(0, off, off, nameOf(i));
       }
     results.push_back(metric.result(ours.clock.step));
   }
-  eachCell("radius", check.radius, meanRadius);
+  eachCell("radius", check.radius, radiusOf);
   eachCell("volume", check.volume, [&](const Shape& s) { return measureVolume(s, ours.model.mechanics->mesh.faces); });
   if (check.distance) {
     Metric metric("distance", relative(*check.distance), *check.distance);
@@ -183,7 +175,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
     for (const auto& [i, j] : pairsOf(ours, touching)) {
       const double gap = touching ? 2 * check.margin * ours.model.mechanics->physics.cell.radius : 0;
       metric.seeRelative(centreDistance(shapes[i], shapes[j]) - gap, centreDistance(own[i], own[j]),
-                         names[i] + " and " + names[j]);
+                         nameOf(i) + " and " + nameOf(j));
     }
     if (own.size() > 1) results.push_back(metric.result(ours.clock.step));
   }

@@ -64,10 +64,7 @@ Verdict ask(const Scenario& scenario, Engine engine, const ComparisonOptions& op
   }
 }
 
-const char* title(Engine engine) {
-  constexpr const char* titles[] = {"thesis' contact law", "Bullet, B1", "Bullet, B2", "Bullet, B3"};
-  return titles[static_cast<int>(engine)];
-}
+const char* title(Engine engine) { return choices<Engine>[static_cast<std::size_t>(engine)].meaning; }
 
 /// "needle" of "hard/needle".
 std::string shortName(const std::string& scenario) { return scenario.substr(scenario.rfind('/') + 1); }
@@ -132,8 +129,8 @@ std::vector<Engine> parseEngines(const std::string& text) {
   std::vector<Engine> engines;
   for (const std::string& word : partsOf(text, ',')) {
     const std::size_t before = engines.size();
-    for (const Engine engine : {Engine::thesis, Engine::b1, Engine::b2, Engine::b3})
-      if (word == name(engine) || (word == "bullet" && (engine == Engine::b1 || engine == Engine::b2)))
+    for (const Engine engine : valuesOf<Engine>())
+      if (word == nameOf(engine) || (word == "bullet" && (engine == Engine::b1 || engine == Engine::b2)))
         engines.push_back(engine);
     if (engines.size() == before)
       throw InputError("'" + word + "' is no engine; needs some of thesis, bullet, b1, b2, b3, as thesis,bullet");
@@ -181,7 +178,7 @@ Json toJson(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& e
   for (const ComparisonRow& row : rows)
     for (std::size_t i = 0; i < row.verdicts.size(); ++i)
       list.push_back({{"scenario", row.scenario},
-                      {"engine", i == 0 ? "morula" : name(engines[i - 1])},
+                      {"engine", i == 0 ? "morula" : nameOf(engines[i - 1])},
                       {"verdict", name(row.verdicts[i].kind)},
                       {"text", row.verdicts[i].text},
                       {"step", orNull(row.verdicts[i].step)}});

@@ -26,12 +26,6 @@ struct OwnSteps {
   void step() { morula::step(state); }
 };
 
-std::vector<std::vector<Point>> shapesOf(const World& world) {
-  std::vector<std::vector<Point>> shapes;
-  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
-  return shapes;
-}
-
 /// Keeps the shapes at the times that are asked for.
 class FrameKeeper {
  public:
@@ -83,17 +77,18 @@ void goThrough(Run& run, const Scenario& scenario, const std::vector<double>& fr
 
 }  // namespace
 
-const char* name(Engine engine) {
-  constexpr const char* names[] = {"thesis", "b1", "b2", "b3"};
-  return names[static_cast<int>(engine)];
-}
-
 Engine engineOf(Baseline baseline) {
   return static_cast<Engine>(static_cast<int>(baseline) + static_cast<int>(Engine::b1));
 }
 
 Baseline baselineOf(Engine engine) {
   return static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1));
+}
+
+std::vector<std::vector<Point>> shapesOf(const World& world) {
+  std::vector<std::vector<Point>> shapes;
+  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
+  return shapes;
 }
 
 ExternalRun runHere(const Json& json, const OnStep& onStep) {

@@ -5,21 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.h"
 #include "golden/check_result.h"
 #include "scenario/scenario.h"
+#include "simulation/world.h"
 #include "store/records.h"
 #include "system/json.h"
 
 namespace morula {
 
-enum class Engine {
-  thesis,  // ours, with the thesis' contact law
-  b1,      // Bullet: values/baseline.h
-  b2,
-  b3,
-};
-/// "thesis", "b1", "b2", "b3".
-const char* name(Engine engine);
+/// Ours with the thesis' contact law, and Bullet [values/baseline.h].
+enum class Engine { thesis, b1, b2, b3 };
+template <>
+inline constexpr auto choices<Engine> = std::to_array<Choice<Engine>>({{Engine::thesis, "thesis",
+                                                                        "thesis' contact law"},
+                                                                       {Engine::b1, "b1", "Bullet, B1"},
+                                                                       {Engine::b2, "b2", "Bullet, B2"},
+                                                                       {Engine::b3, "b3", "Bullet, B3"}});
 Engine engineOf(Baseline baseline);
 /// Of an engine that is Bullet.
 Baseline baselineOf(Engine engine);
@@ -62,6 +64,9 @@ struct ExternalRun {
   std::vector<Sample> samples;             // as the scenario records, and the end; without states and contacts
   std::vector<ExternalFrame> frames = {};  // as they were asked for; none after mostFrameVertices
 };
+
+/// [length] The vertices of all cells, by path.
+std::vector<std::vector<Point>> shapesOf(const World& world);
 
 using OnStep = std::function<void(std::uint64_t)>;
 

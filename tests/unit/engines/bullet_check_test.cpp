@@ -17,12 +17,6 @@ const std::string pair =
 
 using Shapes = std::vector<std::vector<Point>>;
 
-Shapes shapesOf(const World& world) {
-  Shapes shapes;
-  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
-  return shapes;
-}
-
 /// The only result.
 CheckResult compare(const World& world, const Shapes& shapes, const BulletCheck& check) {
   const auto results = compareWithBullet(world, shapes, check);

@@ -21,12 +21,6 @@ physics: {time_step: 0.0078125, mesh: {icosphere: 1}}
 check: {bullet: {}}
 )";
 
-std::vector<std::vector<Point>> shapesOf(const World& world) {
-  std::vector<std::vector<Point>> shapes;
-  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
-  return shapes;
-}
-
 /// What Bullet would have found: these shapes.
 BulletAgain answered(const Scenario& scenario, const World& ours, std::vector<std::vector<Point>> shapes) {
   BulletAgain again;
