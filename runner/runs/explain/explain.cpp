@@ -269,9 +269,9 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
   if (worldE && worldA) x.difference = findStateDifference(*worldE, *worldA);
   x.cell = x.difference ? x.difference->cell : x.cells.empty() ? std::nullopt : std::optional(x.cells.front());
   x.failureClass = window.first == 0 ? "SETUP" : x.difference && x.difference->lineage ? "LINEAGE" : "COMPUTATION";
-  x.text = describe(x, expected.name(), actual.name(), e, a);
+  x.text = describe(x, expected.name, actual.name, e, a);
   for (const RunSource* w : {&expected, &actual})
-    if (!w->noState.empty()) x.text += "  no vertex and values: " + w->name() + ": " + w->noState + '\n';
+    if (!w->noState.empty()) x.text += "  no vertex and values: " + w->name + ": " + w->noState + '\n';
   return x;
 }
 

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "golden/number_text.h"
 #include "loop/simulate.h"
 #include "simulation/checkpoint.h"
 #include "simulation/world.h"
@@ -46,16 +45,16 @@ ChainLink linkFrom(const Json& j, const std::optional<Hash>& before) {
 
 ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<World()> make,
                        std::vector<std::string> more)
-    : program_(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)), more_(std::move(more)) {}
+    : RunSource(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)), more_(std::move(more)) {}
 
 std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
-  std::vector<std::string> command{program_, "trail", scenario_};
+  std::vector<std::string> command{name, "trail", scenario_};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), more_.begin(), more_.end());
   ChildEnd end = runChild(command);
-  if (end.notStarted()) throw InputError(program_ + ": cannot be started; give a Morula program");
+  if (end.notStarted()) throw InputError(name + ": cannot be started; give a Morula program");
   if (!end.well())
-    throw InputError(program_ + ": ended with exit code " + std::to_string(end.code()) +
+    throw InputError(name + ": ended with exit code " + std::to_string(end.code()) +
                      "; is it a Morula that knows `trail` and this scenario?");
   return std::move(end.said);
 }
@@ -65,7 +64,7 @@ HashTrace ProgramRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint6
       answer({"--from", std::to_string(from), "--to", std::to_string(to), "--every", std::to_string(every)});
   try {
     return readHashTrace(text);
-  } catch (const InputError& e) { throw InputError(program_ + ": " + e.what()); }
+  } catch (const InputError& e) { throw InputError(name + ": " + e.what()); }
 }
 
 std::unique_ptr<World> ProgramRun::stateAt(std::uint64_t step) {
@@ -81,7 +80,7 @@ std::unique_ptr<World> ProgramRun::stateAt(std::uint64_t step) {
 
 StoredRunSource::StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps,
                                  std::string failure)
-    : name_(std::move(name)), failure_(std::move(failure)), chain_(std::move(chain)), steps_(steps) {}
+    : RunSource(std::move(name)), chain_(std::move(chain)), steps_(steps), failure_(std::move(failure)) {}
 
 HashTrace StoredRunSource::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
   HashTrace t;
@@ -116,7 +115,7 @@ std::string findBrokenLink(const std::vector<ChainLink>& chain, std::uint64_t& s
 
 OwnRun::OwnRun(std::string name, std::function<World()> make, std::function<void(World&)> advance,
                std::function<void(const World&)> watch)
-    : name_(std::move(name)), make_(std::move(make)), advance_(std::move(advance)), watch_(std::move(watch)) {}
+    : RunSource(std::move(name)), make_(std::move(make)), advance_(std::move(advance)), watch_(std::move(watch)) {}
 
 OwnRun::~OwnRun() = default;
 

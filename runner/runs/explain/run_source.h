@@ -20,14 +20,14 @@ struct HashTrace {
 
 class RunSource {
  public:
+  explicit RunSource(std::string called) : name(std::move(called)) {}
   virtual ~RunSource() = default;
-  /// "this program, avx2, 1 thread".
-  virtual std::string name() const = 0;
   /// The states at steps from, from + every, … not after `to`, as far as the run goes.
   virtual HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) = 0;
   /// The state after this step; where the run fails there, the failed state. Null if it cannot be had, and
   /// then `noState` says why.
   virtual std::unique_ptr<World> stateAt(std::uint64_t step) = 0;
+  std::string name;  // "this program, avx2, 1 thread"
   std::string noState;
 };
 
@@ -39,7 +39,6 @@ class OwnRun : public RunSource {
   OwnRun(std::string name, std::function<World()> make, std::function<void(World&)> advance,
          std::function<void(const World&)> watch = {});
   ~OwnRun() override;
-  std::string name() const override { return name_; }
   HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   std::unique_ptr<World> stateAt(std::uint64_t step) override;
 
@@ -49,7 +48,6 @@ class OwnRun : public RunSource {
   /// False where the state is none.
   bool addLink(HashTrace& trace);
 
-  std::string name_;
   std::function<World()> make_;
   std::function<void(World&)> advance_;
   std::function<void(const World&)> watch_;
@@ -67,7 +65,6 @@ class ProgramRun : public RunSource {
   /// its states are restored. Both must know the same scenario file.
   ProgramRun(std::string program, std::string scenario, std::function<World()> make,
              std::vector<std::string> more = {});
-  std::string name() const override { return program_; }
   /// Throws InputError if the program cannot be started or does not answer.
   HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   /// Null if its states are of a form that is not known here.
@@ -76,7 +73,7 @@ class ProgramRun : public RunSource {
  private:
   std::string answer(const std::vector<std::string>& arguments) const;
 
-  std::string program_, scenario_;
+  std::string scenario_;
   std::function<World()> make_;
   std::vector<std::string> more_;  // further options of `trail`
 };
@@ -86,15 +83,14 @@ class StoredRunSource : public RunSource {
  public:
   /// `chain` as the database has it, `steps` and `failure` as the run ended.
   StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps, std::string failure);
-  std::string name() const override { return name_; }
   /// Of the steps asked for, those that are stored.
   HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   std::unique_ptr<World> stateAt(std::uint64_t) override;
 
  private:
-  std::string name_, failure_;
   std::vector<ChainLink> chain_;
   std::uint64_t steps_;
+  std::string failure_;
 };
 
 /// What is wrong with a stored chain in itself: a row lost, put in or edited. Each link's hash must follow from its
