@@ -1,5 +1,5 @@
 #pragma once
-// A file descriptor with an owner. Only for this module.
+// A file descriptor with an owner. Only for files and system.
 #include <sys/stat.h>
 #include <unistd.h>
 

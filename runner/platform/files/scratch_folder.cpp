@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuseFolder(const fs::path& folder) {
-  throw FileError("'" + folder.string() + "' cannot be made: " + std::strerror(errno));
+FileError cannotBeMade(const fs::path& folder) {
+  return FileError("'" + folder.string() + "' cannot be made: " + std::strerror(errno));
 }
 
 /// "a/b" of "a/b/" and "a/./b".
@@ -43,14 +43,13 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
     path_ = draftIn(parent);
     if (::mkdir(path_.c_str(), 0777) != 0) {
       if (errno == EEXIST) continue;  // of a process of this number on another machine
-      refuseFolder(path_);
+      throw cannotBeMade(path_);
     }
     lock_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
     if (!lock_.isOpen() && errno != ENOENT) {
-      const int reason = errno;
+      const FileError error = cannotBeMade(path_);
       ::rmdir(path_.c_str());
-      errno = reason;
-      refuseFolder(path_);
+      throw error;
     }
     if (lock_.isOpen()) ::flock(lock_.number(), LOCK_EX);
     // Until it is locked it looks abandoned, and may be gone.
@@ -72,14 +71,13 @@ void DraftFolder::takePlace() {
     std::vector<fs::path> moved;
     for (const fs::path& name : namesIn(path())) {
       if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) {
-        const int reason = errno;
+        const FileError error = cannotBeMade(folder_);
         for (const fs::path& back : moved) ::rename((target / back).c_str(), (path() / back).c_str());
-        errno = reason;
-        refuseFolder(folder_);
+        throw error;
       }
       moved.push_back(name);
     }
-  } else if (::rename(path().c_str(), target.c_str()) != 0) refuseFolder(folder_);
+  } else if (::rename(path().c_str(), target.c_str()) != 0) throw cannotBeMade(folder_);
 }
 
 }  // namespace morula

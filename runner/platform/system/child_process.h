@@ -1,18 +1,12 @@
 #pragma once
 // Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its
-// stdout; and what it says through a pipe.
+// stdout.
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include "system/process.h"
 
 namespace morula {
-
-/// That a process could not be made or waited for, with the reason that errno holds.
-FileError processError(const std::string& what);
-
-/// What is written to the other end until it is closed.
-std::string readToEnd(int from);
 
 struct ChildOptions {
   std::string input = {};  // for its stdin, which then ends
@@ -21,10 +15,8 @@ struct ChildOptions {
   bool errorsToo = false;  // what it writes to stderr is part of what it said
 };
 
-struct ChildEnd {
+struct ChildEnd : ProcessEnd {
   std::string said;  // all that it wrote, also if it did not end well
-  int status = 0;    // as waitpid has it
-  double cpuSeconds = 0;
 
   bool well() const;         // it ended by itself, with code 0
   bool notStarted() const;   // there is no such program, or none that can be run: code 127, as in a shell

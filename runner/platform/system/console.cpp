@@ -14,6 +14,12 @@
 namespace morula {
 namespace {
 
+/// True if stderr is a terminal on which lines can be rewritten.
+bool isTerminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && kind && std::string(kind) != "dumb";
+}
+
 std::string red(const std::string& text) {
   const char* plain = std::getenv("NO_COLOR");
   return isTerminal() && !(plain && *plain) ? "\x1b[31m" + text + "\x1b[0m" : text;
@@ -58,15 +64,6 @@ void tellError(const std::string& text) { std::cerr << red("morula: ") << messag
 
 void tellInputError(const std::string& text) { std::cerr << message(text) << "\n"; }
 
-void showProgress(const std::string& line) {
-  if (isTerminal()) std::cerr << "\r\x1b[K" << printableLine(line) << std::flush;
-  else std::cerr << printableLine(line) << "\n";
-}
-
-void clearProgress() {
-  if (isTerminal()) std::cerr << "\r\x1b[K" << std::flush;
-}
-
 std::istream& questionStream() { return std::cin; }
 
 std::ostream& answerStream() { return std::cout; }
@@ -86,12 +83,8 @@ void tellWarnings(const std::vector<std::string>& lines, bool quiet) {
   for (const auto& line : lines) tell("warning: " + line, quiet);
 }
 
-bool isTerminal() {
-  const char* kind = std::getenv("TERM");
-  return isatty(STDERR_FILENO) == 1 && kind && std::string(kind) != "dumb";
-}
-
 using namespace std::chrono_literals;
+constexpr const char* clearLine = "\r\x1b[K";
 
 ProgressLine::ProgressLine(bool quiet)
     : quiet_(quiet), terminal_(isTerminal()), next_(Clock::now() + (terminal_ ? 300ms : 30000ms)) {}
@@ -99,13 +92,14 @@ ProgressLine::ProgressLine(bool quiet)
 bool ProgressLine::isDue() const { return !quiet_ && Clock::now() >= next_; }
 
 void ProgressLine::show(const std::string& text) {
-  showProgress(text);
+  if (terminal_) std::cerr << clearLine << printableLine(text) << std::flush;
+  else std::cerr << printableLine(text) << "\n";
   shown_ = true;
   next_ = Clock::now() + (terminal_ ? 200ms : 30000ms);
 }
 
 void ProgressLine::clear() {
-  if (shown_) clearProgress();
+  if (shown_ && terminal_) std::cerr << clearLine << std::flush;
   shown_ = false;
 }
 

@@ -27,11 +27,6 @@ void tellInputError(const std::string& text);
 /// The same for what may not be meant: "warning: file:line:column: …"; not said when `quiet`.
 void tellWarnings(const std::vector<std::string>& lines, bool quiet);
 
-/// Shows a line that the next one replaces, on a terminal; otherwise lines below each other.
-void showProgress(const std::string& line);
-/// Removes the line that showProgress left on a terminal.
-void clearProgress();
-
 /// Where a worker that this program has started reads its question and writes its answer.
 std::istream& questionStream();
 std::ostream& answerStream();
@@ -39,9 +34,6 @@ std::ostream& answerStream();
 void flushOutput();
 /// Makes sure that files which are opened later do not become standard input, output or error, where those are closed.
 void reserveStandardStreams();
-
-/// True if stderr is a terminal on which lines can be rewritten.
-bool isTerminal();
 
 /// How far something has come: a line that is rewritten on a terminal, otherwise a line every 30 seconds.
 class ProgressLine {
@@ -54,6 +46,7 @@ class ProgressLine {
   /// Whether it is time to show something; looks at the clock.
   bool isDue() const;
   void show(const std::string& text);
+  /// Removes what `show` left on a terminal.
   void clear();
   /// "  [====    ]  42 %" of a share from 0 to 1; the bar only on a terminal.
   std::string bar(double share) const;

@@ -2,6 +2,8 @@
 // One process at a time writes into a folder.
 #include <filesystem>
 
+#include "files/descriptor.h"
+
 namespace morula {
 
 /// Waits until no other process holds the folder, and holds it to the end of the scope. The system releases it when a
@@ -9,12 +11,9 @@ namespace morula {
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  int descriptor_;  // of the folder; -1: it could not be opened
+  Descriptor descriptor_;  // of the folder, if it could be opened
 };
 
 }  // namespace morula

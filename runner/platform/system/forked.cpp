@@ -1,36 +1,24 @@
 #include "system/forked.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <csignal>
-#include <cstring>
 #include <utility>
 
 #include "base/error.h"
 #include "files/read_file.h"
 #include "files/text.h"
-#include "system/child_process.h"
+#include "system/process.h"
 
 namespace morula {
 namespace {
 
 constexpr std::size_t mostText = 16384;  // a quarter of what a pipe takes without a reader
-
-void lower(decltype(RLIMIT_CPU) what, rlim_t most) {
-  rlimit limit{};
-  ::getrlimit(what, &limit);
-  limit.rlim_cur = std::min(limit.rlim_max, most);
-  ::setrlimit(what, &limit);
-}
 
 /// [byte] Of address space that this process has.
 std::uint64_t addressSpace() {
@@ -52,12 +40,12 @@ int threadsNow() {
 }
 
 void limit(const ForkedLimits& limits) {
-  lower(RLIMIT_CORE, 0);  // what SIGXCPU ends is no mistake to look into
+  setLimit(RLIMIT_CORE, 0);  // what SIGXCPU ends is no mistake to look into
   if (limits.cpuSeconds) {
     std::signal(SIGXCPU, SIG_DFL);
-    lower(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(*limits.cpuSeconds)));
+    setLimit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(*limits.cpuSeconds)));
   }
-  if (limits.memory) lower(RLIMIT_AS, addressSpace() + *limits.memory);
+  if (limits.memory) setLimit(RLIMIT_AS, addressSpace() + *limits.memory);
 }
 
 /// Signals wait while this lives, or until `let`.
@@ -97,20 +85,14 @@ Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& 
 #if !defined(__SANITIZE_THREAD__)  // which has a thread of its own
   MORULA_CHECK(threadsNow() == 1, "others would be missing in the new process, with whatever they hold locked");
 #endif
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");
+  Pipe answer = makePipe();
   const pid_t parent = ::getpid();
   // A signal to the new process must not meet the handlers of this one, which would take it for its own.
   SignalsWait signals;
   process_ = ::fork();
-  if (process_ == 0) work(limits, what, parent, ends[1], signals);
-  ::close(ends[1]);
-  answer_ = ends[0];
-  if (process_ > 0) return;
-  const int reason = std::exchange(errno, 0);
-  ::close(answer_);
-  errno = reason;
-  throw processError("cannot be made");
+  if (process_ == 0) work(limits, what, parent, answer.write.number(), signals);
+  if (process_ < 0) throw processError("cannot be made");
+  answer_ = std::move(answer.read);
 }
 
 Forked::~Forked() {
@@ -120,22 +102,17 @@ Forked::~Forked() {
 }
 
 Forked::Forked(Forked&& other) noexcept
-    : process_(std::exchange(other.process_, -1)), answer_(std::exchange(other.answer_, -1)) {}
+    : process_(std::exchange(other.process_, -1)), answer_(std::move(other.answer_)) {}
 
 ForkedEnd Forked::wait() {
   ForkedEnd end;
   end.answer.text = readToEnd(answer_);
-  ::close(std::exchange(answer_, -1));
-  int status = 0;
-  rusage used{};
-  const pid_t process = std::exchange(process_, -1);
-  while (::wait4(process, &status, 0, &used) < 0)
-    if (errno != EINTR) throw processError("cannot be waited for");
-  if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
-  else end.answer.code = WEXITSTATUS(status);
-  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-  end.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-  end.maxMemory = static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+  answer_.close();
+  const ProcessEnd process = waitFor(std::exchange(process_, -1));
+  if (WIFSIGNALED(process.status)) end.signal = WTERMSIG(process.status);
+  else end.answer.code = WEXITSTATUS(process.status);
+  end.cpuSeconds = process.cpuSeconds;
+  end.maxMemory = process.maxMemory;
   return end;
 }
 
@@ -145,7 +122,7 @@ void Forked::stop(int signal) {
 
 std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds) {
   std::vector<pollfd> pipes;
-  for (const Forked* p : processes) pipes.push_back({p->answer_, POLLIN, 0});
+  for (const Forked* p : processes) pipes.push_back({p->answer_.number(), POLLIN, 0});
   std::vector<std::size_t> ended;
   if (::poll(pipes.data(), pipes.size(), static_cast<int>(1000 * seconds)) <= 0) return ended;
   for (std::size_t i = 0; i < pipes.size(); ++i)
@@ -153,12 +130,7 @@ std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, doubl
   return ended;
 }
 
-void liftMemoryLimit() {
-  rlimit limit{};
-  ::getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_AS, &limit);
-}
+void liftMemoryLimit() { setLimit(RLIMIT_AS, RLIM_INFINITY); }
 
 std::string signalName(int signal) {
   const char* const name = ::sigabbrev_np(signal);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/descriptor.h"
+
 namespace morula {
 
 struct ForkedLimits {
@@ -48,7 +50,7 @@ class Forked {
  private:
   friend std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds);
   pid_t process_ = -1;
-  int answer_ = -1;  // a pipe that ends with the process
+  Descriptor answer_{-1};  // a pipe that ends with the process
 };
 
 /// Waits until one of the processes has something to say or has ended, a signal has come, or so much time [s] has passed.

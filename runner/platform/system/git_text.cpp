@@ -9,13 +9,8 @@ namespace {
 /// Not `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file
 /// system monitor, signatures, remotes that fetch what is missing).
 ChildEnd askGit(const std::filesystem::path& file, const std::vector<std::string>& question) {
-  std::vector<std::string> command{"git",
-                                   "-c",
-                                   "core.fsmonitor=false",
-                                   "-c",
-                                   "protocol.allow=never",
-                                   "-C",
-                                   absolutePath(file).parent_path().string()};
+  const std::string folder = absolutePath(file).parent_path().string();
+  std::vector<std::string> command{"git", "-c", "core.fsmonitor=false", "-c", "protocol.allow=never", "-C", folder};
   command.insert(command.end(), question.begin(), question.end());
   return runChild(command, {.silent = true});
 }

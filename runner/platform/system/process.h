@@ -1,0 +1,36 @@
+#pragma once
+// What child_process.cpp and forked.cpp share: pipes, limits, and waiting for a process.
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <cstdint>
+#include <string>
+
+#include "base/error.h"
+#include "files/descriptor.h"
+
+namespace morula {
+
+/// That a process could not be made or waited for, with the reason that errno holds.
+FileError processError(const std::string& what);
+
+/// Both ends are closed when another program is started.
+struct Pipe {
+  Descriptor read, write;
+};
+Pipe makePipe();
+
+/// What is written to the other end until it is closed.
+std::string readToEnd(const Descriptor& from);
+
+/// Of this process, as far as its hard limit goes.
+void setLimit(decltype(RLIMIT_CPU) what, rlim_t most);
+
+struct ProcessEnd {
+  int status = 0;  // as waitpid has it
+  double cpuSeconds = 0;
+  std::uint64_t maxMemory = 0;  // [byte] resident
+};
+ProcessEnd waitFor(pid_t process);
+
+}  // namespace morula
