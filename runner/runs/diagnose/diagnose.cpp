@@ -31,56 +31,44 @@ struct ForceWork {
 class WorkMeter {
  public:
   /// The cell must live in the world and go on living.
-  WorkMeter(World& world, const CellPath& cell);
+  WorkMeter(World& world, const CellPath& cell)
+      : cell_(cell), before_(positions(world)), forces_(measureForces(world, slotIn(world))) {
+    for (const VertexForces& f : forces_) works_.push_back({f.name, 0});
+  }
+
   /// To be called after each step; the forces that it measures come from the world's last evaluation.
-  void observe(World& world);
+  void observe(World& world) {
+    const std::vector<Point> now = positions(world);
+    std::vector<VertexForces> forces = measureForces(world, slotIn(world));
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      for (std::size_t v = 0; v < now.size(); ++v)
+        works_[f].work += 0.5 * dot(forces_[f].onVertex[v] + forces[f].onVertex[v], now[v] - before_[v]);
+    before_ = now;
+    forces_ = std::move(forces);
+  }
 
   /// Largest first; only forces that the scene has.
-  std::vector<ForceWork> works() const;
+  std::vector<ForceWork> works() const {
+    std::vector<ForceWork> sorted = works_;
+    std::ranges::stable_sort(sorted, std::ranges::greater(), &ForceWork::work);
+    return sorted;
+  }
 
  private:
-  std::vector<Point> positions(const World& world) const;
-  int slotIn(const World& world) const;
+  int slotIn(const World& world) const { return world.bodies->slots[cellNumber(world.cells, cell_)]; }
+
+  std::vector<Point> positions(const World& world) const {
+    const int slot = slotIn(world);
+    std::vector<Point> points;
+    for (int v = 0; v < world.bodies->vertexCount(slot); ++v) points.push_back(world.bodies->vertex(slot, v));
+    return points;
+  }
 
   CellPath cell_;
   std::vector<Point> before_;
   std::vector<VertexForces> forces_;
   std::vector<ForceWork> works_;
 };
-
-WorkMeter::WorkMeter(World& world, const CellPath& cell)
-    : cell_(cell), before_(positions(world)), forces_(measureForces(world, slotIn(world))) {
-  for (const VertexForces& f : forces_) works_.push_back({f.name, 0});
-}
-
-int WorkMeter::slotIn(const World& world) const {
-  const auto& paths = world.cells.path;
-  return world.bodies->slots[std::lower_bound(paths.begin(), paths.end(), cell_) - paths.begin()];
-}
-
-std::vector<Point> WorkMeter::positions(const World& world) const {
-  const int slot = slotIn(world);
-  std::vector<Point> points;
-  for (int v = 0; v < world.bodies->vertexCount(slot); ++v) points.push_back(world.bodies->vertex(slot, v));
-  return points;
-}
-
-void WorkMeter::observe(World& world) {
-  const std::vector<Point> now = positions(world);
-  std::vector<VertexForces> forces = measureForces(world, slotIn(world));
-  for (std::size_t f = 0; f < forces.size(); ++f)
-    for (std::size_t v = 0; v < now.size(); ++v)
-      works_[f].work += 0.5 * dot(forces_[f].onVertex[v] + forces[f].onVertex[v], now[v] - before_[v]);
-  before_ = now;
-  forces_ = std::move(forces);
-}
-
-std::vector<ForceWork> WorkMeter::works() const {
-  std::vector<ForceWork> sorted = works_;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const ForceWork& a, const ForceWork& b) { return a.work > b.work; });
-  return sorted;
-}
 
 // Steps in which the work of forces is measured: all from the last good state on, or if these are more than
 // mostStepsMeasured the last few.
@@ -156,10 +144,6 @@ World restored(const Scene& scene, const Execution& execution, const std::string
   return world;
 }
 
-bool lives(const World& world, const CellPath& cell) {
-  return std::binary_search(world.cells.path.begin(), world.cells.path.end(), cell);
-}
-
 std::string share(double part, double whole) { return std::to_string(std::lround(100 * part / whole)) + " %"; }
 
 /// "in its last 16 steps contacts did 91 % of the work on it, springs 9 %"
@@ -180,7 +164,7 @@ std::string measureWork(World& world, const CellPath& cell, std::uint64_t failed
   std::optional<WorkMeter> meter;
   std::uint64_t steps = 0;
   while (world.clock.step + 1 < failedStep) {
-    if (!meter && lives(world, cell)) meter.emplace(world, cell);
+    if (!meter && cellNumber(world.cells, cell) >= 0) meter.emplace(world, cell);
     step(world);
     if (meter) meter->observe(world), ++steps;
   }
@@ -189,11 +173,10 @@ std::string measureWork(World& world, const CellPath& cell, std::uint64_t failed
 
 /// "the time step 0.01 is 0.4 of the stability limit of its springs, which is the lowest"
 std::string describeLimit(const World& world, const CellPath& cell) {
-  const auto& paths = world.cells.path;
-  const auto at = std::lower_bound(paths.begin(), paths.end(), cell);
-  if (at == paths.end() || *at != cell) return "";
+  const int number = cellNumber(world.cells, cell);
+  if (number < 0) return "";
   const Bodies& b = *world.bodies;
-  const int slot = b.slots[at - paths.begin()];
+  const int slot = b.slots[number];
   const PhysicsParameters& p = b.parameters;
   struct Limit {
     const char* of;

@@ -48,28 +48,39 @@ std::vector<Vector> scaled(double by, std::vector<Vector> vectors) {
   return vectors;
 }
 
-/// What `add` adds to the forces on the slot's vertices; the bodies are as before afterwards.
+/// What an array holds of the slot's vertices, times a factor.
+std::vector<Vector> ofSlot(const Bodies& b, int slot, const Reals& array, double times = 1) {
+  std::vector<Vector> vectors;
+  for (int v = 0; v < b.vertexCount(slot); ++v) vectors.push_back(times * b.read(array, slot, v));
+  return vectors;
+}
+
+/// What `add` adds to the forces on all vertices, laid out as Bodies::acceleration; the bodies are as before afterwards.
 template <class Add>
-std::vector<Vector> addedForces(Bodies& b, int slot, Add add) {
-  const Reals kept = b.acceleration;
+Reals addedToAll(Bodies& b, Add add) {
+  Reals kept = b.acceleration;
   b.acceleration.assign(b.acceleration.size(), 0);
   add();
-  std::vector<Vector> force;
-  for (int v = 0; v < b.vertexCount(slot); ++v) force.push_back(b.read(b.acceleration, slot, v));
-  b.acceleration = kept;
-  return force;
+  std::swap(kept, b.acceleration);
+  return kept;
+}
+
+/// [force] Mass times acceleration.
+std::vector<Vector> wholeForces(const Bodies& b, int slot) {
+  return ofSlot(b, slot, b.acceleration, b.vertexMass[slot]);
 }
 
 /// [force] Of the medium, in proportion to mass.
 std::vector<Vector> dragForces(const Bodies& b, int slot) {
-  std::vector<Vector> force;
-  for (int v = 0; v < b.vertexCount(slot); ++v)
-    force.push_back((-b.parameters.drag * b.vertexMass[slot]) * b.read(b.velocity, slot, v));
-  return force;
+  return ofSlot(b, slot, b.velocity, -b.parameters.drag * b.vertexMass[slot]);
 }
 
 void addTo(std::vector<Vector>& sum, const std::vector<Vector>& more) {
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += more[v];
+}
+
+void takeFrom(std::vector<Vector>& sum, const std::vector<Vector>& less) {
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] -= less[v];
 }
 
 /// What the shell does against the force that presses a vertex on it outwards (physics/shell_kernel.h); none
@@ -85,16 +96,6 @@ std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vec
     if (dot(x, slope) > 1 - within && outward > 0) force[v] = (-outward / dot(slope, slope)) * slope;
   }
   return force;
-}
-
-/// What `add` adds to the forces on all vertices, laid out as Bodies::acceleration; the bodies are as before afterwards.
-template <class Add>
-Reals addedToAll(Bodies& b, Add add) {
-  Reals kept = b.acceleration;
-  b.acceleration.assign(b.acceleration.size(), 0);
-  add();
-  std::swap(kept, b.acceleration);
-  return kept;
 }
 
 /// The outer forces of a whole world, each evaluated once.
@@ -133,7 +134,7 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
   for (auto& force : of) force.resize(vertices);
   const auto at = [&](ForceKind kind) -> std::vector<Vector>& { return of[std::size_t(kind)]; };
   const auto add = [&](ForceKind kind, const std::optional<Reals>& forces, double times = 1) {
-    for (int v = 0; forces && v < vertices; ++v) at(kind)[v] += times * b.read(*forces, slot, v);
+    if (forces) addTo(at(kind), ofSlot(b, slot, *forces, times));
   };
   if (b.model().hasMembrane) {
     at(ForceKind::spring) = springForces(b, slot);
@@ -149,15 +150,13 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
   add(ForceKind::adhesion, outer.connections);
   for (const Reals& forces : outer.others) add(ForceKind::other, forces);
 
-  std::vector<Vector> left;  // of the whole force
-  for (int v = 0; v < vertices; ++v) left.push_back(b.vertexMass[slot] * b.read(b.acceleration, slot, v));
-  std::vector<Vector> sum(vertices);
+  std::vector<Vector> left = wholeForces(b, slot), sum(vertices);  // what has no name yet; what has one
   for (const auto& force : of) addTo(sum, force);
-  for (int v = 0; v < vertices; ++v) left[v] -= sum[v];
+  takeFrom(left, sum);
   const ShellShape shape = shellShapeOf(b.parameters);
   if (b.model().hasMembrane && (shape == ShellShape::sphere || shape == ShellShape::ellipsoid)) {
     at(ForceKind::shell) = shellForces(b, slot, sum);
-    for (int v = 0; v < vertices; ++v) left[v] -= at(ForceKind::shell)[v];
+    takeFrom(left, at(ForceKind::shell));
   }
   // Where several planes may bear at once, and where what is held is not the vertices, the shell's part is what is left;
   // elsewhere that is what has no name.
@@ -176,6 +175,9 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
 std::vector<VertexForces> measureForces(World& world, int slot) {
   Bodies& b = *world.bodies;
   std::vector<VertexForces> all;
+  const auto add = [&](const char* name, auto addForces) {
+    all.push_back({name, ofSlot(b, slot, addedToAll(b, addForces))});
+  };
   if (b.model().hasMembrane) {
     const std::vector<Vector> gradient = volumeGradients(b, slot);
     all.push_back({"springs", springForces(b, slot)});
@@ -183,20 +185,12 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
     all.push_back({"outer pressure", scaled(-b.parameters.pressure.outside, gradient)});
   }
   if (world.contacts)
-    all.push_back({"contacts", addedForces(b, slot, [&] {
-                     addContactForces(*world.contacts, b, slot / blockLanes, world.clock.timeStep);
-                   })});
-  if (world.connections)
-    all.push_back(
-        {"connections", addedForces(b, slot, [&] { addConnectionForces(*world.connections, world.cells.path, b); })});
-  if (world.motility) all.push_back({"crawling", addedForces(b, slot, [&] { addMotility(world); })});
+    add("contacts", [&] { addContactForces(*world.contacts, b, slot / blockLanes, world.clock.timeStep); });
+  if (world.connections) add("connections", [&] { addConnectionForces(*world.connections, world.cells.path, b); });
+  if (world.motility) add("crawling", [&] { addMotility(world); });
   if (b.model().hasRestShape) {
-    VertexForces shape{"its shape", {}};  // what is left of the whole
-    for (int v = 0; v < b.vertexCount(slot); ++v) {
-      Vector f = b.vertexMass[slot] * b.read(b.acceleration, slot, v);
-      for (const VertexForces& other : all) f = f - other.onVertex[v];
-      shape.onVertex.push_back(f);
-    }
+    VertexForces shape{"its shape", wholeForces(b, slot)};  // what is left of the whole
+    for (const VertexForces& other : all) takeFrom(shape.onVertex, other.onVertex);
     all.push_back(std::move(shape));
   }
   return all;
