@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "drawing/annotations.h"
-#include "drawing/palette.h"
 
 namespace morula {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "drawing/annotations.h"
 #include "drawing/axis.h"
 #include "drawing/palette.h"
@@ -102,8 +101,7 @@ Drawing drawMatrix(const MatrixPicture& asked) {
         // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
         const double gap = side >= leastFramed ? 0.06 * side : 0, own = side - 2 * gap;
         const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
-        drawing.box({x, y}, own, own,
-                    scaleColour(range.low < range.high ? (*value - range.low) / (range.high - range.low) : 0));
+        drawing.box({x, y}, own, own, scaleColour(range.shareOf(*value)));
         if (side >= leastFramed)
           drawing.line({{x, y}, {x + own, y}, {x + own, y + own}, {x, y + own}, {x, y}},
                        {.width = side < 12 ? 0.5 : 1, .colour = quietInk});

@@ -167,9 +167,7 @@ Drawing drawSmallMultiples(const SmallMultiples& chart) {
   }
   const int width = static_cast<int>(columns) * chart.panelWidth,
             middle = std::max(16, std::accumulate(heights.begin(), heights.end(), 0));
-  // The bands are at most a quarter of the whole height each, and so depend on it.
-  Bands bands;
-  for (int i = 0; i < 16; ++i) bands = bandsFor(chart.words, width, middle + bands.top + bands.bottom, size);
+  const Bands bands = bandsAround(middle, chart.words, width, size);
   Drawing drawing(width, middle + bands.top + bands.bottom);
   annotate(drawing, chart.words, size);
   double top = bands.top;

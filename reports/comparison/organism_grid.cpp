@@ -109,9 +109,7 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
   Instruments bar;
   bar.scaleBar = framing.has_value(), bar.colourBar = grid.colourBar;
   const int width = blocks * sheet.block, body = heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
-  // The bands are at most a quarter of the whole height each, and so depend on it.
-  Bands bands;
-  for (int i = 0; i < 16; ++i) bands = bandsFor(words, width, body + bands.top + bands.bottom, textSize);
+  const Bands bands = bandsAround(body, words, width, textSize);
   Drawing drawing(width, body + bands.top + bands.bottom);
   annotate(drawing, words, textSize);
   for (int b = 0; b < blocks; ++b) {

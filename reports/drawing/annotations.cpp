@@ -100,6 +100,12 @@ Bands bandsFor(const Annotations& annotations, int width, int height, double tex
   return {int(std::min(top, height / 4.0)), int(std::min(bottom, height / 4.0))};
 }
 
+Bands bandsAround(int middle, const Annotations& annotations, int width, double textSize) {
+  Bands bands;  // at most a quarter of the whole height each, and so they depend on it
+  for (int i = 0; i < 16; ++i) bands = bandsFor(annotations, width, middle + bands.top + bands.bottom, textSize);
+  return bands;
+}
+
 void annotate(Drawing& drawing, const Annotations& annotations, double textSize) {
   const double size = textSize > 0 ? textSize : textSizeFor(drawing.width(), drawing.height()), left = 1.5 * size;
   const Bands bands = bandsFor(annotations, drawing.width(), drawing.height(), size);

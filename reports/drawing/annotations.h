@@ -38,6 +38,9 @@ struct Bands {
 /// middle loses more than half of the height. `textSize` [pixel]: of ordinary text; 0: textSizeFor's.
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize = 0);
 
+/// The same around a middle of this height.
+Bands bandsAround(int middle, const Annotations& annotations, int width, double textSize);
+
 /// Draws the words into the bands of a drawing.
 void annotate(Drawing& drawing, const Annotations& annotations, double textSize = 0);
 

@@ -36,6 +36,8 @@ std::vector<double> roundNumbers(double low, double high, int wanted) {
 
 }  // namespace
 
+double Range::shareOf(double value) const { return low < high ? (value - low) / (high - low) : 0; }
+
 void Range::see(double value) { low = std::min(low, value), high = std::max(high, value); }
 
 double Axis::place(double value) const {

@@ -12,6 +12,8 @@ namespace morula {
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void see(double value);
+  /// Where a number lies between the two, 0 to 1; 0 where they are the same.
+  double shareOf(double value) const;
 };
 
 struct Axis {

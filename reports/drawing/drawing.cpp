@@ -59,9 +59,7 @@ Image imageOf(cairo_surface_t* surface) {
       }
       continue;
     }
-    std::transform(pixels, pixels + image.width, &image.at(0, y), [](std::uint32_t p) {
-      return Colour{std::uint8_t(p >> 16), std::uint8_t(p >> 8), std::uint8_t(p)};
-    });
+    std::transform(pixels, pixels + image.width, &image.at(0, y), colourFrom);
   }
   return image;
 }

@@ -41,7 +41,7 @@ Colour parseColour(std::string_view text) {
   const char* end = text.data() + text.size();
   if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, value, 16).ptr != end)
     throw InputError("'" + std::string(text) + "' is not a colour; write '#rrggbb', such as '#e41a1c'");
-  return {std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
+  return colourFrom(value);
 }
 
 Colour mixColours(const std::vector<Colour>& colours) {

@@ -11,6 +11,11 @@ struct Colour {
   friend constexpr bool operator==(const Colour&, const Colour&) = default;
 };
 
+/// 0xrrggbb.
+constexpr Colour colourFrom(std::uint32_t rgb) {
+  return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
+}
+
 /// Cells none of whose substances has a colour.
 inline constexpr Colour neutralGrey{0xbd, 0xbd, 0xbd};
 

@@ -45,6 +45,14 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+/// The eye's direction by its azimuth and elevation [degrees]: (0, 0) looks along +y with z up, from the front; the
+/// azimuth turns the eye towards +x, to the right side, the elevation lifts it towards +z.
+Camera cameraAt(double azimuth, double elevation) {
+  const double sa = sine(azimuth), ca = cosine(azimuth), se = sine(elevation), ce = cosine(elevation);
+  // `up` is what the direction changes by with the elevation, so it is never parallel to it.
+  return {.towardsEye = {sa * ce, -ca * ce, se}, .up = {-sa * se, ca * se, ce}, .framing = std::nullopt};
+}
+
 Vector turned(const Vector& v, double degrees) {
   const double c = cosine(degrees), s = sine(degrees);
   return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
@@ -124,12 +132,6 @@ std::array<float, 16> projection(const Aperture& aperture, double distance, doub
   return result;
 }
 
-Camera cameraAt(double azimuth, double elevation) {
-  const double sa = sine(azimuth), ca = cosine(azimuth), se = sine(elevation), ce = cosine(elevation);
-  // `up` is what the direction changes by with the elevation, so it is never parallel to it.
-  return {.towardsEye = {sa * ce, -ca * ce, se}, .up = {-sa * se, ca * se, ce}, .framing = std::nullopt};
-}
-
 Camera parseView(std::string_view text) {
   for (const View& view : views)
     if (view.name == text) return cameraAt(view.azimuth, view.elevation);
@@ -139,11 +141,9 @@ Camera parseView(std::string_view text) {
     if (azimuth && elevation && std::abs(*azimuth) <= 360 && std::abs(*elevation) <= 90)
       return cameraAt(*azimuth, *elevation);
   }
-  throw InputError("'" + std::string(text) + "' is no view; needs " + viewNames() +
-                   ", or azimuth and elevation in degrees such as 30,20 (-360 to 360, -90 to 90)");
+  throw InputError("'" + std::string(text) + "' is no view; needs front, back, left, right, top, bottom, iso, " +
+                   "or azimuth and elevation in degrees such as 30,20 (-360 to 360, -90 to 90)");
 }
-
-const char* viewNames() { return "front, back, left, right, top, bottom, iso"; }
 
 std::vector<Camera> turntable(const OrganismPicture& picture, int count) {
   std::vector<Camera> cameras(std::size_t(count), picture.camera);

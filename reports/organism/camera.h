@@ -57,16 +57,9 @@ double distanceFor(const std::vector<Point>& points, const Point& centre, const 
 /// = distance), column by column as OpenGL wants it. Depths nearClip to farClip from the eye are kept.
 std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip);
 
-/// The eye's direction by its azimuth and elevation [degrees]: (0, 0) looks along +y with z up, from the front; the
-/// azimuth turns the eye towards +x, to the right side, the elevation lifts it towards +z.
-Camera cameraAt(double azimuth, double elevation);
-
 /// The angles of a named view: front, back, left, right, top, bottom, iso. Throws InputError with the names for any
 /// other, and "AZ,EL" is read as two numbers [degrees], the elevation -90 to 90.
 Camera parseView(std::string_view text);
-
-/// The names, separated by commas.
-const char* viewNames();
 
 /// `count` > 0 cameras around the picture, turned about the z axis by equal angles, the first as its own: with one
 /// framing in which it is whole from all of them.

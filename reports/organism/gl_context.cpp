@@ -137,7 +137,7 @@ OffscreenContext::OffscreenContext() {
   settleDriver();
   loadDriver(remedy);
   requireMemoryToDraw(ofContext, remedy);  // what the library itself took is no longer there
-  handle_ = new Handle;
+  handle_ = std::make_unique<Handle>();
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,
                             OSMESA_DEPTH_BITS,
@@ -150,17 +150,11 @@ OffscreenContext::OffscreenContext() {
                             3,
                             0};
   handle_->context = createContext(attributes, nullptr);
-  if (!handle_->context) {
-    delete handle_;
-    throw BugError("OSMesa gives no OpenGL 4.3 context");
-  }
+  if (!handle_->context) throw BugError("OSMesa gives no OpenGL 4.3 context");
   makeCurrent();
 }
 
-OffscreenContext::~OffscreenContext() {
-  destroyContext(handle_->context);
-  delete handle_;
-}
+OffscreenContext::~OffscreenContext() { destroyContext(handle_->context); }
 
 void OffscreenContext::makeCurrent() {
   if (!makeContextCurrent(handle_->context, handle_->pixels.data(), GL_UNSIGNED_BYTE, 16, 16))

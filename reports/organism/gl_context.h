@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <memory>
 #include <string>
 
 // Those that are called.
@@ -54,7 +55,7 @@ class OffscreenContext {
 
  private:
   struct Handle;
-  Handle* handle_;
+  std::unique_ptr<Handle> handle_;
 };
 
 }  // namespace morula

@@ -109,8 +109,20 @@ Framing framingOf(const std::vector<Point>& points, const OrganismPicture& pictu
   return frame(points, eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, width)));
 }
 
-FramingFinder finderFor(const OrganismPicture& picture) {
-  return {eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, picture.width))};
+/// `pictureOf`: gives picture number i, counted from 0.
+template <class PictureOf>
+Framing framingOfAll(std::size_t count, const PictureOf& pictureOf) {
+  if (count == 0) throw InputError("a framing needs at least one picture");
+  std::optional<FramingFinder> finder;
+  for (std::size_t i = 0; i < count; ++i) {
+    const OrganismPicture& one = pictureOf(i);
+    check(one);
+    if (!finder) finder.emplace(eyeAxes(one.camera), apertureOf(one.width, sceneHeight(one, one.width)));
+    for (const Point& p : extent(one)) finder->seeFirst(p);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (const Point& p : extent(pictureOf(i))) finder->seeAgain(p);
+  return finder->framing();
 }
 
 /// The labels of all visible cells. A translucent cell owns no pixels, so its label is placed at its middle.
@@ -122,8 +134,7 @@ std::vector<LabelWish> labelsOf(const OrganismPicture& picture, const EyeAxes& a
     LabelWish wish{std::uint32_t(label.cell + 1), label.text, std::nullopt};
     if (cell.opacity == 0 || cell.vertices.empty()) continue;
     if (cell.opacity < 1) {
-      Point middle;
-      for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
+      const Point middle = middleOf(cell);
       if (picture.clip && dot(middle, picture.clip->normal) > picture.clip->offset) continue;
       const Vector p = axes.of(middle - framing.centre);
       const double depth = framing.distance - p.z;
@@ -181,29 +192,11 @@ Image drawSolidAndWireframe(const OrganismPicture& picture) {
 Framing fitFraming(const OrganismPicture& picture) { return fitFraming(std::vector<OrganismPicture>{picture}); }
 
 Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
-  if (sequence.empty()) throw InputError("a framing needs at least one picture");
-  for (const OrganismPicture& picture : sequence) check(picture);
-  const OrganismPicture& first = sequence.front();
-  FramingFinder finder = finderFor(first);
-  for (const OrganismPicture& picture : sequence)
-    for (const Point& p : extent(picture)) finder.seeFirst(p);
-  for (const OrganismPicture& picture : sequence)
-    for (const Point& p : extent(picture)) finder.seeAgain(p);
-  return finder.framing();
+  return framingOfAll(sequence.size(), [&](std::size_t i) -> const OrganismPicture& { return sequence[i]; });
 }
 
 Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::size_t)>& picture) {
-  if (count == 0) throw InputError("a framing needs at least one picture");
-  std::optional<FramingFinder> finder;
-  for (std::size_t i = 0; i < count; ++i) {
-    const OrganismPicture one = picture(i);
-    check(one);
-    if (!finder) finder = finderFor(one);
-    for (const Point& p : extent(one)) finder->seeFirst(p);
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    for (const Point& p : extent(picture(i))) finder->seeAgain(p);
-  return finder->framing();
+  return framingOfAll(count, picture);
 }
 
 Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras) {
@@ -223,6 +216,22 @@ Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>&
   return framing;
 }
 
+Point middleOf(const CellShape& cell) {
+  Point middle;
+  for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
+  return middle;
+}
+
+double meanRadius(const OrganismPicture& picture, std::size_t cells) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const Point middle = middleOf(picture.cells[i]);
+    for (const Point& p : picture.cells[i].vertices) sum += norm(p - middle), ++count;
+  }
+  return count ? sum / double(count) : 1;
+}
+
 void addNormals(OrganismPicture& picture, double length, Colour colour) {
   checkCells(picture);
   for (const CellShape& cell : picture.cells) {
@@ -230,15 +239,6 @@ void addNormals(OrganismPicture& picture, double length, Colour colour) {
     for (std::size_t i = 0; i < normals.size(); ++i)
       picture.lines.push_back({cell.vertices[i], cell.vertices[i] + normals[i] * length, colour});
   }
-}
-
-void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces, double lengthPerForce,
-               Colour colour) {
-  if (cell >= picture.cells.size() || forces.size() != picture.cells[cell].vertices.size())
-    throw InputError("forces to be drawn must name a cell of the picture and be one for each of its vertices");
-  const std::vector<Point>& vertices = picture.cells[cell].vertices;
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    picture.lines.push_back({vertices[i], vertices[i] + forces[i] * lengthPerForce, colour});
 }
 
 }  // namespace morula

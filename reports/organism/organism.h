@@ -102,16 +102,17 @@ Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::s
 /// for none.
 Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras);
 
+/// [length] The mean of its vertices.
+Point middleOf(const CellShape& cell);
+
+/// [length] The mean distance of a vertex from its cell's middle, of the first `cells` of the picture; 1 without any.
+double meanRadius(const OrganismPicture& picture, std::size_t cells);
+
 /// The unit normals at a cell's vertices: means over their faces with the weights that are exact on a sphere,
 /// sin(angle) / (product of the lengths of the two edges) [Max 1999].
 std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces);
 
 /// Adds a line of this length along the normal of every vertex, as the thesis draws them.
 void addNormals(OrganismPicture& picture, double length, Colour colour = {0x33, 0x66, 0xcc});
-
-/// Adds a line along the force on every vertex of cell number `cell`, counted from 0. `lengthPerForce` in
-/// [length/force]. Throws InputError if there is no such cell, or not one force for each of its vertices.
-void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces, double lengthPerForce,
-               Colour colour = {0xcc, 0x22, 0x22});
 
 }  // namespace morula

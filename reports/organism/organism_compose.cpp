@@ -11,14 +11,7 @@ namespace {
 /// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what is
 /// looked at would lie too thin in the picture.
 double occlusionRadius(const OrganismPicture& picture, double mostInPicture) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const CellShape& cell : picture.cells) {
-    Point middle;
-    for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
-    for (const Point& p : cell.vertices) sum += norm(p - middle), ++count;
-  }
-  return std::min(0.8 * (count ? sum / double(count) : 1), mostInPicture);
+  return std::min(0.8 * meanRadius(picture, picture.cells.size()), mostInPicture);
 }
 
 /// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a sample,

@@ -13,10 +13,6 @@ using Numbers = std::vector<std::uint64_t>;
 
 std::uint64_t number(Colour c) { return std::uint64_t{c.r} << 16 | std::uint64_t{c.g} << 8 | c.b; }
 
-Colour colour(std::uint64_t n) {
-  return {static_cast<std::uint8_t>(n >> 16), static_cast<std::uint8_t>(n >> 8), static_cast<std::uint8_t>(n)};
-}
-
 [[noreturn]] void refuse() { throw InputError("frame: its counts, positions and corners do not fit together"); }
 
 /// Takes the next `count` triples of values, from `at` on.
@@ -77,10 +73,11 @@ OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank) {
       faces.size() != n)
     refuse();
   blank.caption = caption[0];
-  for (std::size_t i = 0; i < labels.size(); ++i) blank.legend.push_back({colour(labelColours[i]), labels[i]});
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    blank.legend.push_back({colourFrom(std::uint32_t(labelColours[i])), labels[i]});
   std::size_t atPosition = 0, atCorner = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    CellShape cell{paths[i], {}, colour(colours[i])};
+    CellShape cell{paths[i], {}, colourFrom(std::uint32_t(colours[i]))};
     const auto x = nextTriples(positions, atPosition, vertices[i]);
     for (std::size_t v = 0; v < vertices[i]; ++v) cell.vertices.push_back({x[3 * v], x[3 * v + 1], x[3 * v + 2]});
     const auto c = nextTriples(corners, atCorner, faces[i]);

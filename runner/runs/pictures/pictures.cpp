@@ -138,10 +138,6 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
       world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time, scenario);
 }
 
-Drawing drawBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes, const Scenario& scenario) {
-  return comparisonSheet(imagesBesideBullet(world, shapes, scenario));
-}
-
 ComparisonImages imagesBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes,
                                     const Scenario& scenario) {
   OrganismPicture ours = pictureOf(world, scenario);
@@ -205,10 +201,15 @@ void writePicture(const Drawing& drawing, const fs::path& file) {
 
 void writePicture(const Image& image, const fs::path& file) { writeFile(file, pngFile(image), Content::picture); }
 
-std::optional<PictureFormat> pictureFormat(const fs::path& file) {
+std::string endingOf(const fs::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+std::optional<PictureFormat> pictureFormat(const fs::path& file) {
+  const std::string ending = endingOf(file);
   if (ending == ".svg") return PictureFormat::svg;
   if (ending == ".pdf") return PictureFormat::pdf;
   return ending.empty() || ending == ".png" ? std::optional(PictureFormat::png) : std::nullopt;

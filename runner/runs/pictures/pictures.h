@@ -41,10 +41,8 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
-/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface (drawComparison). `shapes`:
-/// the vertices of Bullet's cells, in the order of ours.
-Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes, const Scenario& scenario);
-/// The three pictures of it, each by itself.
+/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: the vertices of Bullet's cells,
+/// in the order of ours.
 ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                                     const Scenario& scenario);
 
@@ -73,7 +71,10 @@ class FrameCollector {
 void writePicture(const Drawing& drawing, const std::filesystem::path& file);
 void writePicture(const Image& image, const std::filesystem::path& file);
 
-/// By the ending, in capitals or not: ".svg", ".pdf"; PNG for ".png" and without any. Others: absent.
+/// ".svg" of a file's name, whether it ends in capitals or not.
+std::string endingOf(const std::filesystem::path& file);
+
+/// By the ending: ".svg", ".pdf"; PNG for ".png" and without any. Others: absent.
 std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 
 /// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder. Returns the

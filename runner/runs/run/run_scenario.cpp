@@ -15,7 +15,6 @@
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "files/read_file.h"
-#include "files/write_file.h"
 #include "golden/accept.h"
 #include "pictures/frame_file.h"
 #include "pictures/pictures.h"
@@ -125,7 +124,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   if (!settings.draw) return;
   const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
-  writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
+  writePicture(comparisonSheet(imagesBesideBullet(run.world, found.bullet->shapes, scenario)), outcome.pictures.back());
 }
 
 /// Writes golden.png (the accepted result, this one, and their distance) if the run differs from its golden; otherwise

@@ -7,7 +7,6 @@
 
 #include "golden/check_result.h"
 #include "loop/simulate.h"
-#include "system/console.h"
 
 namespace morula {
 

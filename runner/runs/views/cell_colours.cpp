@@ -79,11 +79,8 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
   range = withoutRounding(range);
   const ShownUnit unit = shownUnit(units, measure.unit);
   for (std::size_t p = 0; p < pictures.size(); ++p) {
-    for (std::size_t i = 0; i < values[p].size(); ++i) {
-      const double share =
-          values[p][i] && range.low < range.high ? (*values[p][i] - range.low) / (range.high - range.low) : 0;
-      pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
-    }
+    for (std::size_t i = 0; i < values[p].size(); ++i)
+      pictures[p].cells[i].colour = values[p][i] ? scaleColour(range.shareOf(*values[p][i])) : notMeasured;
     if (range.low <= range.high)
       pictures[p].instruments.colourBar = {unit.after(measure.title()), unit.factor * range.low,
                                            unit.factor * range.high};

@@ -11,6 +11,7 @@
 #include "files/read_file.h"
 #include "files/scratch_folder.h"
 #include "files/write_file.h"
+#include "pictures/pictures.h"
 #include "system/child_process.h"
 #include "system/signals.h"
 
@@ -21,13 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t mostBytes = std::uint64_t{2} << 30;  // of a film
-
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
 
 /// How ffmpeg makes each kind. Films are made of 2 x 2 blocks of pixels, so sides that are odd get a row of paper.
 std::vector<std::string> wayTo(const std::string& ending) {
@@ -47,11 +41,7 @@ bool isFilmName(const fs::path& file) {
   return ending == ".mp4" || ending == ".webm" || ending == ".gif";
 }
 
-bool hasFfmpeg() {
-  ChildOptions options;
-  options.silent = true;
-  return !runChild({"ffmpeg", "-hide_banner", "-version"}, options).notStarted();
-}
+bool hasFfmpeg() { return !runChild({"ffmpeg", "-hide_banner", "-version"}, {.silent = true}).notStarted(); }
 
 void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw, double perSecond,
                const fs::path& file) {
@@ -70,9 +60,7 @@ void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw,
   for (const char* word : {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", "1"})
     command.push_back(word);
   command.push_back(film.string());
-  ChildOptions options;
-  options.errorsToo = true;
-  const ChildEnd end = runChild(command, options);
+  const ChildEnd end = runChild(command, {.errorsToo = true});
   stopAtSignal();
   if (!end.well()) {
     std::string said = end.said.substr(0, 500);

@@ -13,23 +13,6 @@ namespace {
 
 constexpr Colour connectionColour{0x6a, 0x3d, 0x9a}, normalColour{0x77, 0x77, 0x77};
 
-Point middleOf(const CellShape& cell) {
-  Point middle;
-  for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
-  return middle;
-}
-
-/// [length] The mean distance of a vertex from its cell's middle.
-double meanRadius(const OrganismPicture& picture, std::size_t cells) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < cells; ++i) {
-    const Point middle = middleOf(picture.cells[i]);
-    for (const Point& p : picture.cells[i].vertices) sum += norm(p - middle), ++count;
-  }
-  return count ? sum / double(count) : 1;
-}
-
 void addConnections(OrganismPicture& picture, const World& world) {
   for (const std::size_t place : world.connections->active) {
     const ConnectionRecord& record = world.connections->history[place];

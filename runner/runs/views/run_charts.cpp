@@ -146,6 +146,7 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
   struct Mean {
     double sum = 0;
     std::size_t count = 0;
+    double value() const { return sum / double(count); }
   };
   std::map<std::string, Mean> means;
   const AskedMeasure measure =
@@ -160,17 +161,13 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
       }
   if (means.empty()) failWithout(measure, scenario);
   Range range;
-  for (const auto& [path, mean] : means) range.see(mean.sum / double(mean.count));
+  for (const auto& [path, mean] : means) range.see(mean.value());
   range = withoutRounding(range);
   bool lacks = false;
   for (LineageNode& node : tree.nodes) {
     const auto mean = means.find(node.path);
     lacks = lacks || mean == means.end();
-    node.colour =
-        mean == means.end() ? neutralGrey
-        : range.low < range.high
-            ? scaleColour((mean->second.sum / double(mean->second.count) - range.low) / (range.high - range.low))
-            : scaleColour(0);
+    node.colour = mean == means.end() ? neutralGrey : scaleColour(range.shareOf(mean->second.value()));
   }
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
   const ShownUnit unit = shownUnit(scenario.units, measure.unit);
