@@ -1,49 +1,62 @@
-// Frames of a run: positions as good as promised, evenly over time, and thinned from the front.
+// Frames of a run: positions as good as promised, evenly over time, and thinned from the front. Forces in them add up to mass
+// times acceleration, and measuring them changes nothing.
 #include "report_data/frames.h"
 
 #include <bit>
 #include <cmath>
 
 #include "catch.h"
+#include "files/bytes.h"
 #include "loop/simulate.h"
 #include "simulation/measures.h"
+#include "simulation/stages.h"
 
 namespace morula {
 namespace {
 
-const char* const scene = R"(morula: 1
-name: two
-dna: |
-  START: a0
-  g1(divide|a0)
-stop: {time: 1.25}
-physics: {mesh: {icosphere: 1}, contact: {}}
-connections: {make: at-division}
-)";
+const std::string plain = "{mesh: {icosphere: 1}, contact: {}}";
+const std::string tissue =
+    "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, drag: 1, contact: {adhesion: {default: 0.5}}}";
+const std::string spheres = "{cell: {model: sphere}, drag: 1, contact: {}}";
+const std::string solved = "{mesh: {icosphere: 1}, integrator: xpbd, contact: {}}";
 
-std::uint32_t numberAt(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (int i = 3; i >= 0; --i)
-    number = number << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
-  return number;
+Scenario sceneWith(const std::string& physics) {
+  return readScenario("morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\nphysics: " +
+                          physics + "\ndivision: {plane: {axis: [1, 0, 0]}}\nconnections: {make: at-division}\n",
+                      "two.yaml", "");
 }
-
-float realAt(const std::string& bytes, std::size_t at) { return std::bit_cast<float>(numberAt(bytes, at)); }
 
 struct Watched {
   Simulation run;
   Frames frames;
 };
 
-Watched watch(std::size_t most) {
-  const Scenario scenario = readScenario(scene, "two.yaml", "");
-  FrameTaker taker(1.25, most);
+Watched watch(const std::string& physics, std::size_t most, bool forces = false) {
+  const Scenario scenario = sceneWith(physics);
+  std::optional<ForceMeter> meter;
+  if (forces) meter.emplace(makeScenarioWorld(scenario, {}));
+  FrameTaker taker(1.25, most, std::move(meter));
   auto run = simulate(scenario, Execution{}, {.watch = [&](const World& w) { taker.observe(w); }});
   return {std::move(run), std::move(taker.frames())};
 }
 
+float floatAt(const std::string& bytes, std::size_t at) {
+  return std::bit_cast<float>(numberAt<std::uint32_t>(bytes, at));
+}
+
+Vector vectorAt(const std::string& bytes, std::size_t at) {
+  return {floatAt(bytes, at), floatAt(bytes, at + 4), floatAt(bytes, at + 8)};
+}
+
+/// Where in a frame's bytes what follows its contacts and connections begins.
+std::size_t behindPairs(const Frames& frames, const Frame& frame) {
+  return 4 * (9 + frames.measures.size()) * frame.cells + 12 * frame.contacts + 8 * frame.connections;
+}
+
+}  // namespace
+
 TEST_CASE("Frames lie evenly over time, the first at the start and the last at the end") {
-  const auto [run, frames] = watch(6);
+  const auto [run, frames] = watch(plain, 6);
   REQUIRE(run.end.status == RunStatus::done);
   REQUIRE(frames.frames.size() == 6);
   for (std::size_t k = 0; k < 6; ++k) CHECK(frames.frames[k].time == Approx(0.25 * double(k)).margin(0.02));
@@ -56,35 +69,34 @@ TEST_CASE("Frames lie evenly over time, the first at the start and the last at t
 }
 
 TEST_CASE("A frame holds measures, and positions within half a step") {
-  const auto [run, frames] = watch(2);
+  const auto [run, frames] = watch(plain, 2);
   const Frame& last = frames.frames.back();
   const std::size_t words = 9 + frames.measures.size(), vertices = 42;
   REQUIRE(frames.meshes.size() == 1);
   REQUIRE(last.cells == 2);
   const auto cells = measureCells(run.world);
-  std::size_t places = 4 * words * last.cells + 12 * last.contacts + 8 * last.connections;
+  std::size_t places = behindPairs(frames, last);
   REQUIRE(last.bytes.size() == (places + 6 * vertices * last.cells + 3) / 4 * 4);
   for (std::size_t i = 0; i < last.cells; ++i) {
     const std::size_t at = 4 * words * i;
-    CHECK(run.world.lineage.entries[numberAt(last.bytes, at)].path == run.world.cells.path[i]);
+    CHECK(run.world.lineage.entries[numberAt<std::uint32_t>(last.bytes, at)].path == run.world.cells.path[i]);
     for (std::size_t m = 0; m < frames.measures.size(); ++m)
       if (const auto& value = cells[i].values[m])
-        CHECK(realAt(last.bytes, at + 36 + 4 * m) == static_cast<float>(*value));
+        CHECK(floatAt(last.bytes, at + 36 + 4 * m) == static_cast<float>(*value));
     for (const Point& p : cellVertices(run.world, run.world.cells.path[i]))
       for (std::size_t axis = 0; axis < 3; ++axis, places += 2) {
-        const double step = realAt(last.bytes, at + 24 + 4 * axis);
-        const int number =
-            static_cast<unsigned char>(last.bytes[places]) | static_cast<unsigned char>(last.bytes[places + 1]) << 8;
+        const double step = floatAt(last.bytes, at + 24 + 4 * axis);
+        const auto number = numberAt<std::uint16_t>(last.bytes, places);
         const double exact = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
         // Half a step, and the rounding of `low` and `step` to float: 2^-24 of the coordinate and of the box.
-        CHECK(std::abs(realAt(last.bytes, at + 12 + 4 * axis) + step * number - exact) <=
+        CHECK(std::abs(floatAt(last.bytes, at + 12 + 4 * axis) + step * number - exact) <=
               0.5 * step + 3 * 6e-8 * (1 + std::abs(exact)));
       }
   }
 }
 
 TEST_CASE("What does not fit is thinned, and the last frame stays longest") {
-  auto frames = watch(9).frames;
+  auto frames = watch(plain, 9).frames;
   const std::size_t all = bytesOf(frames);
   thinFrames(frames, all);
   CHECK(frames.frames.size() == 9);
@@ -102,5 +114,68 @@ TEST_CASE("What does not fit is thinned, and the last frame stays longest") {
   CHECK(frames.worlds.size() == 9);
 }
 
-}  // namespace
+TEST_CASE("What a frame keeps of a cell's forces adds up to its mass times acceleration") {
+  for (const std::string& physics : {tissue, spheres}) {
+    CAPTURE(physics);
+    auto [run, frames] = watch(physics, 4, true);
+    const Frame& last = frames.frames.back();
+    REQUIRE(last.cells == 2);
+    evaluateForces(run.world);
+    const Bodies& bodies = *run.world.bodies;
+    std::size_t at = behindPairs(frames, last);
+    for (const int slot : bodies.slots) {
+      Vector net, kept;
+      double sizes = 0;
+      for (int v = 0; v < bodies.vertexCount(slot); ++v)
+        net += bodies.vertexMass[slot] * bodies.read(bodies.acceleration, slot, v);
+      for (std::size_t k = 0; k < kindsWithNetForce(frames.forces).size(); ++k, at += 12) {
+        const Vector force = vectorAt(last.bytes, at);
+        kept += force, sizes += norm(force);
+      }
+      CHECK(sizes > 0);
+      // Each kind is rounded to float: 2^-24 of its size, and rounding of the sums over vertices beside it.
+      CHECK(norm(kept - net) <= 6e-8 * 2 * sizes + 1e-12);
+    }
+  }
+}
+
+TEST_CASE("Forces on vertices are kept of the last frame, to half a step") {
+  auto [run, frames] = watch(tissue, 4, true);
+  CHECK(frames.frames.front().vertexForces == 0);
+  const Frame& last = frames.frames.back();
+  REQUIRE(last.vertexForces > 0);
+  const auto forces = forcesByKind(run.world);
+  const std::size_t kinds = frames.forces.size();
+  REQUIRE(kinds == 6);
+  std::size_t steps = last.vertexForces, numbers = steps + 4 * kinds * forces.size();
+  for (const ForcesByKind& cell : forces)
+    for (std::size_t k = 0; k < kinds; ++k, steps += 4) {
+      const double step = floatAt(last.bytes, steps);
+      for (const Vector& force : cell[std::size_t(frames.forces[k])])
+        for (const double exact : {force.x, force.y, force.z}) {
+          double kept = 0;
+          if (step > 0) kept = step * static_cast<std::int8_t>(last.bytes.at(numbers)), ++numbers;
+          CHECK(std::abs(kept - exact) <= 0.5 * step * (1 + 1e-6) + 1e-7);
+        }
+    }
+  CHECK(last.bytes.size() == (numbers + 3) / 4 * 4);
+}
+
+TEST_CASE("Spheres have a force on the whole, and integrators that solve for forces have none") {
+  const Frames ofSpheres = watch(spheres, 4, true).frames;
+  CHECK(ofSpheres.frames.back().vertexForces == 0);
+  CHECK(ofSpheres.forces == std::vector{ForceKind::contact, ForceKind::adhesion, ForceKind::other});
+  const Frames ofSolved = watch(solved, 4, true).frames;
+  CHECK(ofSolved.forces.empty());
+  CHECK(ofSolved.frames.back().vertexForces == 0);
+}
+
+TEST_CASE("A run whose forces are measured ends in the same bits") {
+  const auto with = watch(tissue, 4, true), without = watch(tissue, 4);
+  REQUIRE(with.run.end.stateHash);
+  CHECK(with.run.end.stateHash->text() == without.run.end.stateHash->text());
+  CHECK(without.frames.forces.empty());
+  CHECK(with.frames.frames.back().bytes.size() > without.frames.frames.back().bytes.size());
+}
+
 }  // namespace morula

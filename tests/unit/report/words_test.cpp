@@ -76,25 +76,20 @@ TEST_CASE("Runs are told apart by seed, by what their scenarios differ in, and b
     facts.scenario.scene.mechanics.emplace().physics.drag = drag;
     return facts;
   };
-  const auto titles = [](std::vector<RunFacts> runs) {
+  const auto titles = [](auto... one) {
+    std::vector<RunFacts> runs;
+    (runs.push_back(std::move(one)), ...);
     nameRuns(runs);
     std::vector<std::string> all;
     for (const RunFacts& r : runs) all.push_back(titleOf(r));
     return all;
   };
-  std::vector<RunFacts> runs;
-  runs.push_back(run(1, 1, "p")), runs.push_back(run(1, 2, "q"));
-  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1", "small, seed 2"});
-  runs.clear();
-  runs.push_back(run(1, 1, "p")), runs.push_back(run(4, 1, "q"));
-  CHECK(titles(std::move(runs)) == std::vector<std::string>{"physics.drag 1", "physics.drag 4"});
-  runs.clear();
-  runs.push_back(run(1, 1, "p")), runs.push_back(run(4, 1, "q")), runs.push_back(run(4, 2, "r"));
-  CHECK(titles(std::move(runs)) ==
-        std::vector<std::string>{"small, seed 1, physics.drag 1", "small, seed 1, physics.drag 4", "small, seed 2"});
-  runs.clear();
-  runs.push_back(run(1, 1, "p")), runs.push_back(run(1, 1, "q"));
-  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1 (p)", "small, seed 1 (q)"});
+  using Titles = std::vector<std::string>;
+  CHECK(titles(run(1, 1, "p"), run(1, 2, "q")) == Titles{"small, seed 1", "small, seed 2"});
+  CHECK(titles(run(1, 1, "p"), run(4, 1, "q")) == Titles{"physics.drag 1", "physics.drag 4"});
+  CHECK(titles(run(1, 1, "p"), run(4, 1, "q"), run(4, 2, "r")) ==
+        Titles{"small, seed 1, physics.drag 1", "small, seed 1, physics.drag 4", "small, seed 2"});
+  CHECK(titles(run(1, 1, "p"), run(1, 1, "q")) == Titles{"small, seed 1 (p)", "small, seed 1 (q)"});
 }
 
 }  // namespace
