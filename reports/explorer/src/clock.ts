@@ -1,6 +1,7 @@
 // Time: a slider, marks where cells divide, and play.
 import { shownText, type Data, type Run } from "./data";
 import type { State } from "./state";
+import { drawn } from "./tools";
 
 const playSeconds = 8; // from start to end
 
@@ -8,7 +9,7 @@ export class Clock {
   readonly slider = document.createElement("input");
   private readonly play = document.createElement("button");
   private readonly output = document.createElement("output");
-  private readonly marks = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  private readonly marks = drawn("svg", { viewBox: "0 0 1000 9", preserveAspectRatio: "none", "aria-hidden": "true" });
   private times: number[] = [];
   private playing = false;
 
@@ -21,7 +22,6 @@ export class Clock {
     this.play.id = "play";
     this.play.type = "button";
     this.output.htmlFor.add("time");
-    this.marks.setAttribute("aria-hidden", "true");
     const slide = document.createElement("div");
     slide.className = "slide";
     slide.append(this.slider, this.marks);
@@ -51,12 +51,9 @@ export class Clock {
     this.slider.max = String(end);
     const divisions = new Set(runs.flatMap((run) => run.cells.filter((c) => c.fate === "divided").map((c) => c.ended)));
     this.marks.replaceChildren();
-    this.marks.setAttribute("viewBox", "0 0 1000 9");
-    this.marks.setAttribute("preserveAspectRatio", "none");
     for (const time of divisions) { // the slider's knob keeps half of its width from both ends
-      const line = document.createElementNS("http://www.w3.org/2000/svg", "line"), x = String((1000 * time) / (end || 1));
-      for (const [key, value] of [["x1", x], ["x2", x], ["y1", "0"], ["y2", "9"]]) line.setAttribute(key, value);
-      this.marks.append(line);
+      const x = (1000 * time) / (end || 1);
+      this.marks.append(drawn("line", { x1: x, x2: x, y1: 0, y2: 9 }));
     }
     this.marks.style.margin = "0 8px";
     this.marks.style.width = "calc(100% - 16px)";

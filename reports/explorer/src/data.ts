@@ -16,6 +16,8 @@ export interface Cell {
   daughters: Cell[];
 }
 
+export type CellRow = [path: string, name: string, born: number, ended: number, fate: Fate, state: number];
+
 export interface Contact { a: number; b: number; area: number }
 
 /** The living cells at one time; index i below is a cell of this frame. */
@@ -33,6 +35,15 @@ export interface Frame {
   vertexForces: VertexForces | null; // of the last frame
   positions: Float32Array; // xyz of all vertices, cell after cell
   firstVertex: Uint32Array; // [i], and one more: the number of all
+}
+
+/** With room for so many cells and measures of each. */
+export function blankFrame(time: number, step: number, count: number, measures: number): Frame {
+  return {
+    time, step, count, cell: new Uint32Array(count), mesh: new Uint32Array(count), state: new Uint32Array(count),
+    values: new Float32Array(count * measures), contacts: [], connections: [], forces: new Float32Array(0), vertexForces: null,
+    positions: new Float32Array(0), firstVertex: new Uint32Array(count + 1),
+  };
 }
 
 interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
@@ -67,7 +78,7 @@ export class Run {
   readonly title: string;
   readonly scenario: string;
   readonly end: number;
-  readonly cells: Cell[];
+  readonly cells: Cell[] = [];
   readonly byPath = new Map<string, Cell>();
   readonly states: string[];
   readonly colours: string[];
@@ -101,21 +112,29 @@ export class Run {
     this.across = this.meshes.map(facesAcross);
     this.vertexCounts = this.meshes.map((faces) => faces.reduce((most, v) => Math.max(most, v), -1) + 1);
     this.bytes = bytes;
-    this.cells = json.cells.map(([path, name, born, ended, fate, state]: any): Cell => ({
-      path, name, born, ended, fate, state, label: name || path || "egg", mother: null, daughters: [],
-    }));
-    for (const cell of this.cells) this.byPath.set(cell.path, cell);
-    for (const cell of this.cells) {
-      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
-      cell.mother?.daughters.push(cell);
-    }
-    for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
+    this.takeCells(json.cells);
     let offset = 0;
     for (const [time, step, cells, contacts, connections, size, vertexForces] of json.frames) {
       this.heads.push({ time, step, cells, contacts, connections, offset, vertexForces });
       offset += size;
     }
     this.times = this.heads.map((head) => head.time);
+  }
+
+  /** All cells that ever were, in place of those known before. */
+  protected takeCells(rows: CellRow[]): void {
+    this.cells.length = 0;
+    this.byPath.clear();
+    for (const [path, name, born, ended, fate, state] of rows) {
+      const cell: Cell = { path, name, born, ended, fate, state, label: name || path || "egg", mother: null, daughters: [] };
+      this.cells.push(cell);
+      this.byPath.set(path, cell);
+    }
+    for (const cell of this.cells) {
+      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
+      cell.mother?.daughters.push(cell);
+    }
+    for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
   }
 
   /** Whether any of its cells are ever connected. */
@@ -154,12 +173,7 @@ export class Run {
     const m = this.measures.length, words = 9 + m;
     const numbers = new Uint32Array(this.bytes, head.offset, head.cells * words);
     const reals = new Float32Array(this.bytes, head.offset, head.cells * words);
-    const frame: Frame = {
-      time: head.time, step: head.step, count: head.cells,
-      cell: new Uint32Array(head.cells), mesh: new Uint32Array(head.cells), state: new Uint32Array(head.cells),
-      values: new Float32Array(head.cells * m), contacts: [], connections: [], forces: new Float32Array(0), vertexForces: null,
-      positions: new Float32Array(0), firstVertex: new Uint32Array(head.cells + 1),
-    };
+    const frame = blankFrame(head.time, head.step, head.cells, m);
     for (let i = 0; i < head.cells; ++i) {
       const at = i * words;
       frame.cell[i] = numbers[at];

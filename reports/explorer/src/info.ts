@@ -1,13 +1,7 @@
 // What is known of the selected cell, and where to go from it.
 import { isWithin, numberText, shownText, type Cell, type Data, type Frame, type Run } from "./data";
 import type { State } from "./state";
-
-function element<K extends keyof HTMLElementTagNameMap>(name: K, text = "", className = ""): HTMLElementTagNameMap[K] {
-  const made = document.createElement(name);
-  if (text) made.textContent = text;
-  if (className) made.className = className;
-  return made;
-}
+import { element } from "./tools";
 
 export class Info {
   onPick: (path: string) => void = () => {};
@@ -15,7 +9,7 @@ export class Info {
   constructor(private readonly box: HTMLElement, private readonly data: Data, private readonly state: State) {}
 
   private button(cell: Cell, before = ""): HTMLButtonElement {
-    const button = element("button", before + cell.label);
+    const button = element("button", "", before + cell.label);
     button.type = "button";
     button.dataset.cell = cell.path;
     button.addEventListener("click", () => this.onPick(cell.path));
@@ -25,23 +19,22 @@ export class Info {
   private table(rows: [string, string][]): HTMLElement {
     const table = element("table"), body = element("tbody");
     for (const [name, value] of rows) {
-      const row = element("tr"), head = element("th", name);
+      const row = element("tr"), head = element("th", "", name);
       head.scope = "row";
-      row.append(head, element("td", value));
+      row.append(head, element("td", "", value));
       body.append(row);
     }
     table.append(body);
     return table;
   }
 
-  private relatives(run: Run, cell: Cell): HTMLElement {
-    const links = element("div", "", "links"), mother = cell.mother;
+  private relatives(cell: Cell): HTMLElement {
+    const links = element("div", "links"), mother = cell.mother;
     if (mother) {
       links.append(this.button(mother, "mother "));
       for (const sister of mother.daughters) if (sister !== cell) links.append(this.button(sister, "sister "));
     }
     for (const daughter of cell.daughters) links.append(this.button(daughter, "daughter "));
-    void run;
     return links;
   }
 
@@ -49,8 +42,8 @@ export class Info {
     const part = element("div");
     const touching = frame.contacts.filter((c) => c.a === i || c.b === i).map((c) => ({ cell: run.cells[frame.cell[c.a === i ? c.b : c.a]], area: c.area }));
     touching.sort((a, b) => b.area - a.area || (a.cell.path < b.cell.path ? -1 : 1));
-    part.append(element("div", touching.length ? `Touches ${touching.length}, with contact areas:` : "Touches no other cell."));
-    const links = element("div", "", "links");
+    part.append(element("div", "", touching.length ? `Touches ${touching.length}, with contact areas:` : "Touches no other cell."));
+    const links = element("div", "links");
     for (const { cell, area } of touching) {
       const button = this.button(cell);
       button.append(` ${shownText(this.data, "contact", area)}`);
@@ -71,7 +64,7 @@ export class Info {
   /** Of one cell at the present time: measures and neighbours, or why there are none. */
   private present(run: Run, cell: Cell): HTMLElement {
     const column = element("div"), { time } = this.state.choice;
-    if (this.data.runs.length > 1) column.append(element("strong", run.title));
+    if (this.data.runs.length > 1) column.append(element("strong", "", run.title));
     if (!run.hasBodies) return column;
     const frame = run.frame(run.frameNumber(time)), i = frame.cell.findIndex((n) => run.cells[n] === cell);
     if (i >= 0) {
@@ -88,15 +81,15 @@ export class Info {
         ++living;
         if (m >= 0) volume += frame.values[k * run.measures.length + m];
       }
-    if (living) column.append(element("p", `${living} of its descendants live at this time` + (m >= 0 ? `; their volume is ${shownText(this.data, "volume", volume)}.` : ".")));
-    else column.append(element("p", cell.born > time ? "Not yet born at this time." : "Neither it nor a descendant lives at this time."));
+    if (living) column.append(element("p", "", `${living} of its descendants live at this time` + (m >= 0 ? `; their volume is ${shownText(this.data, "volume", volume)}.` : ".")));
+    else column.append(element("p", "", cell.born > time ? "Not yet born at this time." : "Neither it nor a descendant lives at this time."));
     return column;
   }
 
   update(): void {
     const { choice } = this.state, first = this.data.runs[choice.left];
     if (choice.selected === null) {
-      this.box.replaceChildren(element("p", "No cell is selected. Click on a cell or on a line of the tree; arrow keys go on to mother, daughters and sister."));
+      this.box.replaceChildren(element("p", "", "No cell is selected. Click on a cell or on a line of the tree; arrow keys go on to mother, daughters and sister."));
       return;
     }
     const shown = [first, ...(choice.right >= 0 ? [this.data.runs[choice.right]] : [])];
@@ -104,8 +97,8 @@ export class Info {
     if (!cell) return;
     const run = shown.find((r) => r.byPath.has(choice.selected!))!;
     const descendants = run.cells.filter((c) => c !== cell && isWithin(c.path, cell.path)).length;
-    const heading = element("h3", cell.label + (cell.name ? ` (${cell.path || "egg"})` : ""));
-    const columns = element("div", "", "columns");
+    const heading = element("h3", "", cell.label + (cell.name ? ` (${cell.path || "egg"})` : ""));
+    const columns = element("div", "columns");
     const rows: [string, string][] = [
       ["substances", run.states[cell.state] || "none"],
       ["generation", String(cell.path.length)],
@@ -114,12 +107,12 @@ export class Info {
     ];
     if (descendants) rows.push(["descendants", String(descendants)]);
     const life = element("div");
-    life.append(this.table(rows), this.relatives(run, cell));
+    life.append(this.table(rows), this.relatives(cell));
     columns.append(life);
     for (const r of shown) {
       const there = r.byPath.get(choice.selected);
       if (there) columns.append(this.present(r, there));
-      else columns.append(element("p", `${r.title}: there is no such cell.`));
+      else columns.append(element("p", "", `${r.title}: there is no such cell.`));
     }
     this.box.replaceChildren(heading, columns);
   }

@@ -11,6 +11,13 @@ export function element<K extends keyof HTMLElementTagNameMap>(name: K, classNam
   return made;
 }
 
+/** An element of SVG. */
+export function drawn<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string | number> = {}): SVGElementTagNameMap[K] {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+  return made;
+}
+
 function choiceOf(options: [string, string][], label: string): [HTMLLabelElement, HTMLSelectElement] {
   const made = element("label", "", label + " "), select = element("select");
   for (const [value, text] of options) {

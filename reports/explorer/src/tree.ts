@@ -2,16 +2,10 @@
 import type { Colouring } from "./colours";
 import { isWithin, type Cell, type Run } from "./data";
 import type { State } from "./state";
+import { drawn } from "./tools";
 
-const svgNs = "http://www.w3.org/2000/svg";
 const topRoom = 22, leftRoom = 8, readableRow = 15; // [pixel]
 const mostLetters = 21; // of a name
-
-function make<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string | number>): SVGElementTagNameMap[K] {
-  const element = document.createElementNS(svgNs, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
-}
 
 /** Round numbers, about `wanted` of them, from 0 to `most`. */
 export function ticks(most: number, wanted: number): number[] {
@@ -26,7 +20,7 @@ export class Tree {
   onHover: (path: string | null, x: number, y: number) => void = () => {};
   private readonly rows = new Map<Cell, number>();
   private readonly nodes = new Map<string, SVGGElement>();
-  private now = make("line", { class: "now" });
+  private now = drawn("line", { class: "now" });
   private place: (time: number) => number = () => 0;
   private leaves = 0;
   private whole = true; // fits the pane; otherwise every row can be read
@@ -73,11 +67,11 @@ export class Tree {
     const rightRoom = labels ? 12 + Math.min(0.4 * w, 6.8 * longest) : 10, end = this.run.end || 1;
     this.place = (time) => leftRoom + ((w - leftRoom - rightRoom) * time) / end;
     const y = (cell: Cell) => topRoom + row * (this.rows.get(cell)! + 0.5);
-    const svg = make("svg", { width: w, height, viewBox: `0 0 ${w} ${height}`, role: "tree", "aria-label": `Lineage of ${this.run.title}: ${this.run.cells.length} cells. Arrow keys: mother to the left, daughter to the right, sister up and down` });
-    const axis = make("g", { class: "axis", "aria-hidden": "true" });
+    const svg = drawn("svg", { width: w, height, viewBox: `0 0 ${w} ${height}`, role: "tree", "aria-label": `Lineage of ${this.run.title}: ${this.run.cells.length} cells. Arrow keys: mother to the left, daughter to the right, sister up and down` });
+    const axis = drawn("g", { class: "axis", "aria-hidden": "true" });
     for (const t of ticks(end, Math.max(2, Math.round(w / 90)))) {
-      axis.append(make("line", { x1: this.place(t), x2: this.place(t), y1: topRoom - 6, y2: height }));
-      const text = make("text", { x: this.place(t) + 2, y: 11 });
+      axis.append(drawn("line", { x1: this.place(t), x2: this.place(t), y1: topRoom - 6, y2: height }));
+      const text = drawn("text", { x: this.place(t) + 2, y: 11 });
       text.textContent = String(t);
       axis.append(text);
     }
@@ -86,24 +80,24 @@ export class Tree {
     const thickness = Math.max(1, Math.min(3, 0.7 * row));
     for (const cell of this.run.cells) {
       const called = cell.label + (cell.name && cell.path ? ` (${cell.path})` : "");
-      const node = make("g", {
+      const node = drawn("g", {
         "data-path": cell.path, role: "treeitem", tabindex: -1, "aria-level": cell.path.length + 1, "aria-selected": "false",
         "aria-label": `${called}, born at ${Number(cell.born.toPrecision(4))}, ${cell.fate === "alive" ? "alive at the end" : `${cell.fate} at ${Number(cell.ended.toPrecision(4))}`}`,
       });
       const x1 = this.place(cell.born), x2 = Math.max(this.place(cell.ended), x1 + 1), at = y(cell);
-      if (cell.daughters.length > 1) node.append(make("path", { class: "fork", d: `M${x2} ${y(cell.daughters[0])}V${y(cell.daughters[cell.daughters.length - 1])}` }));
-      const life = make("path", { class: "life", d: `M${x1} ${at}H${x2}`, stroke: this.run.colours[cell.state] });
+      if (cell.daughters.length > 1) node.append(drawn("path", { class: "fork", d: `M${x2} ${y(cell.daughters[0])}V${y(cell.daughters[cell.daughters.length - 1])}` }));
+      const life = drawn("path", { class: "life", d: `M${x1} ${at}H${x2}`, stroke: this.run.colours[cell.state] });
       life.style.strokeWidth = thickness < 3 ? `${thickness}px` : "";
       node.append(life);
-      if (cell.fate === "died") node.append(make("path", { class: "fork", d: `M${x2 - 3} ${at - 3}l6 6m0 -6l-6 6` }));
-      node.append(make("path", { class: "hit", d: `M${x1} ${at}H${x2 + (cell.daughters.length ? 0 : rightRoom - 4)}`, "stroke-width": Math.max(3, Math.min(14, row)) }));
+      if (cell.fate === "died") node.append(drawn("path", { class: "fork", d: `M${x2 - 3} ${at - 3}l6 6m0 -6l-6 6` }));
+      node.append(drawn("path", { class: "hit", d: `M${x1} ${at}H${x2 + (cell.daughters.length ? 0 : rightRoom - 4)}`, "stroke-width": Math.max(3, Math.min(14, row)) }));
       if (labels && !cell.daughters.length) {
-        const text = make("text", { x: x2 + 5, y: at + 4 });
+        const text = drawn("text", { x: x2 + 5, y: at + 4 });
         text.textContent = cell.label.slice(0, mostLetters);
         node.append(text);
         if (cell.label.length > mostLetters) {
           // The rest is there for those who do not see it: what is written must be a part of the line's name.
-          const rest = make("tspan", {}), more = make("text", { x: w - 2, y: at + 4, "text-anchor": "end", "aria-hidden": "true" });
+          const rest = drawn("tspan", {}), more = drawn("text", { x: w - 2, y: at + 4, "text-anchor": "end", "aria-hidden": "true" });
           rest.textContent = cell.label.slice(mostLetters);
           rest.style.fill = "transparent";
           text.append(rest);
@@ -114,7 +108,7 @@ export class Tree {
       svg.append(node);
       this.nodes.set(cell.path, node);
     }
-    this.now = make("line", { class: "now", y1: topRoom - 6, y2: height, "aria-hidden": "true" });
+    this.now = drawn("line", { class: "now", y1: topRoom - 6, y2: height, "aria-hidden": "true" });
     svg.append(this.now);
     this.pane.replaceChildren(svg);
     this.update();

@@ -1,14 +1,14 @@
 // One measure of the organism over time, as it comes.
 import { shownText, type Data } from "../data";
-import { element } from "../tools";
+import { drawn, element } from "../tools";
 import type { Measures } from "./talk";
 
-const svg = "http://www.w3.org/2000/svg", width = 600, height = 120;
+const width = 600, height = 120;
 
 export class Chart {
   readonly box = element("div", "measured");
   private readonly choice = element("select");
-  private readonly line = document.createElementNS(svg, "polyline");
+  private readonly line = drawn("polyline");
   private readonly said = element("span", "note");
   private times: number[] = [];
   private values: (number | null)[][] = [];
@@ -16,12 +16,10 @@ export class Chart {
   units: Data["units"] = {};
 
   constructor() {
-    const label = element("label", "", "Over time "), picture = document.createElementNS(svg, "svg");
+    const label = element("label", "", "Over time ");
+    const picture = drawn("svg", { viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "none", "aria-hidden": "true" });
     this.choice.id = "measure";
     label.append(this.choice);
-    picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    picture.setAttribute("preserveAspectRatio", "none");
-    picture.setAttribute("aria-hidden", "true");
     picture.append(this.line);
     this.box.append(label, " ", this.said, picture);
     this.box.hidden = true;

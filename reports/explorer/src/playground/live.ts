@@ -1,5 +1,5 @@
 // A run that grows while it is looked at, and the explorer of it.
-import { Run, type Cell, type Data, type Frame } from "../data";
+import { blankFrame, Run, type Cell, type Data, type Frame } from "../data";
 import { Explorer } from "../main";
 import { facesAcross } from "../occlusion";
 import type { Measures, Read, Snapshot } from "./talk";
@@ -39,22 +39,8 @@ export class LiveRun extends Run {
     return this.states.push(substances) - 1;
   }
 
-  private takeLineage(lineage: NonNullable<Snapshot["lineage"]>): void {
-    this.cells.length = 0;
-    this.byPath.clear();
-    for (const [path, name, born, ended, fate, substances] of lineage) {
-      const cell: Cell = { path, name, born, ended, fate, state: this.state(substances), label: name || path || "egg", mother: null, daughters: [] };
-      this.cells.push(cell);
-      this.byPath.set(path, cell);
-    }
-    for (const cell of this.cells) {
-      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
-      cell.mother?.daughters.push(cell);
-    }
-  }
-
   add({ time, step, lineage, cells = [], contacts = [], vertices, meshes }: Snapshot): void {
-    if (lineage) this.takeLineage(lineage);
+    if (lineage) this.takeCells(lineage.map(([path, name, born, ended, fate, substances]) => [path, name, born, ended, fate, this.state(substances)]));
     for (const cell of this.cells) if (cell.fate === "alive") cell.ended = time;
     for (const [count, faces] of meshes) {
       this.meshOf.set(count, this.meshes.length);
@@ -62,11 +48,9 @@ export class LiveRun extends Run {
       this.across.push(facesAcross(Uint32Array.from(faces)));
       this.vertexCounts.push(count);
     }
-    const m = this.measures.length, frame: Frame = {
-      time, step, count: cells.length, cell: new Uint32Array(cells.length), mesh: new Uint32Array(cells.length), state: new Uint32Array(cells.length),
-      values: new Float32Array(cells.length * m), contacts: contacts.map(([a, b, area]) => ({ a, b, area })), connections: [], forces: new Float32Array(0), vertexForces: null,
-      positions: vertices, firstVertex: new Uint32Array(cells.length + 1),
-    };
+    const m = this.measures.length, frame = blankFrame(time, step, cells.length, m);
+    frame.contacts = contacts.map(([a, b, area]) => ({ a, b, area }));
+    frame.positions = vertices;
     cells.forEach(([number, substances, values, count], i) => {
       frame.cell[i] = number;
       frame.state[i] = this.state(substances);
