@@ -1,5 +1,4 @@
 // Level of detail against the fine run: what it saves and what it costs.
-#include <algorithm>
 #include <cmath>
 
 #include "catch.h"

@@ -1,5 +1,4 @@
 // The shape of the shell decides how the worm's four cells lie [Yamamoto & Kimura 2017].
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>

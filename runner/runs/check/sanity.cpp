@@ -72,8 +72,7 @@ std::vector<std::string> statesOf(const World& world) {
   return states;
 }
 
-std::string nameOf(const CellPath& cell) { return cell.isEgg() ? "the egg" : "cell " + cell.text(); }
-std::string nameOf(const std::optional<CellPath>& cell) { return cell ? nameOf(*cell) : "all cells"; }
+std::string nameOf(const std::optional<CellPath>& cell) { return cell ? cellName(cell->text()) : "all cells"; }
 
 /// What holds cells apart here, or that nothing does.
 std::string contactAdvice(const MechanicsScene& m) {

@@ -23,8 +23,8 @@ std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions, cons
   return fmt::format(
       "  warning  {} by longest of cells as long in two directions (to {:.2g} %), first {} at time {}; another mesh or "
       "time step may cut elsewhere\n",
-      counted(divisions.size(), "division"), 100 * (ambiguousExtentRatio - 1),
-      first.path.isEgg() ? "the egg" : "cell " + first.path.text(), shownTime(units, first.time));
+      counted(divisions.size(), "division"), 100 * (ambiguousExtentRatio - 1), cellName(first.path.text()),
+      shownTime(units, first.time));
 }
 
 Json ambiguousToJson(const std::vector<DivisionRecord>& divisions) {

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "catch.h"
+#include "worst.h"
 
 using namespace morula;
 
@@ -68,13 +69,13 @@ TEST_CASE("The power of two below a number") {
 }
 
 TEST_CASE("The natural logarithm, over all numbers above 0") {
-  double worst = 0;
+  Worst worst;
   for (int exponent = -1074; exponent <= 1023; ++exponent)
     for (int i = 0; i < 20; ++i) {
       const double mantissa = 1 + randomUnit({2, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
       const double a = std::ldexp(mantissa, exponent);
       const long double truth = std::log(static_cast<long double>(a));
-      worst = std::max(worst, static_cast<double>(std::abs(naturalLog(a) - truth) / (1 + std::abs(truth))));
+      worst.see(static_cast<double>(std::abs(naturalLog(a) - truth) / (1 + std::abs(truth))));
     }
   CHECK(worst < 4e-16);
   CHECK(worst > 0);
@@ -89,17 +90,13 @@ TEST_CASE("The natural logarithm, over all numbers above 0") {
 }
 
 TEST_CASE("The exponential function, over its whole range") {
-  double worst = 0;
-  for (int i = 0; i < 200'000; ++i) {
-    const double a = -708 + 1417 * randomUnit({3, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i));
+  Worst worst;
+  const auto compare = [&](double a) {
     const long double truth = std::exp(static_cast<long double>(a));
-    worst = std::max(worst, static_cast<double>(std::abs(exponential(a) - truth) / truth));
-  }
-  for (int i = 0; i < 50'000; ++i) {
-    const double a = 2 * randomUnit({4, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i)) - 1;
-    const long double truth = std::exp(static_cast<long double>(a));
-    worst = std::max(worst, static_cast<double>(std::abs(exponential(a) - truth) / truth));
-  }
+    worst.see(static_cast<double>(std::abs(exponential(a) - truth) / truth));
+  };
+  for (std::uint32_t i = 0; i < 200'000; ++i) compare(-708 + 1417 * randomUnit({3, {}, 0, Purpose::test}, i));
+  for (std::uint32_t i = 0; i < 50'000; ++i) compare(2 * randomUnit({4, {}, 0, Purpose::test}, i) - 1);
   CHECK(worst < 3e-16);
   CHECK(worst > 0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -117,12 +114,12 @@ TEST_CASE("The exponential function, over its whole range") {
 }
 
 TEST_CASE("Sine and cosine, in all four quarters and beside their zeros") {
-  double worst = 0;
+  Worst worst;
   const auto compare = [&](double angle) {
     const auto [sine, cosine] = sineAndCosine(angle);
     const auto exact = static_cast<long double>(angle);
-    worst = std::max(worst, static_cast<double>(std::abs((sine - std::sin(exact)) / std::sin(exact))));
-    worst = std::max(worst, static_cast<double>(std::abs((cosine - std::cos(exact)) / std::cos(exact))));
+    worst.see(static_cast<double>(std::abs((sine - std::sin(exact)) / std::sin(exact))));
+    worst.see(static_cast<double>(std::abs((cosine - std::cos(exact)) / std::cos(exact))));
   };
   for (const double range : {1.0, 7.0, 1000.0, 1e5})
     for (int i = 0; i < 50'000; ++i) {

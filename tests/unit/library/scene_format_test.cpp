@@ -6,7 +6,6 @@
 #include "base/hash.h"
 #include "catch.h"
 #include "scenes.h"
-#include "simulation/hash.h"
 #include "simulation/scene_parts.h"
 
 using namespace morula;

@@ -1,7 +1,6 @@
 // JSON of strangers, and records as JSON.
 #include "system/json.h"
 
-#include <cmath>
 #include <limits>
 
 #include "catch.h"
