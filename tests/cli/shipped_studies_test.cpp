@@ -27,10 +27,11 @@ std::string familyOf(const std::string& study) { return study == "worm-placement
 
 /// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
 const std::map<std::string, std::vector<std::size_t>> madeAgain{
-    {"policies", {0, 249, 499}}, {"placement", {0, 139}},      {"settings", {0}},
-    {"models", {0, 40}},         {"settling", {0, 60, 119}},   {"heavier", {20, 59}},
-    {"heavier-128", {8}},        {"elegans-128", {20}},        {"worm-placement", {0, 863}},
-    {"clones", {0, 239, 479}},   {"settling-sticky", {0, 39}}, {"settling-128", {6}}};
+    {"policies", {0, 249, 499}},  {"placement", {0, 139}},       {"settings", {0}},
+    {"models", {0, 40}},          {"settling", {0, 60, 119}},    {"heavier", {20, 59}},
+    {"heavier-128", {8}},         {"elegans-128", {20}},         {"worm-placement", {0, 863}},
+    {"clones", {0, 239, 479}},    {"settling-sticky", {0, 39}},  {"settling-128", {6}},
+    {"beyond-chaos-42", {0, 30}}, {"beyond-chaos-162", {0, 30}}, {"beyond-chaos-step", {30}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
@@ -193,6 +194,22 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   return file;
 }
 
+/// The files of the scenarios that a study in scenarios/policies varies, as it names them.
+std::vector<std::string> basesOf(const std::string& study) {
+  std::istringstream lines(readWhole(sourceFile("scenarios/policies/" + study + ".study.yaml")));
+  std::vector<std::string> bases;
+  for (std::string line; std::getline(lines, line);)
+    for (const std::string begin : {"base: ", "  - "})
+      if (line.starts_with(begin) && line.ends_with(".yaml")) bases.push_back(line.substr(begin.size()));
+  return bases;
+}
+
+/// …/scenarios/FAMILY/NAME.yaml -> …/golden/FAMILY/NAME.golden
+std::string goldenOf(const std::string& scenario) {
+  const auto file = std::filesystem::path(scenario).lexically_normal(), family = file.parent_path();
+  return (family.parent_path().parent_path() / "golden" / family.filename() / file.stem()).string() + ".golden";
+}
+
 std::string trimmed(const std::string& line) {
   const auto first = line.find_first_not_of(' ');
   return first == line.npos ? "" : line.substr(first, line.find_last_not_of(' ') + 1 - first);
@@ -292,22 +309,28 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
              ContainsSubstring("failures=\"1\"") && ContainsSubstring("models.study.yaml:"));
 }
 
-TEST_CASE("the statistics in the golden of elegans-128 are those of its study") {
+TEST_CASE("the statistics in goldens are those of the studies") {
   const TemporaryFolder temporary;
-  namespace fs = std::filesystem;
-  for (const std::string name :
-       {"scenarios/thesis/elegans-128.yaml", "scenarios/thesis/elegans-1024.dna", "golden/thesis/elegans-128.golden"}) {
-    fs::create_directories(fs::path(temporary / name).parent_path());
-    fs::copy_file(sourceFile(name), temporary / name);
+  for (const char* folder : {"scenarios", "golden"})
+    std::filesystem::copy(sourceFile(folder), temporary / folder, std::filesystem::copy_options::recursive);
+  for (const std::string study : {"elegans-128", "beyond-chaos-42", "beyond-chaos-162", "beyond-chaos-step"}) {
+    std::map<std::string, std::string> before;  // goldens by their scenario
+    Words command{"study", "compare", databaseOf(temporary, study), "--by", "settings", "--into-golden", ""};
+    for (const std::string& base : basesOf(study)) {
+      const std::string scenario = temporary / "scenarios/policies/" + base;
+      before[scenario] = readWhole(goldenOf(scenario));
+      CHECK_THAT(before[scenario], ContainsSubstring("\nstatistic sphericity against half-step difference "));
+      command.back() += (command.back().empty() ? "" : ",") + scenario;
+    }
+    REQUIRE(!before.empty());
+    succeeds(command, {{"CI", ""}});
+    for (const auto& [scenario, golden] : before) {
+      INFO(scenario);
+      CHECK(readWhole(goldenOf(scenario)) == golden);
+    }
+    // Of another scenario it says nothing.
+    const std::string& changed = before.begin()->first;
+    writeWhole(changed, readWhole(changed) + "\n");
+    CHECK_THAT(endsWith(3, command, {{"CI", ""}}).err, ContainsSubstring("of another scenario"));
   }
-  const std::string golden = temporary / "golden/thesis/elegans-128.golden", before = readWhole(golden);
-  CHECK_THAT(before, ContainsSubstring("\nstatistic clone_radius against half-step difference "));
-  const std::string scenario = temporary / "scenarios/thesis/elegans-128.yaml";
-  const Words command{"study",  "compare", databaseOf(temporary, "elegans-128"), "--by", "settings", "--into-golden",
-                      scenario, "--quiet"};
-  succeeds(command, {{"CI", ""}});
-  CHECK(readWhole(golden) == before);
-  // Of another scenario it says nothing.
-  writeWhole(scenario, readWhole(scenario) + "\n");
-  CHECK_THAT(endsWith(3, command, {{"CI", ""}}).err, ContainsSubstring("of another scenario"));
 }

@@ -24,7 +24,8 @@ namespace {
 
 struct CompareCommand {
   std::vector<std::string> what;  // a study, or two pictures
-  std::string picture, organisms, intoGolden;
+  std::string picture, organisms;
+  std::vector<std::string> intoGolden;  // scenarios
   GridMoments moments;
   CompareOptions options;
   bool csv = false;
@@ -80,10 +81,11 @@ int act(const CompareCommand& command) {
     print(lines);
     return fine;
   }
-  const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
+  const StudyResults results = readStudyResults(file);
+  const StudyComparison comparison = compareStudy(results, command.options);
   if (const std::string why = whyTooMany(comparison.results, moments); !why.empty() && !command.organisms.empty())
     throw UsageError("--pictures: " + why);
-  if (!command.intoGolden.empty()) writeIntoGolden(comparison, file, command.intoGolden);
+  for (const std::string& scenario : command.intoGolden) writeIntoGolden(results, command.options, file, scenario);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
     writePicture(drawSmallMultiples(stripsOf(comparison)), command.picture);
@@ -159,9 +161,9 @@ void addCompare(CLI::App& above, Action& action) {
              "The values alone as CSV with the labels of all axes, for pandas or R: one a line, of runs or "
              "of their cells");
   verb.oneOf({"--csv", "--json", "--tidy"});
-  verb.takes("--into-golden", command.intoGolden, "SCENARIO",
+  verb.takes("--into-golden", command.intoGolden, "SCENARIO,...",
              "Also write the differences of the first level of --by into the golden of this scenario, which "
-             "the study varies");
+             "the study varies; of a study of several into that of each which is named");
   add(verb, command.output);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -149,6 +150,38 @@ Document statedErrors(const Golden& golden) {
   return text;
 }
 
+namespace {
+
+/// A row for each measure of each golden, a column for each of the settings that the scenarios' own are held against.
+std::string statisticsAsMarkdown(const std::vector<Golden>& goldens) {
+  using Row = std::pair<const Golden*, std::string>;  // and the measure
+  std::vector<Row> rows;
+  std::set<std::string> settings;
+  for (const Golden& golden : goldens)
+    for (const GoldenStatistic& s : golden.statistics) {
+      settings.insert(s.against);
+      if (const Row row{&golden, s.measure}; std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+    }
+  std::vector<FieldOf<Row>> fields{{"Scenario", [](const Row& row) { return row.first->data.scenario; }},
+                                   {"Mean of", [](const Row& row) { return row.second; }}};
+  for (const std::string& against : settings)
+    fields.push_back({against, [=](const Row& row) {
+                        for (const GoldenStatistic& s : row.first->statistics)
+                          if (s.measure == row.second && s.against == against)
+                            return fmt::format("{} ({} to {})", numberText(s.difference, 2), numberText(s.low, 2),
+                                               numberText(s.high, 2));
+                        return std::string();
+                      }});
+  return "\n## At the end, over many runs\n\n"
+         "Where chaos sets in before the end, means over runs are compared whose eggs begin a millionth of a radius apart:\n"
+         "the mean with the scenario's own settings less that with others, and its 95 % interval. An interval that holds 0\n"
+         "shows no error; of twenty intervals one misses the true difference by chance. They are written by `morula study\n"
+         "compare --into-golden` from studies in [scenarios/policies](../scenarios/policies/README.md).\n\n" +
+         markdownOf(tableOf("Statistics", fields, rows));
+}
+
+}  // namespace
+
 std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
   std::ranges::sort(goldens, {}, [](const Golden& g) { return g.data.scenario; });
   std::vector<FieldOf<Golden>> fields{{"Scenario", [](const Golden& g) { return g.data.scenario; }}};
@@ -172,7 +205,7 @@ std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
          "the end of the scene, before chaos sets in, or before the first event that differs (other cells, a division across\n"
          "another plane). Neighbours are a share over all times. Scenes without bodies have no errors. [How they are\n"
          "measured](../runner/measurements/accuracy/README.md).\n\n" +
-         units + "\n" + markdownOf(tableOf("Errors", fields, goldens));
+         units + "\n" + markdownOf(tableOf("Errors", fields, goldens)) + statisticsAsMarkdown(goldens);
 }
 
 }  // namespace morula

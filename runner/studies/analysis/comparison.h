@@ -135,10 +135,11 @@ std::string toCsv(const StudyComparison& comparison);
 SmallMultiples stripsOf(const StudyComparison& comparison);
 
 /// Replaces the lines `statistic` of the scenario's golden: of each measure the difference of the first level of the axis that is
-/// compared, the scenario's own settings, from each other level. `study`: the merged database. Throws UsageError unless
-/// exactly one axis is compared, InputError where the study is of another scenario, the golden is not of this very scenario
-/// or may not be written, FileError if it cannot be.
-void writeIntoGolden(const StudyComparison& comparison, const std::filesystem::path& study,
+/// compared, the scenario's own settings, from each other level. `study`: the merged database, and `results` what it holds; of
+/// a study with several bases only the runs of this scenario count. Throws UsageError unless exactly one axis is compared,
+/// InputError where the study is of another scenario, the golden is not of this very scenario or may not be written, FileError
+/// if it cannot be.
+void writeIntoGolden(StudyResults results, const CompareOptions& options, const std::filesystem::path& study,
                      const std::filesystem::path& scenario);
 
 /// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest from all

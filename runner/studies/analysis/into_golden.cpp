@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/comparison.h"
 #include "base/error.h"
 #include "golden/accept.h"
@@ -28,18 +30,40 @@ std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t 
   return statistics;
 }
 
+/// The results of one base alone: without the axis `base`, if there is one. Of bases that hold the same scenario the first
+/// counts.
+StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario) {
+  const auto axis = std::ranges::find(results.axes, "base", &ResultAxis::name);
+  const bool hasBases = axis != results.axes.end();
+  const auto number = axis - results.axes.begin();
+  std::vector<ResultCondition> kept;
+  for (std::size_t i = 0; i < results.conditions.size(); ++i) {
+    ResultCondition& c = results.conditions[i];
+    if (!isOfScenario[i] || (hasBases && !kept.empty() && c.levels[number] != kept.front().levels[number])) continue;
+    kept.push_back(std::move(c));
+  }
+  results.conditions = std::move(kept);
+  if (!hasBases) return results;
+  for (ResultCondition& c : results.conditions) c.levels.erase(c.levels.begin() + number);
+  results.axes.erase(axis);
+  return results;
+}
+
 }  // namespace
 
-void writeIntoGolden(const StudyComparison& comparison, const std::filesystem::path& study,
+void writeIntoGolden(StudyResults results, const CompareOptions& options, const std::filesystem::path& study,
                      const std::filesystem::path& scenario) {
-  if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
   const Scenario own = loadScenario(scenario);
+  std::vector<bool> isOfScenario;  // [condition]
   readStoredPlan(study, [&](const Json& plan) {
     for (const Json& condition : plan.at("conditions"))
-      if (plan.at("files").at(condition.at("scenario").get<std::size_t>()).at("text") != own.bytes)
-        throw InputError(scenario.string() + ": " + study.string() +
-                         " is a study of another scenario, or of this one before it was changed; run the study again");
+      isOfScenario.push_back(plan.at("files").at(condition.at("scenario").get<std::size_t>()).at("text") == own.bytes);
   });
+  if (std::ranges::find(isOfScenario, true) == isOfScenario.end())
+    throw InputError(scenario.string() + ": " + study.string() +
+                     " is a study of another scenario, or of this one before it was changed; run the study again");
+  const StudyComparison comparison = compareStudy(ofBase(std::move(results), isOfScenario), options);
+  if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
   refuseIntoGolden(own);
   const auto file = goldenPath(scenario);
   Golden golden = readGoldenFile(file);
