@@ -5,6 +5,7 @@
 #include "bench/bench.h"
 #include "bench/work.h"
 #include "catch.h"
+#include "contacts/contact_search.h"
 #include "drawing/palette.h"
 
 using namespace morula;

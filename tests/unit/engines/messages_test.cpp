@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "catch.h"
+#include "engines/bullet_world.h"
 #include "engines/engine_worker.h"
 #include "lab.h"
 
