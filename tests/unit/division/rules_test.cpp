@@ -43,13 +43,13 @@ TEST_CASE("The first rule counts all of whose patterns stand for a substance of 
 
 TEST_CASE("What a rule does not say is as of other cells") {
   const DivisionParameters division{.otherwise = along({0, 2, 0}),
-                                    .rules = {{.of = {"a"}, .plane = along({3, 0, -4}), .share = 0.3},
+                                    .rules = {{.of = {"a"}, .plane = along({-3, 0, -4}), .share = 0.3},
                                               {.of = {"b"}, .share = 0.6},
                                               {.of = {"c"}, .plane = PlaneChoice{DivisionPlane::longest}}}};
   const auto policy = makeDivisionPolicy(division, 1);
   const Cut a = policy->findCut(cellWith("A", "a b")), b = policy->findCut(cellWith("A", "b c"));
   const Cut c = policy->findCut(cellWith("A", "c")), none = policy->findCut(cellWith("A", "d"));
-  CHECK(norm(a.normal - Vector{0.6, 0, -0.8}) < 1e-15);
+  CHECK(norm(a.normal - Vector{-0.6, 0, -0.8}) < 1e-15);  // as it is given, never turned round
   CHECK(a.share == 0.3);
   CHECK(b.normal == Vector{0, 1, 0});
   CHECK(b.share == 0.6);
