@@ -160,11 +160,13 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
 
   if (check.positions) {
     Metric metric("positions", "abs " + exactText(*check.positions), *check.positions);
-    for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const std::string name = nameOf(i);
       for (std::size_t v = 0; v < own[i].size(); ++v) {
         const double off = norm(own[i][v] - shapes[i][v]);
-        metric.see(0, off, off, nameOf(i));
+        metric.see(0, off, off, name);
       }
+    }
     results.push_back(metric.result(ours.clock.step));
   }
   eachCell("radius", check.radius, radiusOf);

@@ -15,9 +15,10 @@ constexpr std::size_t mostTroubles = 20;  // that are told
 constexpr std::size_t mostTimes = 8;      // in a table of means over time
 
 template <class Row>
-std::vector<Row> ofMeasure(std::vector<Row> rows, std::size_t measure) {
-  std::erase_if(rows, [&](const Row& row) { return row.measure != measure; });
-  return rows;
+std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
+  std::vector<Row> some;
+  std::ranges::copy_if(rows, std::back_inserter(some), [&](const Row& row) { return row.measure == measure; });
+  return some;
 }
 
 std::vector<PairComparison> ofAxis(std::vector<PairComparison> pairs, std::size_t axis) {

@@ -41,11 +41,7 @@ std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + "
 /// Without what shells, other systems and people stumble over.
 std::string safeName(std::string label) {
   std::ranges::replace_if(
-      label,
-      [](const char& c) {
-        return !isMadeOf({&c, 1}, ".-");
-      },
-      '-');
+      label, [](char c) { return !isMadeOf(std::string(1, c), ".-"); }, '-');
   label.erase(0, label.find_first_not_of(".-"));
   return label.substr(0, mostLetters);
 }
