@@ -66,9 +66,8 @@ TEST_CASE("Of balls that overlap the deepest vertex is as deep as the balls, les
       const double depth = measureDepth(ball, zoo::moved(ball, apart * way));
       const double ofBalls = std::min(apart, 2 - apart);
       CHECK(depth < ofBalls);
-      CHECK(depth >
-            ofBalls -
-                0.03);  // the nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less
+      // The nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less.
+      CHECK(depth > ofBalls - 0.03);
     }
   CHECK(measureDepth(ball, zoo::moved(ball, {2.01, 0, 0})) == 0);
   CHECK(measureDepth(ball, zoo::moved(ball, {1.2, 1.2, 1.2})) == 0);  // their boxes meet, they do not

@@ -15,15 +15,14 @@ namespace {
 
 std::vector<Scene> savedScenes() {
   using namespace scenes;
-  std::vector<Scene> scenes{
-      life(),    packed(), ellipsoid(), thesis(),  coarsening(),           lineageOnly(eventful, 6),
-      spheres(), sticky(), sensing(),   turning(), inSingle(lifeOfRings())};
-  scenes.push_back(ellipsoid());
-  scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
-  for (const Scene& scene : {ellipsoid(), coarsening()}) scenes.push_back(byPositions(scene, 2));
-  for (const Scene& scene : {life(), coarsening()}) scenes.push_back(byShapes(scene));
-  for (const Scene& events : {packed(), sticky(), spheres(), coarsening()}) scenes.push_back(settling(events));
-  return scenes;
+  std::vector<Scene> all{life(),    packed(), ellipsoid(), thesis(),  coarsening(),           lineageOnly(eventful, 6),
+                         spheres(), sticky(), sensing(),   turning(), inSingle(lifeOfRings())};
+  all.push_back(ellipsoid());
+  all.back().mechanics->physics.integrator = Integrator::rungeKutta4;
+  for (const Scene& scene : {ellipsoid(), coarsening()}) all.push_back(byPositions(scene, 2));
+  for (const Scene& scene : {life(), coarsening()}) all.push_back(byShapes(scene));
+  for (const Scene& events : {packed(), sticky(), spheres(), coarsening()}) all.push_back(settling(events));
+  return all;
 }
 
 /// Twenty steps of a run, at random but always the same, and each of the last steps of a short one.

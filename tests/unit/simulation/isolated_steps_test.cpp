@@ -48,8 +48,8 @@ World blowingUp() {
   return world;
 }
 
-std::string failureOf(World& world, std::uint64_t atOnce) {
-  const auto failure = morula::failureOf([&] {
+std::string whyItFails(World& world, std::uint64_t atOnce) {
+  const auto failure = failureOf([&] {
     for (int i = 0; i < 100000; ++i) takeSteps(world, atOnce);
   });
   return failure ? failure->what() : "";
@@ -80,11 +80,11 @@ TEST_CASE("Cells that need no other take many steps at once, with the bits of si
 
 TEST_CASE("The step that fails is the one that fails alone, and leaves the same state") {
   World one = blowingUp();
-  const std::string why = failureOf(one, 1);
+  const std::string why = whyItFails(one, 1);
   CHECK_THAT(why, ContainsSubstring("step"));
   for (const std::uint64_t atOnce : {7u, 64u, 1000u}) {
     World many = blowingUp();
-    CHECK(failureOf(many, atOnce) == why);
+    CHECK(whyItFails(many, atOnce) == why);
     CHECK(many.clock.step == one.clock.step);
     CHECK(many.clock.step > 3);
     CHECK(many.bodies->position == one.bodies->position);

@@ -13,11 +13,11 @@ std::vector<Scene> allScenes() {
   stickySpheres.name = "sticky spheres";
   stickySpheres.mechanics->contact->adhesion = AdhesionParameters{1, {}};
   stickySpheres.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
-  std::vector<Scene> scenes{packed(),  ellipsoid(), thesis(), life(),        lifeOfCubes(), ring,    coarsening(),
-                            spheres(), sensing(),   sticky(), stickySpheres, turning(),     varied()};
+  std::vector<Scene> all{packed(),  ellipsoid(), thesis(), life(),        lifeOfCubes(), ring,    coarsening(),
+                         spheres(), sensing(),   sticky(), stickySpheres, turning(),     varied()};
   for (const Scene& scene : {packed(), thesis(), ring, spheres(), sticky(), stickySpheres})
-    scenes.push_back(inSingle(scene));
-  for (const Scene& scene : {life(), ellipsoid(), coarsening()}) scenes.push_back(byShapes(scene));
+    all.push_back(inSingle(scene));
+  for (const Scene& scene : {life(), ellipsoid(), coarsening()}) all.push_back(byShapes(scene));
   for (Integrator integrator :
        {Integrator::explicitEuler, Integrator::symplecticEuler, Integrator::rungeKutta4, Integrator::xpbd}) {
     Scene other = ellipsoid();
@@ -26,11 +26,10 @@ std::vector<Scene> allScenes() {
     if (integrator == Integrator::xpbd) other.mechanics->physics.substeps = 3;
     other.mechanics->physics.drag = 5;  // or explicit Euler's steps are tiny
     other.stop.time = integrator == Integrator::explicitEuler ? 3.1 : 3.5;
-    scenes.push_back(other);
+    all.push_back(other);
   }
-  for (const Scene& events : {sticky(), spheres(), coarsening(), inSingle(packed())})
-    scenes.push_back(settling(events));
-  return scenes;
+  for (const Scene& events : {sticky(), spheres(), coarsening(), inSingle(packed())}) all.push_back(settling(events));
+  return all;
 }
 
 /// Of the forces; in a run through time there is one in each step, at least.

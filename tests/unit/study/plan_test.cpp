@@ -306,8 +306,9 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
 TEST_CASE("Ten thousand runs are planned") {
   const TemporaryFolder folder;
   std::string study = "morula-study: 1\nname: many\nbase: balls.yaml\nseeds: 1..100\nmeasures: [sphericity]\nvary:\n";
-  for (const char* change : {"variation.share: 0.0", "physics.drag: 1"}) {
-    study += std::string("  ") + change[0] + ":\n";
+  for (const auto& [axis, change] :
+       {std::pair<std::string, std::string>{"a", "variation.share: 0.0"}, {"b", "physics.drag: 1"}}) {
+    study += "  " + axis + ":\n";
     for (const char digit : std::string("0123456789"))
       study += std::string("    v") + digit + ": {" + change + digit + "}\n";
   }
