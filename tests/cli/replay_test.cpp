@@ -134,6 +134,13 @@ TEST_CASE("a replayed run is stored where it is asked for") {
   CHECK(jsonOf({"replay", stored.id, "--db", out})["run_id"] == stored.id);
 }
 
+TEST_CASE("a file that is older than a measure is replayed without it, which is said") {
+  RunToReplay stored;
+  stored.execute("ALTER TABLE sample DROP COLUMN shell_fill");
+  CHECK_THAT(succeeds({"replay", stored.database}).out,
+             ContainsSubstring("not compared    sample: the file has no column for shell_fill"));
+}
+
 TEST_CASE("what cannot be replayed") {
   RunToReplay stored;
   CHECK(launch({"replay", stored.id, "--db", stored.database, "--run", stored.id}).code == 2);

@@ -79,6 +79,8 @@ void Database::protect() {
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  // "name" is a column and never a text: where there is no such column the query fails.
+  sqlite3_db_config(db, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
   integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: is it a database?
 }
 

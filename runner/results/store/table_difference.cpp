@@ -1,4 +1,5 @@
 // Two stored runs, table by table.
+#include <algorithm>
 #include <bit>
 
 #include "base/hash.h"
@@ -139,9 +140,19 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
 
 std::vector<TableDifference> Store::compareResults(const std::string& id, Store& again, const std::string& idAgain) {
   std::vector<TableDifference> tables;
-  for (const SqlTable* t : runTables())
-    if (t->info.name == std::string_view("run") || isResult(t->info.part))
-      tables.push_back(compareTable(formOf(again.db_, t->info.name), db_, id, again.db_, idAgain));
+  for (const SqlTable* t : runTables()) {
+    if (t->info.name != std::string_view("run") && !isResult(t->info.part)) continue;
+    Form form = formOf(again.db_, t->info.name);
+    const auto there = columnNames(db_, t->info.name);
+    std::vector<std::string> missing;
+    std::erase_if(form.values, [&](const FileColumn& c) {
+      const bool isMissing = std::ranges::find(there, c.name) == there.end();
+      if (isMissing) missing.push_back(c.name);
+      return isMissing;
+    });
+    tables.push_back(compareTable(form, db_, id, again.db_, idAgain));
+    tables.back().missing = std::move(missing);
+  }
   return tables;
 }
 

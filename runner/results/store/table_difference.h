@@ -20,6 +20,7 @@ struct TableDifference {
   std::uint64_t rows = 0, recomputedRows = 0;
   std::uint64_t differing = 0;           // rows that differ or that only one of the two has
   std::optional<ValueDifference> first;  // in the order of the table's key
+  std::vector<std::string> missing{};    // columns that the stored table lacks, of measures that it is older than
 };
 
 }  // namespace morula

@@ -7,6 +7,7 @@
 
 #include "check/check_run.h"
 #include "check/sanity.h"
+#include "files/text.h"
 #include "loop/simulate.h"
 #include "store/run_tables.h"
 
@@ -56,6 +57,8 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   c.tables = stored.compareResults(before.id, again, runId(now));
   const bool sameProgram = buildId(before.record.build) == buildId(now.build);
   std::vector<std::string> later;
+  for (const TableDifference& t : c.tables)
+    if (!t.missing.empty()) c.notCompared.push_back(t.table + ": the file has no column for " + join(t.missing));
   for (const TableDifference& t : c.tables)
     if (!sameProgram && t.rows == 0 && t.recomputedRows > 0) later.push_back(t.table);
   for (const std::string& table : later) leaveOut(c, table, "another program stored none");

@@ -15,12 +15,13 @@ bool isBlank(const std::string& column) {
 std::pair<std::string, std::string> copyOf(Database& db, const SqlTable& table) {
   std::string select, columns, places;
   const bool ofRuns = &table == &morula::sqlTable<StoredRun>();
-  for (const std::string& column : columnNames(db, table.info.name)) {
-    const std::string comma = columns.empty() ? "" : ", ", name = sqlName(column);
-    select += comma + (!ofRuns || !isBlank(column) ? name
-                       : column == "threads"       ? "1"
-                       : column == "condition_id"  ? "NULL"
-                                                   : "''");
+  for (const FileColumn& column : fileColumns(db, table.info.name)) {
+    const std::string comma = columns.empty() ? "" : ", ", name = sqlName(column.name);
+    select += comma + (!ofRuns || !isBlank(column.name) ? name
+                       : column.name == "threads"       ? "1"
+                       : column.name == "condition_id"  ? "NULL"
+                       : column.type == "TEXT"          ? "''"
+                                                        : "0");
     columns += comma + name;
     places += comma + "?";
   }
