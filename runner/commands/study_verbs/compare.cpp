@@ -81,11 +81,10 @@ int act(const CompareCommand& command) {
     print(lines);
     return fine;
   }
-  const StudyResults results = readStudyResults(file);
-  const StudyComparison comparison = compareStudy(results, command.options);
+  const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
   if (const std::string why = whyTooMany(comparison.results, moments); !why.empty() && !command.organisms.empty())
     throw UsageError("--pictures: " + why);
-  for (const std::string& scenario : command.intoGolden) writeIntoGolden(results, command.options, file, scenario);
+  if (!command.intoGolden.empty()) writeIntoGoldens(comparison.results, command.options, file, command.intoGolden);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
     writePicture(drawSmallMultiples(stripsOf(comparison)), command.picture);

@@ -125,7 +125,7 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
     } else {
       for (std::size_t i = 0; i < a.values().size(); ++i) {
         if (same(a.values()[i], b.values()[i])) continue;
-        const auto& [column, type, place] = form.values[i];
+        const auto& [column, type, keyPlace] = form.values[i];
         note(a.key(), column, valueText(a.values()[i], type), valueText(b.values()[i], type));
         break;
       }

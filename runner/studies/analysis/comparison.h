@@ -134,13 +134,13 @@ std::string toCsv(const StudyComparison& comparison);
 /// measure of the means over time. The first axis that is compared is told by colour and shape, the others by words.
 SmallMultiples stripsOf(const StudyComparison& comparison);
 
-/// Replaces the lines `statistic` of the scenario's golden: of each measure the difference of the first level of the axis that is
+/// Replaces the lines `statistic` of the scenarios' goldens: of each measure the difference of the first level of the axis that is
 /// compared, the scenario's own settings, from each other level. `study`: the merged database, and `results` what it holds; of
-/// a study with several bases only the runs of this scenario count. Throws UsageError unless exactly one axis is compared,
-/// InputError where the study is of another scenario, the golden is not of this very scenario or may not be written, FileError
-/// if it cannot be.
-void writeIntoGolden(StudyResults results, const CompareOptions& options, const std::filesystem::path& study,
-                     const std::filesystem::path& scenario);
+/// a study with several bases only the runs of a scenario count for its golden. Throws UsageError unless exactly one axis besides
+/// `base` is compared, InputError where the study is of another scenario, a golden is not of this very scenario or may not be
+/// written, and has written none then; FileError if one cannot be.
+void writeIntoGoldens(const StudyResults& results, CompareOptions options, const std::filesystem::path& study,
+                      const std::vector<std::string>& scenarios);
 
 /// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest from all
 /// before it [Gonzalez 1985]. Far: the root of the sum of squared differences over the measures, each in standard deviations

@@ -49,10 +49,9 @@ StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario)
   return results;
 }
 
-}  // namespace
-
-void writeIntoGolden(StudyResults results, const CompareOptions& options, const std::filesystem::path& study,
-                     const std::filesystem::path& scenario) {
+/// The scenario's golden with the statistics of its runs alone.
+Golden stated(const StudyResults& results, const CompareOptions& options, const std::filesystem::path& study,
+              const std::filesystem::path& scenario) {
   const Scenario own = loadScenario(scenario);
   std::vector<bool> isOfScenario;  // [condition]
   readStoredPlan(study, [&](const Json& plan) {
@@ -62,15 +61,27 @@ void writeIntoGolden(StudyResults results, const CompareOptions& options, const 
   if (std::ranges::find(isOfScenario, true) == isOfScenario.end())
     throw InputError(scenario.string() + ": " + study.string() +
                      " is a study of another scenario, or of this one before it was changed; run the study again");
-  const StudyComparison comparison = compareStudy(ofBase(std::move(results), isOfScenario), options);
+  const StudyComparison comparison = compareStudy(ofBase(results, isOfScenario), options);
   if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
   refuseIntoGolden(own);
-  const auto file = goldenPath(scenario);
-  Golden golden = readGoldenFile(file);
+  Golden golden = readGoldenFile(goldenPath(scenario));
   golden.statistics = statisticsOf(comparison, comparison.by.front());
   if (golden.statistics.empty())
     throw InputError(study.string() + ": has no difference to state: it needs two runs of each of two levels at least");
-  acceptGolden(file, golden, {golden.acceptedBy, golden.why});
+  return golden;
+}
+
+}  // namespace
+
+void writeIntoGoldens(const StudyResults& results, CompareOptions options, const std::filesystem::path& study,
+                      const std::vector<std::string>& scenarios) {
+  // A golden is of one base, so that this axis has no levels to compare.
+  if (std::erase(options.by, "base") > 0 && options.by.empty())
+    throw UsageError("--into-golden: compares settings of each base by itself; name their axis with --by");
+  std::vector<Golden> goldens;  // all of them, before the first is written
+  for (const std::string& scenario : scenarios) goldens.push_back(stated(results, options, study, scenario));
+  for (std::size_t i = 0; i < goldens.size(); ++i)
+    acceptGolden(goldenPath(scenarios[i]), goldens[i], {goldens[i].acceptedBy, goldens[i].why});
 }
 
 }  // namespace morula
