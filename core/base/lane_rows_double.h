@@ -7,7 +7,7 @@ namespace morula::MORULA_ISA {
 constexpr int rowColumns = 8, rowStride = 8;
 
 /// loadRows reads the rows of `width` indices as eight columns of lanes. packFloats and unpackFloats: two floats in
-/// the place of one double, as a row holds its normal.
+/// the place of one double, as a row holds its velocity. loadFloats and storeFloats: lanes as floats, rounded to nearest.
 #if MORULA_WIDTH == 1
 
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[rowColumns]) {
@@ -28,6 +28,8 @@ MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   a = both[0];
   b = both[1];
 }
+MORULA_INLINE Lanes loadFloats(const float* p) { return *p; }
+MORULA_INLINE void storeFloats(float* p, Lanes a) { *p = static_cast<float>(a); }
 
 #else
 
@@ -151,6 +153,22 @@ MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   a = Lanes(RawLanes(_mm512_cvtps_pd(__builtin_shufflevector(both, both, 0, 2, 4, 6, 8, 10, 12, 14))));
   b = Lanes(RawLanes(_mm512_cvtps_pd(__builtin_shufflevector(both, both, 1, 3, 5, 7, 9, 11, 13, 15))));
 #endif
+}
+
+MORULA_INLINE Lanes loadFloats(const float* p) {
+  HalfFloatLanes a;
+  __builtin_memcpy(&a, p, sizeof a);
+#if MORULA_WIDTH == 4
+  return RawLanes(_mm256_cvtps_pd(a));
+#elif MORULA_WIDTH == 8
+  return RawLanes(_mm512_cvtps_pd(a));
+#else
+  return __builtin_convertvector(a, RawLanes);
+#endif
+}
+MORULA_INLINE void storeFloats(float* p, Lanes a) {
+  const HalfFloatLanes floats = __builtin_convertvector(a.v, HalfFloatLanes);
+  __builtin_memcpy(p, &floats, sizeof floats);
 }
 
 #endif

@@ -85,4 +85,7 @@ MORULA_INLINE void storeRows(float* firstRow, const Lanes column[rowColumns]) {
 
 #endif
 
+MORULA_INLINE Lanes loadFloats(const float* p) { return load(p); }
+MORULA_INLINE void storeFloats(float* p, Lanes a) { store(p, a); }
+
 }  // namespace morula::MORULA_ISA

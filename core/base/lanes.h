@@ -45,6 +45,7 @@ using Mask = bool;
 MORULA_INLINE Lanes load(const double* p) { return *p; }
 MORULA_INLINE void store(double* p, Lanes a) { *p = a; }
 MORULA_INLINE Lanes sqrt(Lanes a) { return __builtin_sqrt(a); }
+MORULA_INLINE Lanes abs(Lanes a) { return __builtin_fabs(a); }
 MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m ? a : b; }
 MORULA_INLINE bool any(Mask m) { return m; }
 MORULA_INLINE unsigned bits(Mask m) { return m; }
@@ -127,6 +128,11 @@ MORULA_INLINE Lanes sqrt(Lanes a) {
 #endif
 }
 
+/// Without the sign, which is the first bit.
+MORULA_INLINE Lanes abs(Lanes a) {
+  constexpr MaskReal sign = static_cast<MaskReal>(1ULL << (8 * sizeof(MaskReal) - 1));
+  return (RawLanes)((RawMask)a.v & ~(sign + RawMask{}));
+}
 MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m.v ? a.v : b.v; }
 
 /// Bit i: lane i.

@@ -13,62 +13,54 @@
 //   g = b·h₀ + (a − b)·h₀ + a·(h − h₀)                   ≥ g₀ + t ġ₀ − 2νδ − R_ij η                     where |a| < R_ij
 //   g + τ ġ = g + τ ġ₀ + τ (u − u₀)·h + τ u₀·(h − h₀)    ≥ g₀ + (t + τ) ġ₀ − 2ν (δ + τ w) − (R_ij + τ |u₀|) η
 //
-// So until 2ν (δ + τ w) + R η of one cell or the other, for the largest R of all, reaches the margin M_i or M_j of that cell,
-// or t a horizon T, no pair acts with M = (M_i + M_j)/2 and
+// with means of both vertices' δ, η and w. So until 2ν (δ + τ w) + R η of one or the other, for the largest R of all, reaches a
+// margin M, or t a horizon T, the pair does not act with
 //
-//   |b| > R_ij + M for all t ≤ T   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
+//   |a₀|² + 2T min(a₀·u₀, 0) > (R_ij + M)²   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
 //
-// What moves together stays apart, however fast. In single precision roundings of all this, here and in the law, are some
-// 1e-6 of R + (T + τ) |u₀|, and of |b|: 1e-5 of them are added. η and w are sums over snapshots of the largest changes from
-// one to the next, and δ of how far y is from where the last v would have brought it, and of w over time.
+// since |b|² is at least the former. What moves together stays apart, however fast. In single precision roundings of all
+// this, here, in the law and in what is counted, are some 1e-6 of R + (T + τ) |u₀|, and of |b|: 1e-5 of them are added. η and
+// w are sums over snapshots of the changes from one to the next, and δ of how far y is from where the last v would have
+// brought it, and of w over time, for each vertex by itself. Of lengths upper bounds are taken (atMost).
+//
+// A vertex for which the margin is reached is looked at again, with all in its list. What is found to act on it is, too: it
+// is so from both sides, to the bit. Lists of others may still name it in vain.
 #include "contacts/near_kernel.h"  // hitTable
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// Of `width` vertices.
-MORULA_INLINE Lanes halfMargins(const ListsToThin& lists, const VertexNumber* vertex) {
-  Real spread[width];
-  for (int l = 0; l < width; ++l) spread[l] = lists.halfMargins[vertex[l]];
-  return load(spread);
-}
-
 /// [ContactKernels::findActing]
 inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
                        VertexNumber* acting) {
-  const Lanes perRadius = lists.perRadius, horizon = lists.horizon, delayPerRadius = lists.delayPerRadius,
-              ahead = lists.ahead, room = lists.room, roomPerSpeed = lists.roomPerSpeed;
+  const Lanes reachSquare = lists.reach * lists.reach, twiceHorizon = 2 * lists.horizon, ahead = lists.ahead,
+              room = lists.room, roomPerSpeed = lists.roomPerSpeed;
   std::int32_t found = 0;
-  for (int lane = 0; lane < lists.liveLanes; ++lane)
-    for (int v = 0; v < lists.vertices; ++v) {
-      const int row = v * blockLanes + lane;
-      const VertexNumber* list = lists.neighbours + lists.begin[row];
-      const std::int32_t count = lists.length[row];
-      if (count == 0) continue;
-      begin[row] = found;
-      VertexNumber own[width];
-      for (VertexNumber& g : own) g = lists.firstVertex + row;
-      const Rows i = loadRows(rows, own);
-      const Lanes ownHalf = lists.halfMargins[own[0]];
-      for (std::int32_t k = 0; k < count; k += width) {
-        for (int l = 0; l < width; ++l) __builtin_prefetch(rows + list[k + 16 + l]);
-        const Rows j = loadRows(rows, list + k);
-        const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
-        const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
-        const Lanes gap = 0.5 * dot(a, apartNormals), opening = 0.5 * dot(relative, apartNormals);
-        const Lanes margin = ownHalf + halfMargins(lists, list + k), speedSquare = dot(relative, relative);
-        const Lanes most = room + margin + (roomPerSpeed + delayPerRadius * margin) * sqrt(speedSquare);
-        const Lanes reach = (1 + relativeRoom) * (1.0 + perRadius * margin);
-        const Lanes nearestAt = min(max(-dot(a, relative) / (speedSquare + tiny), Lanes(0.0)), horizon);
-        const Vec nearest = a + nearestAt * relative;
-        const unsigned idle = bits(curvature * dot(nearest, nearest) > reach * reach) |
-                              bits((gap > most) & (gap + ahead * opening > most));  // what does not compare may act
-        const unsigned acts = ~idle & ((1u << (count - k < width ? count - k : width)) - 1);
-        for (int l = 0; l < width; ++l) acting[found + l] = list[k + hitTable.which[acts][l]];
-        found += hitTable.count[acts];
-      }
-      length[row] = found - begin[row];
+  for (std::int32_t r = 0; r < lists.count; ++r) {
+    const std::int32_t row = lists.rows[r], count = lists.length[row];
+    const VertexNumber* list = lists.neighbours + lists.begin[row];
+    begin[row] = found;
+    if (r + 2 < lists.count) {
+      const VertexNumber* soon = lists.neighbours + lists.begin[lists.rows[r + 1]];
+      for (std::int32_t k = 0; k < lists.length[lists.rows[r + 1]]; ++k) __builtin_prefetch(rows + soon[k]);
+      __builtin_prefetch(lists.neighbours + lists.begin[lists.rows[r + 2]]);
     }
+    const Rows i = loadRowInAllLanes(rows + lists.firstVertex + row);
+    for (std::int32_t k = 0; k < count; k += width) {
+      const Rows j = loadRows(rows, list + k);
+      const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
+      const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
+      const Lanes gap = 0.5 * dot(a, apartNormals), opening = 0.5 * dot(relative, apartNormals);
+      const Lanes most = room + roomPerSpeed * atMost(relative);
+      const Lanes nearest = dot(a, a) + twiceHorizon * min(dot(a, relative), Lanes(0.0));
+      const unsigned idle = bits(curvature * nearest > reachSquare) |
+                            bits((gap > most) & (gap + ahead * opening > most));  // what does not compare may act
+      const unsigned acts = ~idle & ((1u << (count - k < width ? count - k : width)) - 1);
+      for (int l = 0; l < width; ++l) acting[found + l] = list[k + hitTable.which[acts][l]];
+      found += hitTable.count[acts];
+    }
+    length[row] = found - begin[row];
+  }
 }
 
 }  // namespace morula::MORULA_ISA

@@ -1,7 +1,9 @@
 #include "contacts/acting_pairs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 
 #include "base/parallel.h"
 #include "contacts/contacts.h"
@@ -10,101 +12,188 @@
 namespace morula {
 namespace {
 
-// Of the smallest influence radius R. A choice costs about as much as half an evaluation of all pairs and lasts N of them if
-// a cell's margin is N ċ, when gaps change by ċ in each; margins keep more pairs, by their mean. Both together cost least
-// at N² = R/ċ with the mean ċ, measured; half of the mean is for cells that become faster. Where margins are beyond the
-// largest one in the mean, as among newborn cells that fly apart, they cost more than is gained.
-constexpr double spare = 0.5, leastMargin = 0.01, mostMargin = 0.2;
+// Of the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex' choice with the margin M lasts M/ċ of
+// them, and pairs that are kept for the margin cost as M does: both together cost least at M = 1.4 √(R ċ), measured.
+constexpr double marginScale = 1.4, leastMargin = 0.01, mostMargin = 0.07;
 // [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
+// Of all vertices: if more need a new choice at once, all get one.
+constexpr double mostRenewed = 0.1;
+// Of a block's rows: after so many new lists all are chosen and cut anew, so that slices stay full.
+constexpr std::int64_t mostReplaced = 2;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
-/// The lists of one block. `radius`: the smallest influence radius [length].
+/// Lists of the acting pairs of one block's `chosen` rows. `radius`: the smallest influence radius [length].
 void findActing(const Contacts& c, const Bodies& bodies, int block, double radius, BlockLists& lists) {
   const std::size_t needed = std::size_t(lists.used) + ListsToThin::readable;
   if (lists.neighbours.size() < needed) lists.neighbours.resize(needed + needed / 4);
   std::fill_n(lists.neighbours.begin() + lists.used, ListsToThin::readable, VertexNumber(c.rows.size() - 1));
-  lists.acting.begin.assign(lists.begin.size(), 0);
-  lists.acting.length.assign(lists.length.size(), 0);
   lists.acting.neighbours.resize(lists.neighbours.size());
   const double delay = delayOf(c), ahead = c.acting.horizon + delay;
   const ListsToThin thin{.begin = lists.begin.data(),
                          .length = lists.length.data(),
                          .neighbours = lists.neighbours.data(),
-                         .vertices = bodies.verticesPerLane(block),
-                         .liveLanes = bodies.liveLanes(block),
+                         .rows = lists.chosen.data(),
+                         .count = static_cast<std::int32_t>(lists.chosen.size()),
                          .firstVertex = bodies.blocks[block].firstLine * blockLanes,
-                         .halfMargins = c.acting.halfMargins.data(),
-                         .perRadius = 1 / radius,
+                         .reach = (1 + relativeRoom) * (1 + c.acting.margin / radius),
                          .horizon = c.acting.horizon,
-                         .delayPerRadius = delay / c.acting.largestRadius,
                          .ahead = ahead,
-                         .room = relativeRoom * c.acting.largestRadius,
-                         .roomPerSpeed = relativeRoom * ahead};
+                         .room = c.acting.margin + relativeRoom * c.acting.largestRadius,
+                         .roomPerSpeed = relativeRoom * ahead + delay * c.acting.margin / c.acting.largestRadius};
   c.kernels->findActing(thin, c.rows.data(), lists.acting.begin.data(), lists.acting.length.data(),
                         lists.acting.neighbours.data());
+}
+
+/// All of one block's rows that have neighbours, cell by cell.
+void chooseBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
+  BlockLists& lists = c.list.perBlock[block];
+  const auto rows = static_cast<std::int32_t>(lists.length.size());
+  lists.chosen.clear();
+  for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
+    for (std::int32_t row = lane; row < rows; row += blockLanes)
+      if (lists.length[row] > 0) lists.chosen.push_back(row);
+  lists.acting.begin.assign(rows, 0);
+  lists.acting.length.assign(rows, 0);
+  lists.chosenAgain = 0;
+  findActing(c, bodies, block, radius, lists);
+  cutIntoSlices(lists, lists.acting, bodies.blocks[block].firstLine * blockLanes, bodies.lineCount() * blockLanes);
+}
+
+/// One block's rows that are marked, and the marks are gone.
+void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
+  BlockLists& lists = c.list.perBlock[block];
+  const VertexNumber first = bodies.blocks[block].firstLine * blockLanes;
+  std::uint8_t* marked = &c.acting.marked[first];
+  const auto rows = static_cast<std::int32_t>(lists.length.size());
+  lists.chosen.clear();
+  for (std::int32_t line = 0; line < rows; line += blockLanes) {
+    std::uint64_t any;
+    std::memcpy(&any, marked + line, sizeof any);  // of all eight
+    if (any == 0) continue;
+    for (std::int32_t row = line; row < line + blockLanes; ++row)
+      if (marked[row]) lists.chosen.push_back(row), marked[row] = 0;
+  }
+  if (lists.chosen.empty()) return;
+  lists.chosenAgain += static_cast<std::int64_t>(lists.chosen.size());
+  if (lists.chosenAgain > mostReplaced * rows) return chooseBlock(c, bodies, block, radius);
+  findActing(c, bodies, block, radius, lists);
+  replaceInSlices(lists, lists.acting, lists.chosen, first, bodies.lineCount() * blockLanes);
+}
+
+/// Marks the vertices of this block whose choice has ended, and those of others that may act on them now: lists of the rest
+/// may name them in vain.
+void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
+  ActingPairs& acting = c.acting;
+  ActingPairs::OfBlock& own = acting.blocks[block];
+  BlockLists& lists = c.list.perBlock[block];
+  const VertexNumber first = bodies.blocks[block].firstLine * blockLanes;
+  if (own.endedCount == 0) return;
+  own.endings += own.endedCount;
+  lists.chosen.clear();
+  for (std::int32_t i = 0; i < own.endedCount; ++i) {
+    const std::int32_t row = own.ended[i];
+    acting.change[first + row] = 0;
+    acting.speeds[first + row] = 0;
+    if (lists.length[row] > 0) lists.chosen.push_back(row);
+  }
+  findActing(c, bodies, block, radius, lists);
+  const auto mark = [&](VertexNumber g) {
+    std::atomic_ref(acting.marked[g]).store(1, std::memory_order_relaxed);  // several threads may write it
+  };
+  for (std::int32_t row : lists.chosen) {
+    mark(first + row);
+    const VertexNumber* list = lists.acting.neighbours.data() + lists.acting.begin[row];
+    for (std::int32_t k = 0; k < lists.acting.length[row]; ++k) mark(list[k]);
+  }
+}
+
+/// [length] The smallest influence radius.
+double smallestRadius(const Contacts& c, const Bodies& bodies) {
+  double radius = INFINITY;
+  for (int slot : bodies.slots) radius = std::min(radius, c.radius[slot]);
+  return radius;
+}
+
+bool isOver(const ActingPairs& acting) { return !(acting.blocks[0].time <= acting.horizon); }
+
+/// How many vertices' margins the last snapshot found used up.
+std::int64_t countEnded(const ActingPairs& acting) {
+  std::int64_t ended = 0;
+  for (const ActingPairs::OfBlock& block : acting.blocks) ended += block.endedCount;
+  return ended;
+}
+
+/// Sums up by how much gaps of a block's vertices have changed.
+void sumChanges(ActingPairs& acting, const Bodies& bodies, int block) {
+  ActingPairs::OfBlock& own = acting.blocks[block];
+  own.changed = own.endings > 0 ? static_cast<double>(own.endings) * acting.margin : 0;
+  const std::size_t first = std::size_t(bodies.blocks[block].firstLine) * blockLanes;
+  for (int v = 0; v < bodies.verticesPerLane(block); ++v)
+    for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
+      own.changed += acting.change[first + std::size_t(v) * blockLanes + lane];
 }
 
 }  // namespace
 
 bool choosesPairs(const Contacts& c) { return !c.scratch.empty() && !c.parameters.adhesion; }
 
-void countChange(Contacts& c, const SnapshotChange& s, int block, double sinceLast) {
+ChangeCount countChanges(Contacts& c, const Bodies& bodies, int block, double sinceLast) {
+  ActingPairs& acting = c.acting;
+  ActingPairs::OfBlock& own = acting.blocks[block];
+  own.time += sinceLast;
   const double twice = 2 * std::sqrt(normalScaleSquared);
-  for (int lane = 0; lane < blockLanes; ++lane) {
-    ActingPairs::Change& all = c.acting.change[std::size_t(block) * blockLanes + lane];
-    const double strayed = std::sqrt(s.strayed[lane]), turned = std::sqrt(s.turned[lane]),
-                 spedUp = std::sqrt(s.spedUp[lane]);
-    all.gaps += twice * (strayed + delayOf(c) * spedUp) + c.acting.largestRadius * turned;
-    all.drift += twice * sinceLast * all.speeds;
-    all.speeds += spedUp;
-    all.time += sinceLast;
-  }
-}
-
-bool choiceHolds(const ActingPairs& acting, std::span<const int> slots) {
-  // Not `>=`: where numbers are none, pairs are chosen anew.
-  return std::ranges::all_of(slots, [&](int slot) {
-    const ActingPairs::Change& since = acting.change[slot];
-    return since.gaps + since.drift < acting.margin[slot] && since.time <= acting.horizon;
-  });
+  const std::size_t first = std::size_t(bodies.blocks[block].firstLine) * blockLanes;
+  return {.change = &acting.change[first],
+          .speeds = &acting.speeds[first],
+          .margin = acting.margin,
+          .sinceLast = sinceLast,
+          .perStraying = twice,
+          .perTurning = acting.largestRadius,
+          .perSpeed = twice * delayOf(c),
+          .perDrift = twice * sinceLast,
+          .ended = own.ended.data(),
+          .endedCount = 0};
 }
 
 void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   ActingPairs& acting = c.acting;
-  const auto radiusOf = [&](int slot) { return c.radius[slot]; };
-  const double radius = radiusOf(*std::ranges::min_element(bodies.slots, {}, radiusOf));
-  acting.largestRadius = radiusOf(*std::ranges::max_element(bodies.slots, {}, radiusOf));
-  const bool tooShort = acting.horizon > 0 && acting.age < shortestLife && !choiceHolds(acting, bodies.slots);
+  const double radius = smallestRadius(c, bodies), evaluations = static_cast<double>(acting.age);
+  acting.largestRadius = 0;
+  for (int slot : bodies.slots) acting.largestRadius = std::max(acting.largestRadius, c.radius[slot]);
+  const bool tooShort = acting.horizon > 0 && acting.age < shortestLife && (isOver(acting) || countEnded(acting) > 0);
   acting.endedSoon = tooShort ? acting.endedSoon + 1 : 0;
   // The first choice shall not last: how fast gaps change is not known yet.
-  const auto age = static_cast<double>(std::max<std::int64_t>(acting.age, 1));
-  const auto perEvaluation = [&](int slot) { return acting.age > 0 ? acting.change[slot].gaps / age : 0; };
-  double mean = 0;
-  for (int slot : bodies.slots) mean += perEvaluation(slot) / bodies.count;
-  const double lasts = mean > 0 ? std::sqrt(radius / mean) : double(farthestAhead);
-  for (int slot : bodies.slots)
-    acting.margin[slot] = std::max(leastMargin * radius, lasts * (perEvaluation(slot) + spare * mean));
-  const double timeStep = acting.age > 0 ? acting.change[bodies.slots[0]].time / age : 0;
-  acting.horizon = std::min(lasts, double(farthestAhead)) * timeStep;
-  std::fill(acting.change.begin(), acting.change.end(), ActingPairs::Change());
-  acting.age = 0;
-  if (acting.endedSoon > 1 || !((1 + spare) * mean * lasts < mostMargin * radius)) {
-    std::fill(acting.margin.begin(), acting.margin.end(), INFINITY);
-    acting.horizon = double(withoutChoice) * timeStep;
-    return cutIntoSlices(c.list, foundLists, bodies, threads);
+  double perEvaluation = 0, timeStep = 0;
+  if (acting.age > 0) {
+    parallelFor(bodies.blockCount(), threads, [&](int block) { sumChanges(acting, bodies, block); });
+    for (const ActingPairs::OfBlock& block : acting.blocks) perEvaluation += block.changed;
+    perEvaluation /= evaluations * static_cast<double>(bodies.livingVertices);
+    timeStep = acting.blocks[0].time / evaluations;
   }
-  parallelFor(bodies.blockCount(), threads, [&](int block) {
-    const int first = bodies.blocks[block].firstLine;
-    for (int line = first; line < first + bodies.verticesPerLane(block); ++line)
-      for (int lane = 0; lane < blockLanes; ++lane)
-        acting.halfMargins[std::size_t(line) * blockLanes + lane] =
-            static_cast<float>(0.5 * acting.margin[std::size_t(block) * blockLanes + lane]);
-  });
-  parallelFor(bodies.blockCount(), threads,
-              [&](int block) { findActing(c, bodies, block, radius, c.list.perBlock[block]); });
-  cutIntoSlices(c.list, actingLists, bodies, threads);
+  const double lasts = perEvaluation > 0 ? std::sqrt(radius / perEvaluation) : double(farthestAhead);
+  acting.margin = std::clamp(marginScale * lasts * perEvaluation, leastMargin * radius, mostMargin * radius);
+  acting.horizon = std::min(lasts, double(farthestAhead)) * timeStep;
+  std::ranges::fill(acting.change, 0.0f);
+  std::ranges::fill(acting.speeds, 0.0f);
+  for (ActingPairs::OfBlock& block : acting.blocks) block.time = 0, block.endings = 0;
+  acting.age = 0;
+  if (acting.endedSoon > 1) {
+    acting.margin = INFINITY;
+    acting.horizon = double(withoutChoice) * timeStep;
+    return cutIntoSlices(c.list, bodies, threads);
+  }
+  parallelFor(bodies.blockCount(), threads, [&](int block) { chooseBlock(c, bodies, block, radius); });
+}
+
+void renewPairs(Contacts& c, const Bodies& bodies, int threads) {
+  const auto ended = static_cast<double>(countEnded(c.acting));
+  if (isOver(c.acting) || ended > mostRenewed * bodies.livingVertices) return choosePairs(c, bodies, threads);
+  if (ended == 0) return;
+  const double radius = smallestRadius(c, bodies);
+  parallelFor(bodies.blockCount(), threads, [&](int block) { markEnded(c, bodies, block, radius); });
+  parallelFor(bodies.blockCount(), threads, [&](int block) { renewBlock(c, bodies, block, radius); });
 }
 
 }  // namespace morula

@@ -54,20 +54,22 @@ void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
   const auto slotOf = [&](VertexNumber g) {
     return c.adhesion.blockOfLine[g / blockLanes] * blockLanes + g % blockLanes;
   };
-  for (std::int64_t s = c.list.firstSlice[block]; s < c.list.firstSlice[block + 1]; ++s) {
-    const NeighbourSlice& slice = c.list.slices[s];
+  const BlockLists& lists = c.list.perBlock[block];
+  AlignedVector<double>& ofPairs = c.adhesion.ofPairs[block];
+  ofPairs.resize(lists.indices.size());
+  for (const NeighbourSlice& slice : lists.slices) {
     for (int lane = 0; lane < blockLanes; ++lane) {
       const int own = block * blockLanes + slice.vertex[lane] % blockLanes;
       int other = -1;  // neighbours are mostly of one cell
       double strength = 0;
       for (int k = 0; k < slice.length; ++k) {
         const std::int64_t at = (slice.start + k) * blockLanes + lane;
-        const VertexNumber g = c.list.indices[at];
+        const VertexNumber g = lists.indices[at];
         if (g != far && slotOf(g) != other) {
           other = slotOf(g);
           strength = workOf(c, own, other) * pairFactor(c, b, own, other);
         }
-        c.adhesion.ofPairs[at] = g == far ? 0 : strength;
+        ofPairs[at] = g == far ? 0 : strength;
       }
     }
   }
@@ -93,7 +95,7 @@ void setAdhesionKinds(Contacts& c, AdhesionKinds kinds) {
 }
 
 void findPairStrengths(Contacts& c, const Bodies& b, int threads) {
-  c.adhesion.ofPairs.resize(c.list.indices.size());
+  c.adhesion.ofPairs.resize(b.blockCount());
   const VertexNumber far = b.lineCount() * blockLanes;
   parallelFor(b.blockCount(), threads, [&](int block) { fillBlock(c, b, block, far); });
   c.adhesion.isCurrent = true;

@@ -31,8 +31,8 @@ struct AdhesionKinds {
 /// Follows from the cells' kinds, their influence radii and the neighbour list.
 struct Adhesion {
   AdhesionKinds kinds;
-  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] T [energy]; of spheres S [force]
-  bool isCurrent = false;         // ofPairs
+  std::vector<AlignedVector<double>> ofPairs;  // [block][as BlockLists::indices] T [energy]; of spheres S [force]
+  bool isCurrent = false;                      // ofPairs
   // With each set of cells
   std::vector<int> blockOfLine;        // [line]
   std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared

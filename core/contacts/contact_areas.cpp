@@ -48,13 +48,13 @@ std::vector<int> cellsOf(const Bodies& b) {
 }
 
 /// The slot that vertex g touches, or −1.
-int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice, int lane) {
+int touchedSlot(const Contacts& c, const Bodies& b, const BlockLists& lists, const NeighbourSlice& slice, int lane) {
   const SnapshotRow i = readRow(c.rows[slice.vertex[lane]], b.parameters.precision);
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   double nearest = 1e300;
   int touched = -1;
   for (int k = 0; k < slice.length; ++k) {
-    const VertexNumber g = c.list.indices[(slice.start + k) * blockLanes + lane];
+    const VertexNumber g = lists.indices[(slice.start + k) * blockLanes + lane];
     if (g == far) break;
     const SnapshotRow j = readRow(c.rows[g], b.parameters.precision);
     const Vector apart{i.x - j.x, i.y - j.y, i.z - j.z};
@@ -82,18 +82,19 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
   std::vector<ContactArea> pairs;
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   const std::vector<int> cellOf = cellsOf(b);
-  for (const NeighbourSlice& slice : c.list.slices)
-    for (int lane = 0; lane < blockLanes; ++lane)
-      for (int k = 0; slice.vertex[lane] != far && k < slice.length; ++k) {
-        const VertexNumber g = slice.vertex[lane], h = c.list.indices[(slice.start + k) * blockLanes + lane];
-        if (h == far) break;
-        if (h < g) continue;  // each pair stands in both lists
-        const int slotG = placeOf(b, g).slot, slotH = placeOf(b, h).slot;
-        const double area = discArea(readRow(c.rows[g], b.parameters.precision), 0.5 * c.radius[slotG],
-                                     readRow(c.rows[h], b.parameters.precision), 0.5 * c.radius[slotH]);
-        const auto [first, second] = std::minmax(cellOf[slotG], cellOf[slotH]);
-        if (area > 0) pairs.push_back({first, second, area});
-      }
+  for (const BlockLists& lists : c.list.perBlock)
+    for (const NeighbourSlice& slice : lists.slices)
+      for (int lane = 0; lane < blockLanes; ++lane)
+        for (int k = 0; slice.vertex[lane] != far && k < slice.length; ++k) {
+          const VertexNumber g = slice.vertex[lane], h = lists.indices[(slice.start + k) * blockLanes + lane];
+          if (h == far) break;
+          if (h < g) continue;  // each pair stands in both lists
+          const int slotG = placeOf(b, g).slot, slotH = placeOf(b, h).slot;
+          const double area = discArea(readRow(c.rows[g], b.parameters.precision), 0.5 * c.radius[slotG],
+                                       readRow(c.rows[h], b.parameters.precision), 0.5 * c.radius[slotH]);
+          const auto [first, second] = std::minmax(cellOf[slotG], cellOf[slotH]);
+          if (area > 0) pairs.push_back({first, second, area});
+        }
   std::sort(pairs.begin(), pairs.end(),
             [](const ContactArea& p, const ContactArea& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
   return pairs;
@@ -138,16 +139,17 @@ std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b)
   std::vector<std::vector<double>> areas;  // [cell][vertex]
   for (int slot : b.slots) areas.push_back(vertexAreas(b, slot));
   const std::vector<int> cellOf = cellsOf(b);
-  for (const NeighbourSlice& slice : c.list.slices)
-    for (int lane = 0; lane < blockLanes; ++lane) {
-      const VertexNumber g = slice.vertex[lane];
-      if (g == far) continue;
-      const int touched = touchedSlot(c, b, slice, lane);
-      if (touched < 0) continue;
-      const VertexPlace place = placeOf(b, g);
-      const int own = cellOf[place.slot], other = cellOf[touched];
-      sides.push_back({{std::min(own, other), std::max(own, other), 0.5 * areas[own][place.vertex]}, g});
-    }
+  for (const BlockLists& lists : c.list.perBlock)
+    for (const NeighbourSlice& slice : lists.slices)
+      for (int lane = 0; lane < blockLanes; ++lane) {
+        const VertexNumber g = slice.vertex[lane];
+        if (g == far) continue;
+        const int touched = touchedSlot(c, b, lists, slice, lane);
+        if (touched < 0) continue;
+        const VertexPlace place = placeOf(b, g);
+        const int own = cellOf[place.slot], other = cellOf[touched];
+        sides.push_back({{std::min(own, other), std::max(own, other), 0.5 * areas[own][place.vertex]}, g});
+      }
   // One order for the sums, whatever the order of the slices, which hangs on when the list was built.
   std::sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) {
     return std::tie(p.pair.a, p.pair.b, p.vertex) < std::tie(q.pair.a, q.pair.b, q.vertex);

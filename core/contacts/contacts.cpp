@@ -46,7 +46,8 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   if (sticks) c.list.bytesPerNeighbour += sizeof(double);
   const auto take = !kindOf(model).hasMesh                 ? &ContactKernels::takeSphereSnapshot
                     : parameters.law == ContactLaw::thesis ? &ContactKernels::takeSnapshot
-                                                           : &ContactKernels::takeSurface;
+                    : sticks                               ? &ContactKernels::takeSurface
+                                                           : &ContactKernels::takeSurfaceAndCount;
   for (int cells = 1; cells <= blockLanes; ++cells)
     c.takeSnapshot[cells - 1] = contactKernels(narrowestIsa(cells, isa, precision), precision).*take;
   if (!kindOf(model).hasMesh) {
@@ -93,7 +94,7 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
 void resetContacts(Contacts& c, const Bodies& bodies) {
   setInfluenceRadii(c, bodies);
   resetAdhesion(c, bodies);
-  if (bodies.count == 0) c.list.slices.clear();  // no step will come that makes the list anew
+  if (bodies.count == 0) c.list.perBlock.clear();  // no step will come that makes the list anew
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;
@@ -110,18 +111,23 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   for (auto& [force, turn] : c.scratch)
     for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
   if (!choosesPairs(c)) return;
-  c.acting = {.change = std::vector<ActingPairs::Change>(bodies.restScale.size()),
-              .margin = std::vector<double>(bodies.restScale.size()),
-              .halfMargins = AlignedVector<float>(vertices + 1)};
+  c.acting = {};
+  c.acting.change.assign(vertices, 0);
+  c.acting.speeds.assign(vertices, 0);
+  c.acting.marked.assign(vertices, 0);
+  c.acting.blocks.resize(bodies.blockCount());
+  for (int block = 0; block < bodies.blockCount(); ++block)
+    c.acting.blocks[block].ended.resize(std::size_t(bodies.verticesPerLane(block)) * blockLanes);
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index, double sinceLast) {
   const std::size_t lines = bodies.blocks[index].firstLine;
-  const SnapshotChange change = c.takeSnapshot[block.liveLanes - 1](
+  ChangeCount count{};
+  if (choosesPairs(c)) count = countChanges(c, bodies, index, sinceLast);
+  c.farthest[index] = c.takeSnapshot[block.liveLanes - 1](
       bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
-      c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes], sinceLast);
-  c.farthest[index] = change.farthest;
-  if (choosesPairs(c)) countChange(c, change, index, sinceLast);
+      c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes], count);
+  if (choosesPairs(c)) c.acting.blocks[index].endedCount = count.endedCount;
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
@@ -136,7 +142,7 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
     c.adhesion.isCurrent = false;
     ++c.rebuilds;
   }
-  if (choose && (search || !choiceHolds(c.acting, bodies.slots))) choosePairs(c, bodies, threads);
+  if (choose) (search ? choosePairs : renewPairs)(c, bodies, threads);
   ++c.acting.age;
   if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
   c.pairEvaluations += c.list.pairs;  // the forces come next
@@ -157,14 +163,16 @@ double measureHardening(const Contacts& c) {
 }
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
-  const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
+  const BlockLists& lists = c.list.perBlock[block];
   const BlockPlace& place = bodies.blocks[block];
+  const std::int64_t count = std::ssize(lists.slices), lines = bodies.verticesPerLane(block);
   const bool onSurface = !c.scratch.empty();
   const RealPointer none{nullptr};
-  const BlockSlices slices{.slices = c.list.slices.data() + first,
-                           .count = last - first,
+  const BlockSlices slices{.slices = lists.slices.data(),
+                           .count = count,
                            .vertexMass = &bodies.vertexMass[std::size_t(block) * blockLanes],
-                           .nextLine = place.firstLine + bodies.verticesPerLane(block),
+                           .nextLine = place.firstLine + lines,
+                           .linesPerSlice = count > 0 ? (lines + count - 1) / count : 0,
                            .mesh = bodies.meshAt(place.meshLevel).view(),
                            .liveLanes = place.liveLanes,
                            .firstVertex = place.firstLine * blockLanes,
@@ -179,8 +187,8 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    .strongestGrip = gripShare * c.lightestVertex / timeStep,
                                    .timeStep = timeStep,
                                    .vertices = bodies.lineCount() * blockLanes,
-                                   .adhesion = c.adhesion.ofPairs.data()};
-  c.addForces(slices, c.list.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
+                                   .adhesion = c.parameters.adhesion ? c.adhesion.ofPairs[block].data() : nullptr};
+  c.addForces(slices, lists.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
 }
 
 }  // namespace morula

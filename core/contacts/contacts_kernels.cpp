@@ -13,7 +13,8 @@ extern const ContactKernels contacts;
 const ContactKernels contacts = {
     .takeSnapshot = takeSnapshot,
     .takeSphereSnapshot = takeSphereSnapshot,
-    .takeSurface = takeSurface,
+    .takeSurface = takeSurface<false>,
+    .takeSurfaceAndCount = takeSurface<true>,
     .addPairForces = addPairForces<false, false>,
     .addPairForcesWithFriction = addPairForces<true, false>,
     .addThesisForces = addThesisForces,

@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// Neighbours of up to eight vertices, those with lists of like length together: entry k of lane l is
+/// Neighbours of up to eight vertices, those with lists of like length together: entry k of lane l is the block's
 /// indices[(start + k)·8 + l]. Each list runs in rising order of vertex numbers, so sums have one order.
 struct NeighbourSlice {
   VertexNumber vertex[blockLanes];  // the far row where there is none
@@ -24,8 +24,9 @@ constexpr int linesPrefetched = 8;
 struct BlockSlices {
   const NeighbourSlice* slices;
   std::int64_t count;
-  const double* vertexMass;  // [lane]
-  std::int64_t nextLine;     // where the next block's vertices begin (BlockPlace::firstLine)
+  const double* vertexMass;    // [lane]
+  std::int64_t nextLine;       // where the next block's vertices begin (BlockPlace::firstLine):
+  std::int64_t linesPerSlice;  // so many of them for each slice
   // The pair law's
   TemplateView mesh;
   int liveLanes;
@@ -44,38 +45,41 @@ struct ContactConstants {
   const double* adhesion;               // [as indices] of each pair (adhesion.h); null without adhesion
 };
 
-/// Squares of the largest changes of a block's vertices.
-struct SnapshotChange {
-  double farthest = 0;  // from the place in `reference` [length²]
-  // For the pair law, since the snapshot before: how far y is from where v would have brought it; of n; of v.
-  double strayed[blockLanes] = {}, turned[blockLanes] = {}, spedUp[blockLanes] = {};  // [lane]
+/// By how much the snapshots of a block's vertices have changed since pairs were chosen (acting_kernel.h).
+struct ChangeCount {
+  float* change;                                       // [vertex · blockLanes + lane] of gaps [length]
+  float* speeds;                                       // the same: of velocities [length/time]
+  double margin;                                       // of gaps [length]
+  double sinceLast;                                    // [time] how long y have moved by v since the snapshot before
+  double perStraying, perTurning, perSpeed, perDrift;  // 2ν [1], R [length], 2ντ [time], 2ν times sinceLast [time]
+  std::int32_t* ended;                                 // rows whose change has reached the margin
+  std::int32_t endedCount;
 };
 
 /// Of lengths, for roundings in single precision (acting_kernel.h).
 constexpr double relativeRoom = 1e-5;
 
-/// One block's neighbour lists, and which pairs to leave out (acting_kernel.h).
+/// Neighbour lists of one block, and which pairs to leave out (acting_kernel.h).
 struct ListsToThin {
-  const std::int32_t *begin, *length;  // [vertex · blockLanes + lane]
+  const std::int32_t *begin, *length;  // [row = vertex · blockLanes + lane]
   const VertexNumber* neighbours;
   static constexpr int readable = 32;  // numbers of rows behind the last neighbour
-  int vertices, liveLanes;
+  const std::int32_t* rows;            // [count] whose lists are asked for
+  std::int32_t count;
   VertexNumber firstVertex;
-  const float* halfMargins;  // [length] of each vertex; two make M
-  double perRadius;          // [1/length] 1/R of the smallest R: what is (1 + M/R) R_ij apart is too far,
-  double horizon;            // [time] if it is so until then,
-  double delayPerRadius;     // [time/length] τ/R of the largest R: gaps beyond M + τ |u| M/R are too wide
-  double ahead;              // [time] now and after this,
-  double room;               // [length] and by so much more, for roundings,
-  double roomPerSpeed;       // [time] and so much more per |u|
+  double reach;         // [1] what is so many R_ij apart is too far,
+  double horizon;       // [time] if it is so until then
+  double ahead;         // [time] now and after this
+  double room;          // [length] gaps beyond this are too wide,
+  double roomPerSpeed;  // [time] and this times |u|
 };
 
 struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. `reference`:
-  /// [vertexCount][3][blockLanes]; `sinceLast`: how long y have moved by v since the snapshot before [time].
-  using TakeSnapshot = SnapshotChange (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
-                                          RealPointer reference, RowMemory* rows, double sinceLast);
-  TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface;
+  /// [vertexCount][3][blockLanes]. The square of the largest distance from there [length²].
+  using TakeSnapshot = double (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
+                                  RealPointer reference, RowMemory* rows, ChangeCount&);
+  TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface, takeSurfaceAndCount;
   /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,
                              const ContactConstants&, RealPointer force);
@@ -85,7 +89,7 @@ struct ContactKernels {
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 
-  /// Writes the lists of those neighbours that may act, one after the other.
+  /// Writes the asked rows' lists of those neighbours that may act, one after the other; `begin`, `length`: [row].
   void (*findActing)(const ListsToThin&, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
                      VertexNumber* acting);
 };

@@ -110,7 +110,7 @@ void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const Aligned
 
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads) {
   findNeighbourLists(list, bodies, radius, threads);
-  cutIntoSlices(list, foundLists, bodies, threads);
+  cutIntoSlices(list, bodies, threads);
 }
 
 std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g) {

@@ -22,16 +22,13 @@ struct NeighbourList {
   // Constant
   const SearchKernels* kernels = nullptr;
 
-  double mostBytes = INFINITY;           // [byte] that the lists may take
-  double reach = 1;                      // [1] influence reaches so many influence radii
-  double bytesPerNeighbour = 16;         // [byte] that an entry may take, see mostNumbers
-  double skin = 0;                       // [length] with 0, it is good for the positions it was built at
-  Reals reference;                       // points it is built from, as Bodies::position
-  std::vector<NeighbourSlice> slices;    // by block; vertices without neighbours have none
-  std::vector<std::int64_t> firstSlice;  // [block + 1]
-  AlignedVector<std::int32_t> indices;   // NeighbourSlice
-  std::uint64_t pairs = 0;               // entries in all lists: each pair twice
-  SearchCounters counters;               // of all builds
+  double mostBytes = INFINITY;    // [byte] that the lists may take
+  double reach = 1;               // [1] influence reaches so many influence radii
+  double bytesPerNeighbour = 16;  // [byte] that an entry may take, see mostNumbers
+  double skin = 0;                // [length] with 0, it is good for the positions it was built at
+  Reals reference;                // points it is built from, as Bodies::position
+  std::uint64_t pairs = 0;        // entries in all lists: each pair twice
+  SearchCounters counters;        // of all builds
 
   // Kept between builds so that a steady run allocates nothing.
   Indirect<AnySearch> search;       // any_search.h

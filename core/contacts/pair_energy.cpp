@@ -46,24 +46,26 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
   const auto far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<PairSum> sums;
   std::vector<PairSum> own;  // of one vertex
-  for (const NeighbourSlice& slice : c.list.slices)
-    for (int lane = 0; lane < blockLanes; ++lane) {
-      const VertexNumber g = slice.vertex[lane];
-      if (g == far) continue;
-      const Point6 i = read(c, b, g);
-      own.clear();
-      for (int k = 0; k < slice.length; ++k) {
-        const std::size_t at = (slice.start + k) * blockLanes + lane;
-        const VertexNumber j = c.list.indices[at];
-        if (j == far) break;
-        const int other = slotOf(j);
-        auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
-        if (sum == own.end())
-          sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}});
-        add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0, *sum);
+  for (int block = 0; block < b.blockCount(); ++block)
+    for (const NeighbourSlice& slice : c.list.perBlock[block].slices)
+      for (int lane = 0; lane < blockLanes; ++lane) {
+        const VertexNumber g = slice.vertex[lane];
+        if (g == far) continue;
+        const Point6 i = read(c, b, g);
+        own.clear();
+        for (int k = 0; k < slice.length; ++k) {
+          const std::size_t at = (slice.start + k) * blockLanes + lane;
+          const VertexNumber j = c.list.perBlock[block].indices[at];
+          if (j == far) break;
+          const int other = slotOf(j);
+          auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
+          if (sum == own.end())
+            sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}});
+          add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[block][at] : 0.0,
+              *sum);
+        }
+        sums.insert(sums.end(), own.begin(), own.end());
       }
-      sums.insert(sums.end(), own.begin(), own.end());
-    }
   // One order for the sums of who reads them, whatever the order of the slices, which hangs on when the list was built.
   std::vector<int> cellOf(b.blocks.size() * blockLanes);
   for (int cell = 0; cell < b.count; ++cell) cellOf[b.slots[cell]] = cell;

@@ -32,6 +32,27 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
 #endif
 }
 
+MORULA_INLINE Rows loadRowInAllLanes(const RowMemory* row) {
+  const Real* r = numbersOf(row);
+#if defined(MORULA_SINGLE)
+  const Real* f = r + 6;
+#else
+  const float* f = reinterpret_cast<const float*>(r + 6);
+#endif
+  const auto all = [](double a) { return Lanes(a); };
+  return {{all(r[0]), all(r[1]), all(r[2])},
+          {all(r[3]), all(r[4]), all(r[5])},
+          {all(f[0]), all(f[1]), all(f[2])},
+          all(f[3])};
+}
+
+/// Not less than the length of `a`, and at most 16 % more, without a root: it is convex, linear where the order of sizes is
+/// the same, and right for (1, 0, 0) and (1, 1, 0); for (1, 1, 1) it is 1.83.
+MORULA_INLINE Lanes atMost(const Vec& a) {
+  const Lanes x = abs(a.x), y = abs(a.y), z = abs(a.z);
+  return 0.41421357 * (x + y + z) + 0.58578644 * max(x, max(y, z));
+}
+
 /// As rows hold velocities.
 MORULA_INLINE Vec asStored(const Vec& v) {
 #if defined(MORULA_SINGLE)
@@ -63,14 +84,16 @@ MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index
   for (int i = 0; i < width; ++i) __builtin_prefetch(rows + index[linesPrefetched * blockLanes + i]);
 }
 
-/// With each slice of a block, a line of the next block's rows and forces: sorted by length, slices name a block's
+/// With each slice of a block, its share of the next block's rows and forces: sorted by length, slices name a block's
 /// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step.
 MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
                                      const Real* force) {
   constexpr int ofRows = blockLanes * sizeof(RowMemory), ofForces = vertexStride * sizeof(Real);
-  const std::int64_t line = block.nextLine + slice;
-  prefetch<ofRows>(rows, line * ofRows);
-  prefetch<ofForces>(force, line * ofForces);
+  const std::int64_t first = block.nextLine + slice * block.linesPerSlice, last = first + block.linesPerSlice;
+  for (std::int64_t line = first; line < last; ++line) {
+    prefetch<ofRows>(rows, line * ofRows);
+    prefetch<ofForces>(force, line * ofForces);
+  }
 }
 
 /// The largest lane, at least 0; a NaN counts as 0.
@@ -83,8 +106,8 @@ MORULA_INLINE double largestOf(Lanes a) {
 }
 
 /// [ContactKernels::takeSnapshot]
-inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                                   RealPointer reference, RowMemory* rows, double /*sinceLast*/) {
+inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
+                           RealPointer reference, RowMemory* rows, ChangeCount&) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
@@ -94,7 +117,7 @@ inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b,
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = max(dot(moved, moved), farthest);
     }
-  return {.farthest = largestOf(farthest)};
+  return largestOf(farthest);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/aligned.h"
+#include "contacts/contacts_kernels.h"
 #include "contacts/search_kernels.h"
 #include "contacts/snapshot.h"
 #include "physics/bodies.h"
@@ -59,7 +60,6 @@ struct ListsTooLong {
 struct RowLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
   std::vector<VertexNumber> neighbours;     // longer than used
-  std::vector<std::int32_t> order, place;   // rows by length, longest first; scratch of the ordering
 };
 
 /// Memory is kept between searches, so that a steady run allocates nothing.
@@ -67,8 +67,17 @@ struct BlockLists : RowLists {
   std::int32_t used = 0;
   std::int64_t asked = 0;                                        // the most that room was asked for
   std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
-  RowLists acting;          // without pairs that cannot act for a while (acting_pairs.h)
-  SearchCounters counters;  // of this search
+  SearchCounters counters;                                       // of this search
+
+  RowLists acting;  // those of `chosen` without pairs that cannot act for a while (acting_pairs.h)
+  std::vector<std::int32_t> chosen;
+  std::int64_t chosenAgain = 0;  // rows, since all were chosen
+
+  // As kernels read them (slices.h): all, or the acting ones; vertices without neighbours have none.
+  std::vector<NeighbourSlice> slices;
+  AlignedVector<std::int32_t> indices;
+  std::vector<std::int32_t> place;            // [row] its slice · blockLanes + lane, or −1
+  std::vector<std::int32_t> order, ofLength;  // scratch of the ordering
 
   void clear(int rows) {
     begin.assign(rows, 0);

@@ -1,14 +1,19 @@
 #pragma once
 // Lists, as found, become slices: eight vertices side by side, as the kernels of the contact laws read them.
+#include <span>
+
 #include "contacts/neighbour_list.h"
 
 namespace morula {
 
-/// All that were found, or those that may act.
-RowLists& foundLists(BlockLists& lists);
-RowLists& actingLists(BlockLists& lists);
+/// Slices of one block from one kind of its lists. `far`: the number of the far row.
+void cutIntoSlices(BlockLists& block, const RowLists& lists, VertexNumber firstOfBlock, VertexNumber far);
 
-/// Fills slices, firstSlice and indices from one kind of each block's lists.
-void cutIntoSlices(NeighbourList& list, RowLists& (*listsOf)(BlockLists&), const Bodies& bodies, int threads);
+/// The same for all blocks and all that were found.
+void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads);
+
+/// Writes the lists of these rows anew: where a vertex stands, or, if its slice is too short, in slices behind the others.
+void replaceInSlices(BlockLists& block, const RowLists& lists, std::span<const std::int32_t> rows,
+                     VertexNumber firstOfBlock, VertexNumber far);
 
 }  // namespace morula

@@ -30,8 +30,8 @@ struct SphereLaw {
 };
 
 /// [ContactKernels::takeSnapshot]
-inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
-                                         RealPointer reference, RowMemory* rows, double /*sinceLast*/) {
+inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
+                                 RealPointer reference, RowMemory* rows, ChangeCount&) {
   Lanes farthest = 0.0;
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
@@ -47,7 +47,7 @@ inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b
     const Vec moved = x - loadVec(reference, 0, lane);
     farthest = max(dot(moved, moved), farthest);
   }
-  return {.farthest = largestOf(farthest)};
+  return largestOf(farthest);
 }
 
 template <bool withFriction, bool withAdhesion>

@@ -26,11 +26,33 @@ struct SurfaceForce {
   Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
 };
 
+/// Adds what has changed between two rows of `width` vertices, the first of which is number `row` of the block: the sum.
+MORULA_INLINE Lanes countChange(const ChangeCount& count, int row, const Rows& before, const Rows& now) {
+  const Lanes faster = atMost(now.v - before.v), fasterBefore = loadFloats(count.speeds + row);
+  const Lanes change = loadFloats(count.change + row) + Lanes(count.perTurning) * atMost(now.n - before.n) +
+                       Lanes(count.perStraying) * atMost(now.x - (before.x + Lanes(count.sinceLast) * before.v)) +
+                       Lanes(count.perSpeed) * faster + Lanes(count.perDrift) * fasterBefore;
+  storeFloats(count.speeds + row, fasterBefore + faster);
+  storeFloats(count.change + row, change);
+  return change;
+}
+
+/// Rows whose change has reached the margin, or does not compare.
+inline void findEnded(ChangeCount& count, int rows, int liveLanes) {
+  for (int row = 0; row < rows; row += blockLanes)
+    for (int lane = 0; lane < liveLanes; lane += width) {
+      const unsigned cells = (1u << (liveLanes - lane < width ? liveLanes - lane : width)) - 1;
+      const unsigned ended = cells & ~bits(loadFloats(count.change + row + lane) < Lanes(count.margin));
+      for (unsigned left = ended; left != 0; left &= left - 1)
+        count.ended[count.endedCount++] = row + lane + __builtin_ctz(left);
+    }
+}
+
 /// [ContactKernels::takeSnapshot] of the surface.
-inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                                  RealPointer reference, RowMemory* rows, double sinceLast) {
-  Lanes farthest = 0.0;
-  alignas(64) Real strayed[blockLanes] = {}, turned[blockLanes] = {}, spedUp[blockLanes] = {};
+template <bool counting>
+inline double takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
+                          RealPointer reference, RowMemory* rows, ChangeCount& count) {
+  Lanes farthest = 0.0, mostChanged = 0.0;
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
@@ -45,22 +67,18 @@ inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b, 
       const Vec y = (1.0 - retreat) * x + share * around;
       const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
       const Vec n = (normalScale / sqrt(dot(g, g) + fold * fold)) * g;
-      RowMemory* here = rows + std::int64_t(v) * blockLanes + lane;
-      const Rows before = loadRows(here, consecutive);
-      storeRows(here, {y, n, w, curvature});
-      const Mask cell = curvature > Lanes(0.0);  // in lanes without one nothing stands in lists
-      const auto squareOf = [&](const Vec& change) { return select(cell, dot(change, change), 0.0); };
-      const auto see = [&](const Vec& change, Real* largest) { store(largest, max(squareOf(change), load(largest))); };
-      farthest = max(squareOf(y - loadVec(reference, v, lane)), farthest);
-      see(y - (before.x + Lanes(sinceLast) * before.v), strayed + lane);
-      see(n - before.n, turned + lane);
-      see(asStored(w) - before.v, spedUp + lane);
+      const int row = v * blockLanes + lane;
+      if constexpr (counting)
+        mostChanged = max(countChange(count, row, loadRows(rows + row, consecutive), {y, n, asStored(w), curvature}),
+                          mostChanged);
+      storeRows(rows + row, {y, n, w, curvature});
+      const Vec moved = y - loadVec(reference, v, lane);
+      farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
     }
   }
-  SnapshotChange change{.farthest = largestOf(farthest)};
-  for (int lane = 0; lane < blockLanes; ++lane)
-    change.strayed[lane] = strayed[lane], change.turned[lane] = turned[lane], change.spedUp[lane] = spedUp[lane];
-  return change;
+  if constexpr (counting)  // floats are rounded
+    if (any(mostChanged > Lanes(0.999999 * count.margin))) findEnded(count, mesh.vertexCount * blockLanes, b.liveLanes);
+  return largestOf(farthest);
 }
 
 /// Zeros in the scratch of a block's surface.

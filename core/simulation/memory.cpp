@@ -120,14 +120,15 @@ MemoryUse measureMemory(const World& world) {
   if (world.contacts) {
     const Contacts& k = *world.contacts;
     m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
-                        k.acting.margin, k.acting.halfMargins, k.list.reference);
-    m.listRows = bytes(k.list.firstSlice);
-    m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
+                        k.acting.marked, k.list.reference);
+    for (const auto& strengths : k.adhesion.ofPairs) m.listPairs += bytes(strengths);
     for (const BlockLists& lists : k.list.perBlock) {
       for (const RowLists* rows : {static_cast<const RowLists*>(&lists), &lists.acting}) {
-        m.listRows += bytes(rows->begin, rows->length, rows->order, rows->place);
+        m.listRows += bytes(rows->begin, rows->length);
         m.listPairs += bytes(rows->neighbours);
       }
+      m.listRows += bytes(lists.chosen, lists.place, lists.order, lists.ofLength);
+      m.listPairs += bytes(lists.slices, lists.indices);
     }
     m.search = bytes(k.list.halfReach) +
                std::visit([](const auto& search) { return searchBytes(search); }, k.list.search->way);

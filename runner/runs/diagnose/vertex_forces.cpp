@@ -115,7 +115,7 @@ OuterForces outerForces(World& world) {
   if (world.contacts && world.contacts->parameters.adhesion) {
     auto& strengths = world.contacts->adhesion.ofPairs;
     auto bare = strengths;
-    std::fill(bare.begin(), bare.end(), 0.0);
+    for (auto& ofBlock : bare) std::ranges::fill(ofBlock, 0.0);
     std::swap(strengths, bare);
     outer.bareContact = addedToAll(b, addContacts);
     std::swap(strengths, bare);

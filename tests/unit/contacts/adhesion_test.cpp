@@ -199,13 +199,15 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
   crowd.evaluateForces();
   const VertexNumber far = crowd.lab.bodies.lineCount() * blockLanes;
   std::map<std::pair<VertexNumber, VertexNumber>, double> strength;
-  for (const NeighbourSlice& slice : c.list.slices)
-    for (int lane = 0; lane < blockLanes; ++lane)
-      for (int k = 0; k < slice.length; ++k) {
-        const std::int64_t at = (slice.start + k) * blockLanes + lane;
-        if (c.list.indices[at] == far) CHECK(c.adhesion.ofPairs[at] == 0);
-        else strength[{slice.vertex[lane], c.list.indices[at]}] = c.adhesion.ofPairs[at];
-      }
+  for (int block = 0; block < crowd.lab.bodies.blockCount(); ++block)
+    for (const NeighbourSlice& slice : c.list.perBlock[block].slices)
+      for (int lane = 0; lane < blockLanes; ++lane)
+        for (int k = 0; k < slice.length; ++k) {
+          const std::int64_t at = (slice.start + k) * blockLanes + lane;
+          const VertexNumber j = c.list.perBlock[block].indices[at];
+          if (j == far) CHECK(c.adhesion.ofPairs[block][at] == 0);
+          else strength[{slice.vertex[lane], j}] = c.adhesion.ofPairs[block][at];
+        }
   CHECK(strength.size() > 100);
   bool same = true;
   Worst error;

@@ -61,6 +61,13 @@ struct Crowd {
   double lawTimeStep = 0x1p-9;  // what the thesis' law is told
 };
 
+/// [block] as kernels read them.
+inline std::vector<AlignedVector<std::int32_t>> indicesOf(const NeighbourList& list) {
+  std::vector<AlignedVector<std::int32_t>> all;
+  for (const BlockLists& lists : list.perBlock) all.push_back(lists.indices);
+  return all;
+}
+
 /// With the forces of contact and bodies where they are.
 inline Crowd evaluated(Crowd crowd) {
   crowd.evaluateForces();

@@ -55,15 +55,14 @@ Reals::Reference largest(const Bodies& b, Reals& array, int cell) {
 
 /// All of a cell's contacts are left out of the list.
 void dropContacts(World& w, int cell) {
-  w.contacts->list.skin = w.contacts->acting.horizon = 1e9;
-  std::ranges::fill(w.contacts->acting.margin, 1e9);  // this step makes no new list
-  NeighbourList& list = w.contacts->list;
-  const auto far = static_cast<std::int32_t>(list.reference.size() / 3);
+  w.contacts->list.skin = w.contacts->acting.horizon = w.contacts->acting.margin = 1e9;  // this step makes no new list
+  const auto far = static_cast<std::int32_t>(w.contacts->list.reference.size() / 3);
   const int slot = w.bodies->slots[cell], lane = slot % blockLanes;
-  for (std::int64_t s = list.firstSlice[slot / blockLanes]; s < list.firstSlice[slot / blockLanes + 1]; ++s)
+  BlockLists& lists = w.contacts->list.perBlock[slot / blockLanes];
+  for (const NeighbourSlice& slice : lists.slices)
     for (int l = 0; l < blockLanes; ++l)
-      for (int k = 0; list.slices[s].vertex[l] % blockLanes == lane && k < list.slices[s].length; ++k)
-        list.indices[(list.slices[s].start + k) * blockLanes + l] = far;
+      for (int k = 0; slice.vertex[l] % blockLanes == lane && k < slice.length; ++k)
+        lists.indices[(slice.start + k) * blockLanes + l] = far;
 }
 
 OwnRun faultyRun(const RunFault& fault) {
