@@ -48,18 +48,25 @@ inline void findEnded(ChangeCount& count, int rows, int liveLanes) {
     }
 }
 
+// Of a vertex that comes so many later, a snapshot prefetches what no other part of a step has just read. With 1024 cells this
+// takes a tenth off the step.
+constexpr int linesAhead = 16;
+
 /// [ContactKernels::takeSnapshot] of the surface.
 template <bool counting>
 inline double takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
                           RealPointer reference, RowMemory* rows, ChangeCount& count) {
   Lanes farthest = 0.0, mostChanged = 0.0;
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
+  constexpr std::int64_t ofRows = blockLanes * sizeof(RowMemory), ofReference = vertexStride * sizeof(Real);
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const RingStep* ring = mesh.ring + mesh.ringStart[v];
     const int neighbours = mesh.neighbours(v);
     const Lanes share = retreat / neighbours;
+    prefetch<ofRows>(rows, (v + linesAhead) * ofRows);
+    prefetch<ofReference>(reference.place, (v + linesAhead) * ofReference);
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane), g = loadVec(b.gradient, v, lane);
       Vec around = loadVec(position + ring[0].vertexOffset + lane);
