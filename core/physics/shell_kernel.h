@@ -47,11 +47,13 @@ MORULA_INLINE void keepInShell(const Slope& slope, Vec& x, Vec& velocity, Vec& p
 // keepInShell leaves x·slope(x) at 1 to rounding.
 constexpr double onShellWithin = single ? 1e-6 : 1e-12;
 
+MORULA_INLINE Mask isOnShell(const Vec& x, const Vec& s) { return dot(x, s) > Lanes(1.0 - onShellWithin); }
+
 /// One vertex after the kick.
 template <class Slope>
 MORULA_INLINE void slideOnShell(const Slope& slope, const Vec& x, Vec& velocity, Vec& acceleration) {
   const Vec s = slope(x);
-  const Mask onShell = dot(x, s) > Lanes(1.0 - onShellWithin);
+  const Mask onShell = isOnShell(x, s);
   if (!any(onShell)) return;
   removeOutward(velocity, s, onShell);
   removeOutward(acceleration, s, onShell);

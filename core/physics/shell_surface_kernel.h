@@ -43,7 +43,7 @@ MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const
 inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   Real *position = b.position, *held = b.held, *velocities = b.velocity, *predictions = b.predicted;
   const ShellSlope slope(p);
-  const auto isNear = [&](const Vec& x) MORULA_INLINE_LAMBDA { return dot(x, slope(x)) > Lanes(1.0 - onShellWithin); };
+  const auto isNear = [&](const Vec& x) MORULA_INLINE_LAMBDA { return isOnShell(x, slope(x)); };
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     bool touches = false;
     for (int v = 0; v < mesh.vertexCount; ++v) {
@@ -86,8 +86,10 @@ inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, con
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const Vec y = loadVec(b.held, v, lane);
+      if (!any(isOnShell(y, slope(y)))) continue;
       Vec velocity = loadVec(b.velocity, v, lane), acceleration = loadVec(b.acceleration, v, lane);
-      slideOnShell(slope, loadVec(b.held, v, lane), velocity, acceleration);
+      slideOnShell(slope, y, velocity, acceleration);
       storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, acceleration);
     }
