@@ -120,7 +120,8 @@ MemoryUse measureMemory(const World& world) {
   if (world.contacts) {
     const Contacts& k = *world.contacts;
     m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
-                        k.acting.marked, k.list.reference);
+                        k.acting.speeds, k.acting.marked, k.list.reference);
+    for (const ActingPairs::OfBlock& block : k.acting.blocks) m.snapshots += bytes(block.ended);
     for (const auto& strengths : k.adhesion.ofPairs) m.listPairs += bytes(strengths);
     for (const BlockLists& lists : k.list.perBlock) {
       for (const RowLists* rows : {static_cast<const RowLists*>(&lists), &lists.acting}) {
