@@ -23,8 +23,8 @@
 // w are sums over snapshots of the changes from one to the next, and δ of how far y is from where the last v would have
 // brought it, and of w over time, for each vertex by itself. Of lengths upper bounds are taken (atMost).
 //
-// A vertex for which the margin is reached is looked at again, with all in its list. What is found to act on it is, too: it
-// is so from both sides, to the bit. Lists of others may still name it in vain.
+// A vertex that reaches the margin is checked again against its whole list, and so are the vertices that may act on it then:
+// the check gives the same answer from both sides, to the bit. Other lists may still name it, which adds nothing.
 #include "contacts/near_kernel.h"  // hitTable
 #include "contacts/rows_kernel.h"
 

@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-// Of the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex' choice with the margin M lasts M/ċ of
+// Of the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with the margin M lasts M/ċ of
 // them, and pairs that are kept for the margin cost as M does: both together cost least at M = 1.4 √(R ċ), measured.
 constexpr double marginScale = 1.4, leastMargin = 0.01, mostMargin = 0.07;
 // [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
@@ -82,8 +82,8 @@ void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   replaceInSlices(lists, lists.acting, lists.chosen, first, bodies.lineCount() * blockLanes);
 }
 
-/// Marks the vertices of this block whose choice has ended, and those of others that may act on them now: lists of the rest
-/// may name them in vain.
+/// Marks the vertices of this block whose choice has ended, and those of other cells that may act on them now. Other lists may
+/// still name them, which adds nothing.
 void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
   ActingPairs& acting = c.acting;
   ActingPairs::OfBlock& own = acting.blocks[block];

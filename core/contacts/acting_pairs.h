@@ -1,9 +1,8 @@
 #pragma once
 // The pairs of the neighbour list that may act for a while: as long as surfaces turn, and stray from where their velocities
 // bring them, by no more than a margin (acting_kernel.h). Single vertices that bounce use it up first: for those alone pairs
-// are chosen anew. For the pair law without adhesion slices are cut of these alone:
-// in a packed scene two pairs in five, and a step takes two thirds of its time. With adhesion all pairs within reach act.
-#include <array>
+// are chosen anew. For the pair law without adhesion slices are cut of these alone, in a packed scene one pair in three. With
+// adhesion all pairs within reach act.
 #include <cstdint>
 #include <vector>
 

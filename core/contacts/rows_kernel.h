@@ -32,6 +32,7 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
 #endif
 }
 
+/// One row, the same in every lane.
 MORULA_INLINE Rows loadRowInAllLanes(const RowMemory* row) {
   const Real* r = numbersOf(row);
 #if defined(MORULA_SINGLE)
