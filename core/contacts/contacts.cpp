@@ -162,6 +162,18 @@ double measureHardening(const Contacts& c) {
   return hardeningAt(b);
 }
 
+void measureSteepness(const Contacts& c, const Bodies& bodies, int threads, std::vector<double>& stiffness) {
+  stiffness.assign(bodies.restScale.size(), 0);
+  if (c.scratch.empty() || !c.listIsValid) return;
+  parallelFor(bodies.blockCount(), threads, [&](int block) {
+    const BlockLists& lists = c.list.perBlock[block];
+    const BlockSlices slices{.slices = lists.slices.data(), .count = std::ssize(lists.slices)};
+    double* own = &stiffness[std::size_t(block) * blockLanes];
+    c.kernels->findSteepest(slices, lists.indices.data(), c.rows.data(), bodies.lineCount() * blockLanes, own);
+    for (int lane = 0; lane < blockLanes; ++lane) own[lane] *= 16;
+  });
+}
+
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const BlockLists& lists = c.list.perBlock[block];
   const BlockPlace& place = bodies.blocks[block];

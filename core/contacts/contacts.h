@@ -35,7 +35,8 @@ struct Contacts {
   struct Scratch {
     Reals force, turn;  // [vertex][xyz][lane] of one block's surface
   };
-  std::vector<Scratch> scratch;  // one per thread; of the pair law
+  std::vector<Scratch> scratch;    // one per thread; of the pair law
+  std::vector<double> steepness;  // [slot] of measureSteepness
   NeighbourList list;
   bool listIsValid = false;
   ActingPairs acting;  // of the pair law without adhesion
@@ -68,6 +69,9 @@ void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
 double measureHardening(const Contacts& contacts);
 /// The same at an overlap B [pair_law_kernel.h].
 double hardeningAt(double overlap);
+/// stiffness[slot]: how stiff that pair of a cell is whose repulsion ends most steeply with the distance, over K
+/// [pair_law_kernel.h]. By the last snapshots; 0 before the first search.
+void measureSteepness(const Contacts& contacts, const Bodies& bodies, int threads, std::vector<double>& stiffness);
 
 /// Adds contact forces to one block's force. Needs all snapshots and a valid list.
 void addContactForces(Contacts& contacts, Bodies& bodies, int block, double timeStep);

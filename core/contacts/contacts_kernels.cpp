@@ -24,6 +24,7 @@ const ContactKernels contacts = {
     .addStickyPairForcesWithFriction = addPairForces<true, true>,
     .addStickySphereForces = addSphereForces<false, true>,
     .addStickySphereForcesWithFriction = addSphereForces<true, true>,
+    .findSteepest = findSteepest,
     .findActing = findActing,
 };
 

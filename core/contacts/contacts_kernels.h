@@ -89,6 +89,10 @@ struct ContactKernels {
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 
+  /// largest[lane] = S of the pair law, the largest of this cell's pairs. `vertices`: the far row's number.
+  void (*findSteepest)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows, std::int32_t vertices,
+                       double* largest);
+
   /// Writes the asked rows' lists of those neighbours that may act, one after the other; `begin`, `length`: [row].
   void (*findActing)(const ListsToThin&, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
                      VertexNumber* acting);

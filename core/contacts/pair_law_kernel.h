@@ -34,6 +34,15 @@
 // and surface_kernel.h distributes f and q to the vertices. Exchanging i and j negates f and gives the q of j, so
 // momentum is kept to rounding. So is angular momentum, since E does not change when both surfaces are turned together.
 //
+// How stiff a pair is. At h fixed, the second derivative of the first part along a is, with q = κ a²,
+//
+//   (D/a)² s K (u² (1 + 6β₁ B + 15β₂ B²) + 16 q² (q² − u) (1 + 3β₁ B + 6β₂ B²) − 6 q² u (2 + 3β₁ B + 4β₂ B²))
+//     ≤ K (1 + 6β₁ B + 15β₂ B²) + 16 K S,   S = s κ D² q³ (1 + 3β₁ B + 6β₂ B²)
+//
+// since q/κ = a², and D/a is 1 at most where normals are 1 long. The first term is that of vertices face to face (hardeningAt),
+// where q is small and with it the second. That one is 16 K and more for vertices that lie in each other's cell and nearly R
+// apart: where edges are stretched beyond R, vertices slide past each other's reach, and rest behind each other at the end of u.
+//
 // Damping adds s C u² ḋ to E_D where the sum repels, with the closing speed of the surfaces ḋ = −(v_i − v_j)·h. It acts
 // along the gradient of D, with its couple, so it keeps both momenta. ḋ leaves out the rate at which normals turn,
 // which cancels in the sum over a surface: damping takes energy from surfaces, although a single pair may add some. It
@@ -101,6 +110,37 @@ struct PairLaw {
 
   Lanes stiffness, damping, friction, slipSpeed, strongestGrip;
 };
+
+/// [ContactKernels::findSteepest]
+inline void findSteepest(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
+                         std::int32_t vertices, double* largest) {
+  for (int lane = 0; lane < blockLanes; ++lane) largest[lane] = 0;
+  for (std::int64_t s = 0; s < block.count; ++s)
+    for (int lane = 0; lane < blockLanes; lane += width) {
+      const VertexNumber* vertex = block.slices[s].vertex + lane;
+      const std::int32_t* index = indices + block.slices[s].start * blockLanes + lane;
+      const Rows i = loadRows(rows, vertex);
+      Lanes steepest = 0.0;
+      for (int k = 0; k < block.slices[s].length; ++k, index += blockLanes) {
+        const Rows j = loadRows(rows, index);
+        const Vec a = i.x - j.x;
+        const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
+        const Lanes nearness = min(curvature * dot(a, a), 1.0), square = nearness * nearness;
+        const Lanes depth = max(select(nearness < Lanes(1.0), -0.5 * dot(a, j.n - i.n), 0.0), Lanes(0.0));
+        const Lanes t = min((1 / leastFacing) * (1.0 - dot(i.n, j.n)), 1.0), facing = (t * t) * (3.0 - 2.0 * t);
+        const Lanes overReach = curvature * (depth * depth), b = overReach * (1.0 - square);
+        steepest = max(square * (nearness * facing) * (overReach * (1.0 + b * (3 * hardening1 + (6 * hardening2) * b))),
+                       steepest);
+      }
+      Real spread[width];
+      store(spread, steepest);
+      for (int l = 0; l < width; ++l) {
+        if (vertex[l] >= vertices) continue;
+        double& cell = largest[static_cast<std::uint32_t>(vertex[l]) % blockLanes];
+        cell = spread[l] > cell ? spread[l] : cell;
+      }
+    }
+}
 
 /// [ContactKernels::addPairForces]
 template <bool withFriction, bool withAdhesion>

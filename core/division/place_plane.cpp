@@ -8,15 +8,17 @@
 namespace morula {
 namespace {
 
-/// The height at which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The number
+struct Heights {
+  double low, high;
+  double middle() const { return 0.5 * (low + high); }
+};
+
+/// The heights between which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The number
 /// of halvings is fixed, and enough for the last place of a double.
 template <class ShareAbove>
-double bisect(double low, double high, double wanted, const ShareAbove& shareAbove) {
-  for (int turn = 0; turn < 60; ++turn) {
-    const double middle = 0.5 * (low + high);
-    (shareAbove(middle) > wanted ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+Heights bisect(Heights h, double wanted, const ShareAbove& shareAbove) {
+  for (int turn = 0; turn < 60; ++turn) (shareAbove(h.middle()) > wanted ? h.low : h.high) = h.middle();
+  return h;
 }
 
 /// The volume above a height, without cutting the mesh. With heights h and the areas A_f of the faces projected onto
@@ -51,15 +53,21 @@ class VolumeAbove {
 Point placePlane(Points vertices, Faces faces, const Vector& normal, double share) {
   const VolumeAbove above(vertices, faces, normal);
   const Point centre = measureCentroid(vertices);
-  const double low = above.lowest(), high = above.highest(), whole = above(low);
-  const double height = bisect(low, high, share, [&](double t) { return above(t) / whole; });
+  const Heights all{above.lowest(), above.highest()};
+  const double whole = above(all.low);
+  const double height = bisect(all, share, [&](double t) { return above(t) / whole; }).middle();
   const auto shareAbove = [&](double t) {
     const Halves h = halve(vertices, faces, centre + t * normal, normal);
     return h.volumeA / (h.volumeA + h.volumeB);
   };
   const double found = shareAbove(height);
   if (found - share < 1e-12 && share - found < 1e-12) return centre + height * normal;
-  return centre + bisect(low, high, share, shareAbove) * normal;
+  const Heights at = bisect(all, share, shareAbove);
+  // Beside a jump, so that rounding (of a scene that is turned, say) does not decide on which side the plane lies.
+  const double beside = 1e-9 * (all.high - all.low);
+  const double more = shareAbove(at.low - beside) - share, less = share - shareAbove(at.high + beside);
+  if (more + less < 1e-6) return centre + at.middle() * normal;
+  return centre + (more < less ? at.low - beside : at.high + beside) * normal;
 }
 
 }  // namespace morula

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
+#include "base/maths.h"
 #include "mesh/connectivity.h"
 #include "mesh/measures.h"
 
@@ -23,6 +25,23 @@ TemplateView MeshTemplate::view() const {
           .restInverse = rest.inverse.data(),
           .restVolume = rest.volume};
 }
+
+namespace {
+
+/// [MeshTemplate::unevenness] of a closed mesh.
+double measureUnevenness(const Mesh& mesh) {
+  std::vector<Vector> gradient(mesh.vertices.size());  // 6 ∇V
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < 3; ++k)
+      gradient[face[k]] += cross(mesh.vertices[face[(k + 1) % 3]], mesh.vertices[face[(k + 2) % 3]]);
+  double sum = 0;
+  for (const Vector& g : gradient) sum += dot(g, g) / 36;
+  const double radius = cubeRoot(3 * measureVolume(mesh.vertices, mesh.faces) / (4 * std::numbers::pi));
+  const double area = 4 * std::numbers::pi * radius * radius;
+  return std::max(double(gradient.size()) * sum / (area * area), 1.0);
+}
+
+}  // namespace
 
 MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
   const Connectivity c = makeConnectivity(mesh);
@@ -49,6 +68,7 @@ MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
     }
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
+  t.unevenness = measureUnevenness(mesh);
   if (springs == Springs::equal) return t;
   t.springWeights = makeSpringWeights(mesh, t.edges);
   std::vector<double> sums(mesh.vertices.size());

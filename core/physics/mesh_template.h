@@ -24,6 +24,7 @@ struct MeshTemplate {
   std::vector<double> restLengths;
   std::vector<double> springWeights;    // [edge] [1] of k_s and k_d (Springs); empty: all 1
   double ringWeight = 6;                // [1] the most that the weights of a vertex' springs sum up to
+  double unevenness = 1;                // [1] stability.h
   std::vector<std::int32_t> ringStart;  // [vertex + 1] into ring
   std::vector<RingStep> ring;           // TemplateView
   std::vector<double> ringShare;        // TemplateView

@@ -50,7 +50,7 @@ StabilityLimits shellLimits(const Bodies& b, int slot) {
   const auto& membrane = b.parameters.membrane;
   const double fourPi = 4 * std::numbers::pi, volume = b.volume[slot];
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;
-  const double omega = std::sqrt(b.pressureConstant[slot] / b.mass(slot)) / volume * area;
+  const double omega = std::sqrt(b.meshOf(slot).unevenness * b.pressureConstant[slot] / b.mass(slot)) / volume * area;
   if (integrator.needsDrag) return limitsByDrag(b, slot, radius, omega);
   return {
       integrator.oscillatorLimit(membrane.stiffness, membrane.damping, b.vertexMass[slot] / b.meshOf(slot).ringWeight),

@@ -12,8 +12,9 @@ struct StabilityLimits {
 /// Spring mode, 6 k_s/m_p with damping (with weighted springs the largest sum of a ring's weights for 6), and
 /// pressure mode:
 ///   k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0       s = 2 for velocity Verlet, 1 for the thesis' and symplectic Euler
-///   Δt = 2/ω,  ω² = (k_p/V²) A²/m           V from the last evaluation, A the area of the sphere that holds it,
-///                                           m the cell's mass
+///   Δt = 2/ω,  ω² = u (k_p/V²) A²/m         V from the last evaluation, A the area of the sphere that holds it,
+///                                           m the cell's mass, u = n Σ |∂V/∂x_v|²/A² of the mesh at rest, 1 at
+///                                           least: more where few of the n vertices bear much of the surface
 /// Runge–Kutta: where its amplification reaches 1, for an undamped mode Δt = √8/ω.
 ///
 /// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode is overdamped).

@@ -85,21 +85,31 @@ Limit limitOf(const World& world, int cell, int slot, double held, double contac
   return l;
 }
 
-/// [1] By how much contacts are stiffer than limits count with anyway.
+// [1] Of the stiffness that contactLimit counts, ω² = 10 K/m: that of one pair as stiff as K, at rest. Its surfaces stand at
+// y = (1 − γ) x + γ (mean of n neighbours' x) [surface_kernel.h], so k between them gives two vertices of mass m
+// ω² = 2 ((1 − γ)² + γ²/n) k/m, and less where the other one is heavier. No vertex has fewer than 5 neighbours on an icosphere;
+// with 3 it would be 0.3 % more.
+constexpr double pairShare = 2 * ((1 - retreat) * (1 - retreat) + retreat * retreat / 5) / 10;
+
+/// [1] By how much contacts that have hardened are stiffer than limits count with anyway.
 double excess(double hardening) { return std::max(1.0, hardening / heldByLimit); }
 
-/// The limits of the cell with the smallest combined one.
-Limit tightestLimit(const World& world, double& combined) {
+/// The limits of the cell with the smallest combined one. `steepness`: room for what contacts measure.
+Limit tightestLimit(const World& world, std::vector<double>& steepness, double& combined) {
   Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
   const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
-  double contact = 0;
-  if (world.contacts)  // a time step that the scene gives is held against what contacts are before they harden
-    contact =
-        contactStiffness(*world.contacts, b, b.parameters.timeStep ? 1 : excess(measureHardening(*world.contacts)));
+  // A time step that the scene gives is held against what contacts are before they harden.
+  const bool follows = world.contacts && !b.parameters.timeStep;
+  const double hard = follows ? excess(measureHardening(*world.contacts)) : 1;
+  const double contact = world.contacts ? contactStiffness(*world.contacts, b, hard) : 0;
+  if (follows) measureSteepness(*world.contacts, b, world.execution.threads, steepness);
   for (int cell = 0; cell < b.count; ++cell) {
-    const Limit l = limitOf(world, cell, b.slots[cell], held, contact);
+    const int slot = b.slots[cell];
+    const double more = follows ? std::max(pairShare * steepness[slot] - hard, 0.0) : 0;
+    const double stiffness = more > 0 ? contact + more * world.contacts->parameters.stiffness : contact;
+    const Limit l = limitOf(world, cell, slot, held, stiffness);
     const double all = combine(b.parameters.integrator, l);
     if (all < combined) combined = all, tightest = l;
   }
@@ -256,8 +266,9 @@ void followInertia(World& world, std::span<double> counted, std::span<const doub
 }
 
 double timeStepLimit(const World& world) {
+  std::vector<double> steepness;
   double combined;
-  tightestLimit(world, combined);
+  tightestLimit(world, steepness, combined);
   return longest(combined, world.bodies->parameters);
 }
 
@@ -281,12 +292,13 @@ void followContacts(World& world) {
   if (!world.bodies || !world.contacts || world.bodies->count == 0) return;
   const PhysicsParameters& p = world.bodies->parameters;
   if (p.timeStep || kindOf(p.integrator).solvesForces || kindOf(p.integrator).settles) return;
-  constexpr std::uint64_t between = 64;  // steps: it need not be longer at once
+  // [step] It need not be longer at once, nor shorter where vertices come to rest at the ends of their reach.
+  constexpr std::uint64_t between = 64;
   const Clock& clock = world.clock;
   const bool mayGrow = (clock.step - clock.epochStep) % between == 0;
   if (!mayGrow && measureHardening(*world.contacts) <= heldByLimit) return;
   double combined;
-  tightestLimit(world, combined);
+  tightestLimit(world, world.contacts->steepness, combined);
   const double timeStep = automaticTimeStep(world.model, automaticLimit(world, combined));
   if (timeStep < clock.timeStep || (mayGrow && timeStep > clock.timeStep)) chooseTimeStep(world);
 }
@@ -299,7 +311,8 @@ void chooseTimeStep(World& world) {
     return evaluateForces(world);
   }
   double combined;
-  const Limit limit = tightestLimit(world, combined);
+  std::vector<double> none;
+  const Limit limit = tightestLimit(world, world.contacts ? world.contacts->steepness : none, combined);
   if (kindOf(p.integrator).needsDrag && !(combined > 0)) refuseUndamped(world, limit.cell);
   double timeStep;
   if (p.timeStep) {

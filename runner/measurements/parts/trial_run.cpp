@@ -70,7 +70,12 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
       era.searches += double(w.contacts->rebuilds - searches);
       era.pairs += double(w.contacts->pairEvaluations - pairs);
     }
-    if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) continue;
+    if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) {
+      // Fresh cuts spring apart, and contacts are stiff until they have.
+      if (run.generation > 0 && w.clock.step % 64 == 0 && w.bodies->count > 0 && !w.settlings)
+        run.timeStepLimit = std::max(run.timeStepLimit, timeStepLimit(w));
+      continue;
+    }
     if (w.settlings) run.lastEvaluations = evaluations;
     else run.changeSeconds += seconds, run.changeCells += w.cells.path.size();
     if (w.bodies->count > 0 && !w.settlings) run.timeStepLimit = timeStepLimit(w);

@@ -47,7 +47,7 @@ struct TrialRun {
   // Of these, the steps in which cells were born or died, and the cells that were there then, added up.
   double changeSeconds = 0;
   std::uint64_t changeCells = 0;
-  // After the last of them: up to which a time step was stable [time], and the divisions before the youngest cell.
+  // After the last of them: up to which a time step was stable, at most [time], and the divisions before the youngest cell.
   double timeStepLimit = 0;
   int generation = 0;
 };

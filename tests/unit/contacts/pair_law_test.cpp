@@ -256,3 +256,51 @@ TEST_CASE("Vertices at one place, or with parallel normals, do not make a force 
     CHECK(largestForce(folded.lab) < 1e3);
   }
 }
+
+TEST_CASE("The steepest pair of each cell is that of the equation, on every instruction set") {
+  for (const Isa isa : availableIsas())
+    for (const Mesh& mesh : {makeIcosphere(1), box})
+      for (const int count : {2, 9}) {
+        const Crowd crowd = evaluated({limp(), {}, mesh, heapOf(mesh, count, 1.2, 0.05, 3), isa});
+        const PairOracle oracle(crowd.lab.bodies, {});
+        std::vector<double> expected(static_cast<std::size_t>(count)), steepness;
+        for (const SeenVertex& i : oracle.all)
+          for (const SeenVertex& j : oracle.all)
+            if (i.slot != j.slot) expected[i.slot] = std::max(expected[i.slot], 16 * PairOracle::steepnessOf(i, j));
+        CAPTURE(name(isa), count);
+        measureSteepness(crowd.contacts, crowd.lab.bodies, 2, steepness);
+        for (int slot = 0; slot < count; ++slot) {
+          CHECK(expected[slot] > 0.1);
+          CHECK(steepness[slot] == Approx(expected[slot]).epsilon(1e-12));
+        }
+      }
+}
+
+TEST_CASE("No pair is stiffer with its distance than hardening and steepness say, and some are nearly as stiff") {
+  ContactParameters law;
+  law.stiffness = 1;
+  const Crowd crowd(limp(), law, ball, {ballAt(ball, {}), ballAt(ball, {5, 0, 0})});
+  const PairOracle oracle(crowd.lab.bodies, law);
+  SeenVertex i = oracle.all[0], j = oracle.all[ball.vertices.size()];
+  j.x = {}, i.inverseRadiusSquared = j.inverseRadiusSquared = 1;
+  Worst share;
+  for (std::uint32_t key = 0; key < 4000; ++key) {
+    // Each behind the other, at a distance below 1; normals lean, so that the overlap is any part of it.
+    const Vector away = noiseVector(1, key) / norm(noiseVector(1, key)), aside = noiseVector(2, key);
+    i.normal = (1 / norm(away + 0.7 * aside)) * (away + 0.7 * aside);
+    j.normal = (-1.0 / norm(away - 0.7 * noiseVector(3, key))) * (away - 0.7 * noiseVector(3, key));
+    const double distance = 0.5 + 0.499 * std::abs(noise(4, key)), step = 1e-4 * (1 - distance);
+    const auto energyAt = [&](double way) {
+      i.x = way * away;
+      return oracle.energyOf(i, j, 0).repulsion;
+    };
+    const double stiffness =
+        (energyAt(distance + step) - 2 * energyAt(distance) + energyAt(distance - step)) / (step * step);
+    i.x = distance * away;
+    const double q = distance * distance, depth = std::max(0.0, -dot(i.x, j.normal - i.normal) / 2);
+    const double bound = hardeningAt(depth * depth * (1 - q * q)) + 16 * PairOracle::steepnessOf(i, j);
+    CHECK(stiffness <= bound * (1 + 1e-6));
+    if (bound > 4) share.see(stiffness / bound);
+  }
+  CHECK(share > 0.9);
+}

@@ -74,6 +74,15 @@ struct PairOracle {
     return most;
   }
 
+  /// [1] S of two vertices, 0 of those that do not overlap or are out of reach.
+  static double steepnessOf(const SeenVertex& i, const SeenVertex& j) {
+    const Vector a = i.x - j.x;
+    const double k = kappa(i, j), q = k * dot(a, a), depth = std::max(0.0, -dot(a, j.normal - i.normal) / 2);
+    if (q >= 1) return 0;
+    const double bulk = k * depth * depth * (1 - q * q), t = std::min(2 * (1 - dot(i.normal, j.normal)), 1.0);
+    return t * t * (3 - 2 * t) * k * depth * depth * q * q * q * (1 + 18 * bulk + 1200 * bulk * bulk);
+  }
+
   /// f and q of j on i, with damping and friction.
   struct Push {
     Vector force, turn;

@@ -127,3 +127,28 @@ TEST_CASE("A dented body is cut near the share") {
     if (cut.failure.empty()) CHECK(shareOf(cut, mesh) == Approx(share).margin(0.03));
   }
 }
+
+TEST_CASE("Rounding does not decide where the share jumps: a body and its mirror image are cut alike") {
+  int jumps = 0;
+  Worst apart;
+  for (std::uint64_t seed = 0; seed < 160; ++seed) {
+    const Mesh mesh = pressed(seed);
+    Mesh image = mesh;
+    for (Point& x : image.vertices) x = {x.x, -x.y, x.z};
+    for (Face& f : image.faces) std::swap(f[1], f[2]);
+    const Body mother = shakenBody(mesh, 0, 0);
+    Body other = shakenBody(image, 0, 0);
+    for (std::uint32_t v = 0; v < other.position.size(); ++v) other.position[v] += 1e-13 * noiseVector(v, seed);
+    const Vector n = randomDirection({seed, {}, 9, Purpose::test});
+    const CutResult cut = cutAt(mother, mesh, n, 0.2), twin = cutAt(other, image, {n.x, -n.y, n.z}, 0.2);
+    REQUIRE(cut.failure.empty());
+    jumps += std::abs(shareOf(cut, mesh) - 0.2) > 1e-6;
+    for (std::size_t v = 0; v < other.position.size(); ++v) {
+      const Point x = twin.daughters.a.position[v], y = twin.daughters.b.position[v];
+      apart.see(norm(cut.daughters.a.position[v] - Point{x.x, -x.y, x.z}));
+      apart.see(norm(cut.daughters.b.position[v] - Point{y.x, -y.y, y.z}));
+    }
+  }
+  CHECK(jumps > 5);
+  CHECK(apart < 1e-8);
+}

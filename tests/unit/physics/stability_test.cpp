@@ -2,6 +2,7 @@
 #include "physics/stability.h"
 
 #include <limits>
+#include <numbers>
 
 #include "catch.h"
 #include "lab.h"
@@ -147,4 +148,23 @@ TEST_CASE("Limits fall with the root of the mass") {
   const StabilityLimits one = measureLimits(lab.bodies, 0), quarter = measureLimits(lab.bodies, 1);
   CHECK(quarter.spring == Approx(one.spring / 2).epsilon(1e-14));
   CHECK(quarter.pressure == Approx(one.pressure / 2).epsilon(1e-14));
+}
+
+TEST_CASE("The pressure's limit of uneven meshes, few of whose vertices bear much of the surface") {
+  Mesh lens;  // two cones on a ring of 32: at a tip meet 32 faces
+  for (int k = 0; k < 32; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 32;
+    lens.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+    lens.faces.push_back({k, (k + 1) % 32, 32});
+    lens.faces.push_back({(k + 1) % 32, k, 33});
+  }
+  lens.vertices.push_back({0, 0, 0.5});
+  lens.vertices.push_back({0, 0, -0.5});
+  PhysicsParameters p = softCell();
+  p.membrane = {4, 0, 1.26, Springs::equal};
+  p.pressure = {4000, 4000 / measureVolume(lens.vertices, lens.faces)};
+  const double limit = pressure(p, lens);
+  REQUIRE(limit < 0.5 * spring(p, lens));
+  CHECK(survives(p, lens, 0.8 * limit));
+  CHECK_FALSE(survives(p, lens, 1.2 * limit));
 }

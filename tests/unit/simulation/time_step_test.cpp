@@ -117,11 +117,11 @@ TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is to
   Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
   scene.mechanics->contact = scenes::pairContact;
   const double usual = makeWorld(scene).clock.timeStep;
-  scene.cells = {{.at = {-3, 0, 0}, .velocity = {20, 0, 0}}, {.at = {3, 0.2, 0}, .velocity = {-20, 0, 0}}};
+  scene.cells = {{.at = {-3, 0, 0}, .velocity = {14, 0, 0}}, {.at = {3, 0.2, 0}, .velocity = {-14, 0, 0}}};
   World world = makeWorld(scene);
   CHECK(world.clock.timeStep < usual);
-  CHECK(world.clock.timeStep * 20 <= 0.19 * world.contacts->radius[0]);
-  CHECK(2 * world.clock.timeStep * 20 > 0.19 * world.contacts->radius[0]);
+  CHECK(world.clock.timeStep * 14 <= 0.19 * world.contacts->radius[0]);
+  CHECK(2 * world.clock.timeStep * 14 > 0.19 * world.contacts->radius[0]);
   runTo(world, 1);
   CHECK(centreOf(world, "A").x < 0);
   CHECK(centreOf(world, "B").x > 0);
