@@ -51,6 +51,11 @@ void checkNumbers(const World& world);
 /// pass through each other and never have touched. To be called with all snapshots, before the list follows.
 void checkReach(const World& world);
 
+/// Throws BodyFailure if a cell in flight has more of its volume in another one than sanity allows: cells that meet at high
+/// speed crumple, and where vertices slip between vertices, none is seen deep. Looks every 4 steps, and only while contacts
+/// are pressed hard.
+void checkCrossing(const World& world);
+
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
 void growCells(World& world, double timeStep);
 

@@ -104,6 +104,7 @@ void step(World& world) {
     growCells(world, clock.timeStep);
     movePhysics(world, clock.timeStep);
     checkBodies(world);
+    checkCrossing(world);
     releaseConnections(world);
   } else {
     ++clock.step;

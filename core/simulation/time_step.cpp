@@ -11,7 +11,9 @@
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
 #include "physics/stability.h"
+#include "simulation/body_failure.h"
 #include "simulation/body_measures.h"
+#include "simulation/sanity.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -286,6 +288,20 @@ void refuseEndlessPace(const Scene& scene) {
 
 double automaticTimeStep(const Scene& scene, double limit) {
   return powerOfTwoBelow(std::min(limit, shortestCycle(scene).length));
+}
+
+void checkCrossing(const World& world) {
+  constexpr std::uint64_t between = 4;  // [step] Cells in flight need ten to cross, on meshes of 12 vertices six
+  if (!world.bodies || !world.contacts || world.clock.step % between != 0) return;
+  if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
+  if (shortestFlight(world).limit > 4 * between * world.clock.timeStep) return;
+  for (const SanityMeasure& m : measureSanity(world))
+    if (m.name == "overlap" && !m.holds())
+      throw BodyFailure(m.cell->text(), world.clock.step,
+                        "it shares " + numberText(m.value) + " of its volume with cell " + m.other->text() +
+                            ": they pass through each other",
+                        "raise physics.contact.stiffness, take a finer physics.mesh, or lower what drives them into "
+                        "each other: speeds (cells: velocity)");
 }
 
 void followContacts(World& world) {

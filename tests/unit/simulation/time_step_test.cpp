@@ -131,6 +131,24 @@ TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is to
   CHECK_NOTHROW(makeWorld(scene));
 }
 
+TEST_CASE("Cells that pass through each other end the run, and name each other; grazing ones fly on") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  scene.mechanics->contact = scenes::pairContact;
+  for (const double speed : {30.0, 60.0}) {
+    scene.cells = {{.at = {-3, 0, 0}, .velocity = {speed, 0, 0}}, {.at = {3, 0.2, 0}, .velocity = {-speed, 0, 0}}};
+    World world = makeWorld(scene);
+    CAPTURE(speed);
+    CHECK_THROWS_WITH(runTo(world, 1), ContainsSubstring("of its volume with cell") &&
+                                           ContainsSubstring("they pass through each other") &&
+                                           ContainsSubstring("physics.contact.stiffness"));
+    CHECK(std::abs(centreOf(world, "A").x) < 1);  // it is seen while it happens
+  }
+  scene.cells = {{.at = {-3, 0, 0}, .velocity = {30, 0, 0}}, {.at = {3, 1.95, 0}, .velocity = {-30, 0, 0}}};
+  World world = makeWorld(scene);
+  runTo(world, 1);
+  CHECK(centreOf(world, "A").x > 5);
+}
+
 TEST_CASE("A time step that is chosen twice in one step, for births and for contacts, is told once") {
   Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
   World world = makeWorld(scene);
