@@ -294,7 +294,8 @@ void checkCrossing(const World& world) {
   constexpr std::uint64_t between = 4;  // [step] Cells in flight need ten to cross, on meshes of 12 vertices six
   if (!world.bodies || !world.contacts || world.clock.step % between != 0) return;
   if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
-  if (shortestFlight(world).limit > 4 * between * world.clock.timeStep) return;
+  // In flight: so fast that an automatic step follows from the speed, or did until they met.
+  if (shortestFlight(world).limit > 4 * world.clock.timeStep) return;
   for (const SanityMeasure& m : measureSanity(world))
     if (m.name == "overlap" && !m.holds())
       throw BodyFailure(m.cell->text(), world.clock.step,
