@@ -106,10 +106,12 @@ Limit tightestLimit(const World& world, std::vector<double>& steepness, double& 
   const bool follows = world.contacts && !b.parameters.timeStep;
   const double hard = follows ? excess(measureHardening(*world.contacts)) : 1;
   const double contact = world.contacts ? contactStiffness(*world.contacts, b, hard) : 0;
-  if (follows) measureSteepness(*world.contacts, b, world.execution.threads, steepness);
+  // XPBD's steps are chosen at births alone: they would stay as short as fresh cuts are steep.
+  const bool looks = follows && !kindOf(b.parameters.integrator).solvesForces;
+  if (looks) measureSteepness(*world.contacts, b, world.execution.threads, steepness);
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
-    const double more = follows ? std::max(pairShare * steepness[slot] - hard, 0.0) : 0;
+    const double more = looks ? std::max(pairShare * steepness[slot] - hard, 0.0) : 0;
     const double stiffness = more > 0 ? contact + more * world.contacts->parameters.stiffness : contact;
     const Limit l = limitOf(world, cell, slot, held, stiffness);
     const double all = combine(b.parameters.integrator, l);
