@@ -167,7 +167,8 @@ void measureSteepness(const Contacts& c, const Bodies& bodies, int threads, std:
   if (c.scratch.empty() || !c.listIsValid) return;
   parallelFor(bodies.blockCount(), threads, [&](int block) {
     const BlockLists& lists = c.list.perBlock[block];
-    const BlockSlices slices{.slices = lists.slices.data(), .count = std::ssize(lists.slices)};
+    BlockSlices slices{};
+    slices.slices = lists.slices.data(), slices.count = std::ssize(lists.slices);
     double* own = &stiffness[std::size_t(block) * blockLanes];
     c.kernels->findSteepest(slices, lists.indices.data(), c.rows.data(), bodies.lineCount() * blockLanes, own);
     for (int lane = 0; lane < blockLanes; ++lane) own[lane] *= 16;

@@ -35,7 +35,7 @@ struct Contacts {
   struct Scratch {
     Reals force, turn;  // [vertex][xyz][lane] of one block's surface
   };
-  std::vector<Scratch> scratch;    // one per thread; of the pair law
+  std::vector<Scratch> scratch;   // one per thread; of the pair law
   std::vector<double> steepness;  // [slot] of measureSteepness
   NeighbourList list;
   bool listIsValid = false;

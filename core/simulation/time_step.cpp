@@ -237,6 +237,16 @@ void refuseFlight(const World& world, double timeStep) {
                            ", or lower what drives it: speeds (cells: velocity)");
 }
 
+/// [time] Of all cells, the smallest limit that they have while no contact is hard or steep.
+double restingLimit(const World& world) {
+  const Bodies& b = *world.bodies;
+  const double held = connectionStiffness(world), contact = contactStiffness(*world.contacts, b, 1);
+  double smallest = INFINITY;
+  for (int cell = 0; cell < b.count; ++cell)
+    smallest = std::min(smallest, combine(b.parameters.integrator, limitOf(world, cell, b.slots[cell], held, contact)));
+  return smallest;
+}
+
 /// What an automatic step may be: drag is a mode of its own, that adds to none of the others' stiffness.
 double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
@@ -296,8 +306,8 @@ void checkCrossing(const World& world) {
   constexpr std::uint64_t between = 4;  // [step] Cells in flight need ten to cross, on meshes of 12 vertices six
   if (!world.bodies || !world.contacts || world.clock.step % between != 0) return;
   if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
-  // In flight: so fast that an automatic step follows from the speed, or did until they met.
-  if (shortestFlight(world).limit > 4 * world.clock.timeStep) return;
+  // In flight: so fast that an automatic step follows from the speed, or did until they met; whatever the step is.
+  if (shortestFlight(world).limit > 2 * restingLimit(world)) return;
   for (const SanityMeasure& m : measureSanity(world))
     if (m.name == "overlap" && !m.holds())
       throw BodyFailure(m.cell->text(), world.clock.step,
