@@ -38,7 +38,11 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
-  if (shellShapeOf(b.parameters) == ShellShape::surface) b.held.assign(b.position.size(), 0);
+  if (shellShapeOf(b.parameters) == ShellShape::surface) {
+    b.held.assign(b.position.size(), 0);
+    b.heldVertices.assign(lines, 0);
+    b.heldCounts.assign(b.blocks.size(), 0);
+  }
   if (kindOf(b.parameters.integrator).evaluations > 1) b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
 
@@ -114,6 +118,7 @@ BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
+  const bool holds = held.size() > 0;
   // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
   const std::size_t coefficients = std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
   return {.meshLevel = place.meshLevel,
@@ -124,7 +129,9 @@ BlockView Bodies::block(int index, int thread) {
           .vertexMass = &vertexMass[l],
           .restScale = &restScale[l],
           .pressureConstant = &pressureConstant[l],
-          .held = held.size() > 0 ? held.from(v) : RealPointer{nullptr},
+          .heldVertices = holds ? &heldVertices[place.firstLine] : nullptr,
+          .heldCount = holds ? &heldCounts[index] : nullptr,
+          .held = holds ? held.from(v) : RealPointer{nullptr},
           .volume = &volume[l],
           .pressure = &pressure[l],
           .predicted = s.predicted.from(0),

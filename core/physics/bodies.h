@@ -61,8 +61,10 @@ struct Bodies {
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
 
-  // Of the last drift: the points that a shell holds (shell_surface_kernel.h); empty where these are the vertices
+  // Of the last drift: the points that a shell holds (BlockView::held), and of which vertices; empty where these are the
+  // vertices of all
   Reals held;
+  std::vector<std::int32_t> heldVertices, heldCounts;  // [block][vertex], [block]
 
   // Output of the last force evaluation, [slot]
   AlignedVector<double> volume;    // [length³]

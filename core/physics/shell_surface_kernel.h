@@ -25,41 +25,59 @@ MORULA_INLINE Vec select(Mask where, const Vec& a, const Vec& b) {
   return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
 
-/// x − y
-MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v, const Vec& x) {
-  const RingStep* ring = mesh.ring + mesh.ringStart[v];
-  int neighbours = mesh.ringStart[v + 1] - mesh.ringStart[v];
-  if (ring[neighbours - 1].edgeOffset == mesh.edgeCount * blockLanes) --neighbours;  // it evens out the ring
+/// Σ dᵀAd over a vertex' neighbours. Nearly all have six, and a loop of known length has no overhead.
+template <int fixedNeighbours>
+MORULA_INLINE Lanes bendOfRing(const ShellSlope& slope, const Real* position, const RingStep* ring, int neighbours,
+                               const Vec& x) {
+  if constexpr (fixedNeighbours > 0) neighbours = fixedNeighbours;
   Lanes sum = 0.0;
   for (int k = 0; k < neighbours; ++k) {
     const Vec d = loadVec(position + ring[k].vertexOffset) - x;
     sum += dot(d, slope(d));
   }
-  const Vec s = slope(x);
-  return (Lanes(0.125 / neighbours) * sum / dot(s, s)) * s;
+  return sum;
 }
 
-/// After the drift.
+/// x − y
+MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v, const Vec& x) {
+  const RingStep* ring = mesh.ring + mesh.ringStart[v];
+  const int neighbours = mesh.neighbours(v);
+  const Lanes sum = neighbours == 6 ? bendOfRing<6>(slope, position, ring, 6, x)
+                                    : bendOfRing<0>(slope, position, ring, neighbours, x);
+  const Vec s = slope(x);
+  return (Lanes(neighbours == 6 ? 0.125 / 6 : 0.125 / neighbours) * sum / dot(s, s)) * s;
+}
+
+/// After the drift. Most vertices are far from the shell: they are looked at, and nothing is written of them.
 inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   Real *position = b.position, *held = b.held, *velocities = b.velocity, *predictions = b.predicted;
+  std::int32_t* vertices = b.heldVertices;
+  const int liveLanes = b.liveLanes;
   const ShellSlope slope(p);
   const auto isNear = [&](const Vec& x) MORULA_INLINE_LAMBDA { return isOnShell(x, slope(x)); };
-  for (int lane = 0; lane < b.liveLanes; lane += width) {
-    bool touches = false;
-    for (int v = 0; v < mesh.vertexCount; ++v) {
+  int near = 0;
+  for (int v = 0; v < mesh.vertexCount; ++v) {
+    bool isAny = false;
+    for (int lane = 0; lane < liveLanes; lane += width) isAny |= any(isNear(loadVec(position, v, lane)));
+    vertices[near] = v;
+    near += isAny;
+  }
+  for (int i = 0; i < near; ++i)
+    for (int v = vertices[i], lane = 0; lane < liveLanes; lane += width) {
       const Vec x = loadVec(position, v, lane);
-      Vec y = x;
-      if (const Mask near = isNear(x); any(near)) {
-        y = select(near, x - sagOf(slope, mesh, position + lane, v, x), x);
-        touches = true;
-      }
-      storeVec(held, v, lane, y);
+      const Mask isHere = isNear(x);
+      storeVec(held, v, lane, any(isHere) ? select(isHere, x - sagOf(slope, mesh, position + lane, v, x), x) : x);
     }
-    for (int v = 0; touches && v < mesh.vertexCount; ++v) {
+  int count = 0;
+  for (int i = 0; i < near; ++i) {
+    const int v = vertices[i];
+    bool isBorne = false;
+    for (int lane = 0; lane < liveLanes; lane += width) {
       const Vec x = loadVec(position, v, lane);
       Vec y = loadVec(held, v, lane);
       const Vec sag = x - y;
       if (!any(isNear(y + Lanes(borneWithin) * sag))) continue;
+      isBorne = true;
       if (const Mask outside = dot(y, slope(y)) > Lanes(1.0); any(outside)) {
         Vec velocity = loadVec(velocities, v, lane), predicted = loadVec(predictions, v, lane);
         keepInShell<ShellShape::ellipsoid>(slope, y, velocity, predicted);
@@ -69,7 +87,10 @@ inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const Ker
       }
       storeVec(held, v, lane, y + Lanes(borneWithin) * sag);
     }
+    vertices[count] = v;
+    count += isBorne;
   }
+  *b.heldCount = count;
 }
 
 /// A drift without a shell, and then the shell.
@@ -84,8 +105,8 @@ template <auto kick>
 inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   kick(mesh, b, p, dt);
   const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
+  for (int i = 0; i < *b.heldCount; ++i)
+    for (int v = b.heldVertices[i], lane = 0; lane < b.liveLanes; lane += width) {
       const Vec y = loadVec(b.held, v, lane);
       if (!any(isOnShell(y, slope(y)))) continue;
       Vec velocity = loadVec(b.velocity, v, lane), acceleration = loadVec(b.acceleration, v, lane);

@@ -113,8 +113,8 @@ MemoryUse measureMemory(const World& world) {
     const Bodies& b = *world.bodies;
     m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths, b.mesh.springWeights,
                    b.mesh.ringStart, b.mesh.ring);
-    m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.held, b.vertexMass, b.restScale,
-                     b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
+    m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.held, b.heldVertices, b.heldCounts,
+                     b.vertexMass, b.restScale, b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
     for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
   }
   if (world.contacts) {

@@ -129,7 +129,8 @@ void visitFields(T& connection, auto&& visit) {
 template <IsA<Bodies> T>
 void visitFields(T& bodies, auto&& visit) {
   auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position, velocity,
-         acceleration, vertexMass, restScale, pressureConstant, substeps, held, volume, pressure, scratch] = bodies;
+         acceleration, vertexMass, restScale, pressureConstant, substeps, held, heldVertices, heldCounts, volume,
+         pressure, scratch] = bodies;
   visit(Field{"vertex mass", "vertex mass"}, vertexMass);
   visit(Field{"rest scale", "rest scale"}, restScale);
   visit(Field{"pressure constant", "pressure constant"}, pressureConstant);

@@ -22,8 +22,6 @@ struct PlannedScene {
 
 constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
 
-void append(std::vector<double>& to, const std::vector<double>& from) { to.insert(to.end(), from.begin(), from.end()); }
-
 class SceneBench {
  public:
   SceneBench(const BenchOptions& options, const PlannedScene& scene)
@@ -135,16 +133,16 @@ class SceneBench {
     const int few = std::max(4, steps_ / 4);
     for (const Isa isa : isas_)
       if (isa != isas_.back())
-        append(series("morula", Stage::step, name(isa)).samples, subject_.trySteps(isa, 1, ClockKind::cpu, few));
+        series("morula", Stage::step, name(isa)).samples.push_back(subject_.trySteps(isa, 1, ClockKind::cpu, few));
     const Isa widest = isas_.back();
-    append(series("morula", Stage::step, name(widest)).samples, subject_.goOn(widest, steps_));
+    series("morula", Stage::step, name(widest)).samples.push_back(subject_.goOn(widest, steps_));
   }
 
   void measureThreads() {
     const Isa isa = isas_.back();
     for (const int threads : options_.threads) {
       Series& s = series("morula", Stage::step, name(isa), threads, true);
-      append(s.samples, subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
+      s.samples.push_back(subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
       if (subject_.touching())
         s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
       s.row.processors = std::max(s.row.processors.value_or(0), processorsFor(threads));

@@ -14,6 +14,7 @@ namespace {
 constexpr double stageSeconds = 2e-3;    // [s] of one timing of a stage
 constexpr double groupSeconds = 1.5e-4;  // [s] of one timing of whole steps, against the clock's own cost
 constexpr int warmUp = 2 * stirEvery;
+constexpr int settlingIn = 4;  // [steps] until pairs are chosen by how fast gaps were seen to change
 
 /// [s] of one call: as many as take long enough, after one that is not counted.
 template <class Call>
@@ -160,8 +161,9 @@ double Subject::timeOrdinaryForces() {
 }
 
 template <class Each, class After>
-StepTimes Subject::timeSteps(ClockKind clock, int count, const Each& each, const After& after) {
-  StepTimes times;
+StepTime Subject::timeSteps(ClockKind clock, int count, const Each& each, const After& after) {
+  double total = 0;
+  int counted = 0;
   const auto rebuilds = [&] { return world_.contacts ? world_.contacts->rebuilds : 0; };
   int size = touching() ? 1 : stirEvery;  // cells that need no other take many steps at once
   double disturbed = NAN;                 // the best guess if every group had a search in it
@@ -176,15 +178,14 @@ StepTimes Subject::timeSteps(ClockKind clock, int count, const Each& each, const
                         steps;
     done += steps;
     after(done);
-    if (rebuilds() == before) times.push_back(time / vertices());
-    else disturbed = time / vertices();
+    if (rebuilds() == before) total += time * steps, counted += steps;
+    else disturbed = time;
     if (touching()) size = std::clamp(static_cast<int>(groupSeconds / std::max(time, 1e-9)), 1, stirEvery);
   }
-  if (times.empty()) times.push_back(disturbed);
-  return times;
+  return (counted > 0 ? total / counted : disturbed) / vertices();
 }
 
-StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
+StepTime Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   useIsa(isa, threads);
   const State before = keep();
   const Clock clockBefore = world_.clock;
@@ -196,20 +197,21 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
     std::swap(other, world_.contacts);
   }
   evaluateForces(world_);
-  StepTimes times = timeSteps(
+  for (int i = 0; i < settlingIn; ++i) takeSteps(world_, 1);
+  const StepTime time = timeSteps(
       clock, count, [] {}, [](int) {});
   if (other) std::swap(other, world_.contacts);
   world_.clock = clockBefore;
   restore(before);
   useIsa(bestIsa(), 1);
-  return times;
+  return time;
 }
 
-StepTimes Subject::goOn(Isa isa, int count) {
+StepTime Subject::goOn(Isa isa, int count) {
   useIsa(isa, 1);
   stir(world_);
   const auto rebuilds = world_.contacts ? world_.contacts->rebuilds : 0;
-  StepTimes times = timeSteps(
+  const StepTime time = timeSteps(
       ClockKind::cpu, count,
       [&] {
         if (world_.contacts) counters_.pairs += world_.contacts->list.pairs;
@@ -219,7 +221,7 @@ StepTimes Subject::goOn(Isa isa, int count) {
       });
   counters_.steps += static_cast<std::uint64_t>(count);
   if (world_.contacts) counters_.rebuilds += world_.contacts->rebuilds - rebuilds;
-  return times;
+  return time;
 }
 
 }  // namespace morula

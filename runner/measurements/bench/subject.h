@@ -18,9 +18,9 @@ namespace morula {
 constexpr double stirredMove = 6e-4;
 constexpr int stirEvery = 32;  // [steps]
 
-/// What a whole step took, from groups of steps in which no search for neighbours fell; from one group in
-/// which one fell, if there are no others.
-using StepTimes = std::vector<double>;
+/// [s] per vertex: what a whole step took in the mean over groups of steps in which no search for neighbours fell; of one in
+/// which one fell, if there are no others. The mean, since pairs are chosen in some steps only.
+using StepTime = double;
 
 /// The same on every machine, instruction set and number of threads.
 struct StepCounters {
@@ -52,9 +52,9 @@ class Subject {
   double timeOrdinaryForces();
 
   /// Whole steps from the present state, which stays.
-  StepTimes trySteps(Isa isa, int threads, ClockKind clock, int count);
+  StepTime trySteps(Isa isa, int threads, ClockKind clock, int count);
   /// Whole steps that move the state on, stirred now and then; they count.
-  StepTimes goOn(Isa isa, int count);
+  StepTime goOn(Isa isa, int count);
   const StepCounters& counters() const { return counters_; }
 
  private:
@@ -73,7 +73,7 @@ class Subject {
   double timeBlocks(Isa isa, const Call& call);
   /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there were.
   template <class Each, class After>
-  StepTimes timeSteps(ClockKind clock, int count, const Each& each, const After& after);
+  StepTime timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 
   World world_;
   std::vector<OrdinaryCell> ordinary_;

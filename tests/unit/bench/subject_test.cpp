@@ -27,10 +27,10 @@ TEST_CASE("Timing a stage leaves the state as it was") {
     for (const Isa isa : availableIsas()) {
       CHECK(subject.timeInternal(isa) > 0);
       CHECK(subject.timeIntegration(isa) > 0);
-      CHECK(subject.trySteps(isa, 1, ClockKind::cpu, 10).size() >= 1);
+      CHECK(subject.trySteps(isa, 1, ClockKind::cpu, 10) > 0);
       if (contact) CHECK(subject.timeContact(isa) > 0);
     }
-    CHECK(subject.trySteps(bestIsa(), 2, ClockKind::wall, 10).size() >= 1);
+    CHECK(subject.trySteps(bestIsa(), 2, ClockKind::wall, 10) > 0);
     if (contact)
       for (const ContactSearch method : valuesOf<ContactSearch>()) {
         CHECK(subject.timeRebuild(bestIsa(), method) > 0);
