@@ -27,11 +27,12 @@ std::string familyOf(const std::string& study) { return study == "worm-placement
 
 /// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
 const std::map<std::string, std::vector<std::size_t>> madeAgain{
-    {"policies", {0, 249, 499}},  {"placement", {0, 139}},       {"settings", {0}},
-    {"models", {0, 40}},          {"settling", {0, 60, 119}},    {"heavier", {20, 59}},
-    {"heavier-128", {8}},         {"elegans-128", {20}},         {"worm-placement", {0, 863}},
-    {"clones", {0, 239, 479}},    {"settling-sticky", {0, 39}},  {"settling-128", {6}},
-    {"beyond-chaos-42", {0, 30}}, {"beyond-chaos-162", {0, 30}}, {"beyond-chaos-step", {30}}};
+    {"policies", {0, 249, 499}},  {"placement", {0, 139}},      {"settings", {0}},
+    {"models", {0, 40}},          {"settling", {0, 60, 119}},   {"heavier", {20, 59}},
+    {"heavier-128", {8}},         {"elegans-128", {20}},        {"elegans-1024", {20}},
+    {"worm-placement", {0, 863}}, {"clones", {0, 239, 479}},    {"settling-sticky", {0, 39}},
+    {"settling-128", {6}},        {"beyond-chaos-42", {0, 30}}, {"beyond-chaos-162", {0, 30}},
+    {"beyond-chaos-step", {30}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
@@ -313,7 +314,8 @@ TEST_CASE("the statistics in goldens are those of the studies") {
   const TemporaryFolder temporary;
   for (const char* folder : {"scenarios", "golden"})
     std::filesystem::copy(sourceFile(folder), temporary / folder, std::filesystem::copy_options::recursive);
-  for (const std::string study : {"elegans-128", "beyond-chaos-42", "beyond-chaos-162", "beyond-chaos-step"}) {
+  for (const std::string study :
+       {"elegans-128", "elegans-1024", "beyond-chaos-42", "beyond-chaos-162", "beyond-chaos-step"}) {
     std::map<std::string, std::string> before;  // goldens by their scenario
     Words command{"study", "compare", databaseOf(temporary, study), "--by", "settings", "--into-golden", ""};
     for (const std::string& base : basesOf(study)) {
