@@ -25,27 +25,17 @@ MORULA_INLINE Vec select(Mask where, const Vec& a, const Vec& b) {
   return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
 
-/// Σ dᵀAd over a vertex' neighbours. Nearly all have six, and a loop of known length has no overhead.
-template <int fixedNeighbours>
-MORULA_INLINE Lanes bendOfRing(const ShellSlope& slope, const Real* position, const RingStep* ring, int neighbours,
-                               const Vec& x) {
-  if constexpr (fixedNeighbours > 0) neighbours = fixedNeighbours;
+/// x − y
+MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v, const Vec& x) {
+  const RingStep* ring = mesh.ring + mesh.ringStart[v];
+  const int neighbours = mesh.neighbours(v);
   Lanes sum = 0.0;
   for (int k = 0; k < neighbours; ++k) {
     const Vec d = loadVec(position + ring[k].vertexOffset) - x;
     sum += dot(d, slope(d));
   }
-  return sum;
-}
-
-/// x − y
-MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const Real* position, int v, const Vec& x) {
-  const RingStep* ring = mesh.ring + mesh.ringStart[v];
-  const int neighbours = mesh.neighbours(v);
-  const Lanes sum = neighbours == 6 ? bendOfRing<6>(slope, position, ring, 6, x)
-                                    : bendOfRing<0>(slope, position, ring, neighbours, x);
   const Vec s = slope(x);
-  return (Lanes(neighbours == 6 ? 0.125 / 6 : 0.125 / neighbours) * sum / dot(s, s)) * s;
+  return (Lanes(0.125 / neighbours) * sum / dot(s, s)) * s;
 }
 
 /// After the drift. Most vertices are far from the shell: they are looked at, and nothing is written of them.
