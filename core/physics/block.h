@@ -56,8 +56,8 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
-  // Between drift and kick, where the shell holds surfaces, else null: on which vertices of any lane it may press, how many,
-  // and their points that it holds [v]
+  // Between drift and kick, where the shell holds surfaces, else null: the vertices that lie outside of it in some lane, how
+  // many, and, of these, the points that it holds [v]
   std::int32_t *heldVertices, *heldCount;
   RealPointer held;
   // Output of each cell

@@ -61,8 +61,7 @@ struct Bodies {
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
 
-  // Of the last drift: the points that a shell holds (BlockView::held), and of which vertices; empty where these are the
-  // vertices of all
+  // Of the last drift, where a shell holds surfaces, else empty (BlockView)
   Reals held;
   std::vector<std::int32_t> heldVertices, heldCounts;  // [block][vertex], [block]
 

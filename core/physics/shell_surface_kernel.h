@@ -38,7 +38,7 @@ MORULA_INLINE Vec sagOf(const ShellSlope& slope, const TemplateView& mesh, const
   return (Lanes(0.125 / neighbours) * sum / dot(s, s)) * s;
 }
 
-/// After the drift. Most vertices are far from the shell: they are looked at, and nothing is written of them.
+/// After the drift. Of vertices within the shell in all lanes nothing is written.
 inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   Real *position = b.position, *held = b.held, *velocities = b.velocity, *predictions = b.predicted;
   std::int32_t* vertices = b.heldVertices;
@@ -52,22 +52,22 @@ inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const Ker
     vertices[near] = v;
     near += isAny;
   }
-  for (int i = 0; i < near; ++i)
-    for (int v = vertices[i], lane = 0; lane < liveLanes; lane += width) {
+  *b.heldCount = near;
+  for (int i = 0; i < near; ++i) {
+    const int v = vertices[i];
+    for (int lane = 0; lane < liveLanes; lane += width) {
       const Vec x = loadVec(position, v, lane);
       const Mask isHere = isNear(x);
       storeVec(held, v, lane, any(isHere) ? select(isHere, x - sagOf(slope, mesh, position + lane, v, x), x) : x);
     }
-  int count = 0;
+  }
   for (int i = 0; i < near; ++i) {
     const int v = vertices[i];
-    bool isBorne = false;
     for (int lane = 0; lane < liveLanes; lane += width) {
       const Vec x = loadVec(position, v, lane);
       Vec y = loadVec(held, v, lane);
       const Vec sag = x - y;
       if (!any(isNear(y + Lanes(borneWithin) * sag))) continue;
-      isBorne = true;
       if (const Mask outside = dot(y, slope(y)) > Lanes(1.0); any(outside)) {
         Vec velocity = loadVec(velocities, v, lane), predicted = loadVec(predictions, v, lane);
         keepInShell<ShellShape::ellipsoid>(slope, y, velocity, predicted);
@@ -77,10 +77,7 @@ inline void keepSurfaces(const TemplateView& mesh, const BlockView& b, const Ker
       }
       storeVec(held, v, lane, y + Lanes(borneWithin) * sag);
     }
-    vertices[count] = v;
-    count += isBorne;
   }
-  *b.heldCount = count;
 }
 
 /// A drift without a shell, and then the shell.
@@ -95,8 +92,9 @@ template <auto kick>
 inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   kick(mesh, b, p, dt);
   const ShellSlope slope(p);
-  for (int i = 0; i < *b.heldCount; ++i)
-    for (int v = b.heldVertices[i], lane = 0; lane < b.liveLanes; lane += width) {
+  for (int i = 0; i < *b.heldCount; ++i) {
+    const int v = b.heldVertices[i];
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
       const Vec y = loadVec(b.held, v, lane);
       if (!any(isOnShell(y, slope(y)))) continue;
       Vec velocity = loadVec(b.velocity, v, lane), acceleration = loadVec(b.acceleration, v, lane);
@@ -104,6 +102,7 @@ inline void kickAroundSurfaces(const TemplateView& mesh, const BlockView& b, con
       storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, acceleration);
     }
+  }
 }
 
 }  // namespace morula::MORULA_ISA

@@ -52,7 +52,8 @@ std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results
   std::map<std::string, std::size_t> numbers;
   Statement rows(db,
                  "SELECT task_id, task.status, reason, run_id, run.state_hash, (SELECT count(*) FROM check_result c "
-                 "WHERE c.run_id = task.run_id AND kind = 'sanity' AND NOT passed), coalesce(run.cells, 0) FROM task "
+                 "WHERE c.run_id = task.run_id AND kind = 'sanity' AND NOT passed), "
+                 "CASE task.status WHEN 'done' THEN coalesce(run.cells, 0) ELSE 0 END FROM task "
                  "LEFT JOIN run USING (run_id) ORDER BY number, task_id");
   for (rows.start(); rows.next();) {
     numbers[rows.text(0)] = results.tasks.size();

@@ -271,6 +271,7 @@ TEST_CASE(
              "numbers of cells differ between conditions, 60 to 62 in the mean, and clone_radius changes with "
              "them, however cells lie"));
   study.cells = [](const std::vector<int>&) { return 64; };
+  study.trouble = [](const std::vector<int>& l, int seed) { return l[0] == 1 && seed == 3 ? "failed" : ""; };
   for (const auto& sentence : verdictsOf(compared(study))) CHECK(!sentence.starts_with("numbers of cells"));
 }
 

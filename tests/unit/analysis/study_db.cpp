@@ -39,7 +39,7 @@ void insertTask(Database& db, const MadeStudy& study, const std::string& task, c
   insert(db, row);
   if (trouble == "missing") return;
   RunEnd end;
-  if (study.cells) end.cells = std::uint64_t(study.cells(levels));
+  if (study.cells) end.cells = std::uint64_t(study.cells(levels)) / (trouble == "failed" ? 2 : 1);
   if (trouble.empty()) end.stateHash = Hasher().field("state").add(task).digest();
   else end.status = RunStatus::failed;
   insertRun(db, row.runId, {}, "", &end);

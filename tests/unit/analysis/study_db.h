@@ -23,7 +23,8 @@ struct MadeStudy {
   std::function<bool(const std::vector<int>& levels)> seedless = {};
   /// "failed", "missing" or "".
   std::function<std::string(const std::vector<int>& levels, int seed)> trouble = {};
-  std::function<int(const std::vector<int>& levels)> cells = {};  // alive at the end. Absent: not known
+  std::function<int(const std::vector<int>& levels)> cells =
+      {};                           // alive at the end, of a failed run half as many. Absent: not known
   std::vector<double> times = {1};  // at all but the last the value is the time's share of that at the end
   /// Further levels that mean the same as others: levels → those whose runs they share. Absent: none.
   std::function<std::vector<int>(const std::vector<int>& levels)> sameAs = {};
