@@ -170,7 +170,7 @@ inline Scene spheres() {
 inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   Scene s = life(egg);
   s.name = "sticky";
-  s.mechanics->contact->adhesion = AdhesionParameters{0.5, {{"a2", "a3", 3}, {"a4", "a*", 1}}};
+  s.mechanics->contact->adhesion = AdhesionParameters{0.5, {{"a2", "a3", 2}, {"a4", "a*", 1}}};
   s.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
   ConnectionParameters& c = *s.mechanics->connections;
   c.make = MakeConnections::byContact;

@@ -33,21 +33,11 @@ double normalLength(double areaOverSquare) {
 double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
   const double ri = c.radius[i], rj = c.radius[j];
   if (b.areSpheres()) return pi * (ri * rj) / (ri + rj);  // their influence radius is the diameter
-  const auto area = [&](int slot, double r) {
-    return c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel] * (r * r);
-  };
-  const double inverse = 0.5 * (1 / (ri * ri) + 1 / (rj * rj));  // 1/R²
   const auto normalOf = [&](int slot) {
     return normalLength(c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel]);
   };
   const double m = 1 + normalOf(i) * normalOf(j), s = 0.25 * m * m * (3 - m);
-  return 24 / pi * (area(i, ri) * area(j, rj)) * inverse / s;
-}
-
-double workOf(const Contacts& c, int i, int j) {
-  const AdhesionKinds& k = c.adhesion.kinds;
-  const double work = k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
-  return k.factor.empty() ? work : work * (0.5 * (k.factor[i] + k.factor[j]));
+  return 24 / pi * (restAreaOfVertex(c, b, i) * restAreaOfVertex(c, b, j)) * inverseReachSquared(c, i, j) / s;
 }
 
 void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
@@ -67,7 +57,7 @@ void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
         const VertexNumber g = lists.indices[at];
         if (g != far && slotOf(g) != other) {
           other = slotOf(g);
-          strength = workOf(c, own, other) * pairFactor(c, b, own, other);
+          strength = workOfAdhesion(c, own, other) * pairFactor(c, b, own, other);
         }
         ofPairs[at] = g == far ? 0 : strength;
       }
@@ -76,6 +66,22 @@ void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
 }
 
 }  // namespace
+
+double workOfAdhesion(const Contacts& c, int i, int j) {
+  const AdhesionKinds& k = c.adhesion.kinds;
+  const double work = k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
+  return k.factor.empty() ? work : work * (0.5 * (k.factor[i] + k.factor[j]));
+}
+
+double restAreaOfVertex(const Contacts& c, const Bodies& b, int slot) {
+  const double r = c.radius[slot];
+  return c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel] * (r * r);
+}
+
+double inverseReachSquared(const Contacts& c, int i, int j) {
+  const double ri = c.radius[i], rj = c.radius[j];
+  return 0.5 * (1 / (ri * ri) + 1 / (rj * rj)) / (attractionReach * attractionReach);
+}
 
 void resetAdhesion(Contacts& c, const Bodies& b) {
   if (!c.parameters.adhesion) return;
@@ -113,8 +119,7 @@ double adhesionStiffness(const Contacts& c, const Bodies& b) {
   const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
   const auto [least, most] = std::minmax_element(b.slots.begin(), b.slots.end(), smaller);
   const auto steepest = [&](int i, int j) {
-    const double ri = c.radius[i], rj = c.radius[j];
-    return pairFactor(c, b, i, j) * 0.5 * (1 / (ri * ri) + 1 / (rj * rj));
+    return pairFactor(c, b, i, j) * inverseReachSquared(c, i, j) * (attractionReach * attractionReach);
   };
   return work * std::max({steepest(*least, *most), steepest(*least, *least), steepest(*most, *most)});
 }

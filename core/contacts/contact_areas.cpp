@@ -101,27 +101,48 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
 }
 
 constexpr double leastOverlap = 1.0 / 5000;  // of the influence radius
-constexpr double mostCover = 2;              // of a vertex's area
+constexpr double mostCover = 2;              // of a vertex's area, and of what forces say of a pair that sticks
+// [1] Both are chosen so that the areas of two cells on icospheres 2 to 4 are nearest to those on icosphere 5, for W from 0.1
+// to 2, free or pressed together.
+constexpr double leastHeld = 0.1;     // of a vertex's share of W
+constexpr double stressOverWork = 3;  // σ A/W
 // Of the smaller cell's surface as a sphere. Less is the touch of a vertex or two, which hangs on how meshes lie.
 constexpr double leastShare = 0.005;
 
+/// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both sides.
+double coverOf(const PairSum& p, double work, double own, double atRest) {
+  const double held = -2 * p.adhesion * own / (work * atRest * atRest);
+  return std::clamp((held - leastHeld) / (1 - leastHeld), 0.0, 1.0);
+}
+
 /// What presses on the vertices of either side over the mean pressure in both cells; where that is less than what so
-/// little overlap bears, over this. No vertex counts for more than twice its area.
+/// little overlap bears, over this. No vertex counts for more than twice its area. Of cells that stick as the header says.
 std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
   std::vector<std::vector<double>> areas(b.blocks.size() * blockLanes);  // [slot][vertex]
   for (int slot : b.slots) areas[slot] = vertexAreas(b, slot);
   const std::vector<int> cellOf = cellsOf(b);
   const auto pressureOf = [&](int slot) { return b.model().hasMembrane ? b.pressure[slot] : 0.0; };
   std::vector<ContactArea> pairs;
+  std::vector<double> pressed;  // [pair] by forces alone
   for (const PairSum& p : sumPairs(c, b)) {
-    if (!(p.pressing > 0)) continue;
+    if (!(p.pressing > 0) && !(p.adhesion < 0)) continue;
     const double own = areas[p.slot][placeOf(b, p.vertex).vertex];
     const double least = c.parameters.stiffness * leastOverlap * c.radius[p.slot] / own;
     const double pressure = std::max(0.5 * (pressureOf(p.slot) + pressureOf(p.other)), least);
+    const double byForce = std::min(p.pressing / pressure, mostCover * own);
     const auto [first, second] = std::minmax(cellOf[p.slot], cellOf[p.other]);
-    if (pairs.empty() || pairs.back().a != first || pairs.back().b != second) pairs.push_back({first, second, 0});
-    pairs.back().area += 0.5 * std::min(p.pressing / pressure, mostCover * own);
+    if (pairs.empty() || pairs.back().a != first || pairs.back().b != second)
+      pairs.push_back({first, second, 0}), pressed.push_back(0);
+    double area = byForce;
+    if (p.adhesion < 0) {
+      const double work = workOfAdhesion(c, p.slot, p.other);
+      const double share = stressOverWork * work * std::sqrt(inverseReachSquared(c, p.slot, p.other)) / pressure;
+      area = (byForce + share * own * coverOf(p, work, own, restAreaOfVertex(c, b, p.slot))) / (1 + share);
+    }
+    pairs.back().area += 0.5 * area;
+    pressed.back() += 0.5 * byForce;
   }
+  for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].area = std::min(pairs[k].area, mostCover * pressed[k]);
   std::erase_if(pairs, [&](const ContactArea& p) {
     const double radius = b.parameters.cell.radius * std::min(b.restScale[b.slots[p.a]], b.restScale[b.slots[p.b]]);
     return p.area < leastShare * 4 * std::numbers::pi * radius * radius;

@@ -58,6 +58,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
                                  : c.kernels->addSphereForces;
     return c;
   }
+  if (parameters.law == ContactLaw::pair && sticks) c.list.reach = attractionReach;
   if (parameters.law == ContactLaw::pair && !sticks) c.list.bytesPerNeighbour += sizeof(VertexNumber);
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction

@@ -20,17 +20,20 @@ Point6 read(const Contacts& c, const Bodies& b, VertexNumber g) {
 void add(const Point6& i, const Point6& j, double stiffness, double adhesion, PairSum& sum) {
   const Vector a = i.y - j.y, h = 0.5 * (j.n - i.n);
   const double curvature = 0.5 * (i.curvature + j.curvature), nearness = curvature * dot(a, a);
-  if (!(nearness < 1)) return;
-  const double v = 1 - nearness, u = v * (1 + nearness);
+  const double perReach = 1 / (attractionReach * attractionReach), w = std::max(1 - perReach * nearness, 0.0);
+  const bool near = nearness < 1;
+  if (!near && !(adhesion != 0 && w > 0)) return;
+  const double u = near ? (1 - nearness) * (1 + nearness) : 0;
   const double m = 1 - dot(i.n, j.n), t = std::min(m / leastFacing, 1.0), s = t * t * (3 - 2 * t);
-  const double z = 0.25 * m * m * (3 - m), held = adhesion * v * v;
-  const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth * u;
+  const double z = 0.25 * m * m * (3 - m), held = adhesion * w * w;
+  const double depth = near ? std::max(0.0, -dot(a, h)) : 0.0, b = curvature * depth * depth * u;
   const double barrier = stiffness * depth * depth, hardened = 1 + b * (hardening1 + hardening2 * b);
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
-  const double byFade = nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
+  const double byFade =
+      nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * perReach * z * held;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
   sum.repulsion += 0.25 * s * barrier * u * u * hardened;
-  sum.adhesion -= z * held * v / 12;
+  sum.adhesion -= z * held * w / 12;
   sum.deepest = std::max(sum.deepest, b);
   sum.force += f;
   if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));

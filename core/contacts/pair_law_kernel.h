@@ -4,7 +4,7 @@
 //   y     position of the surface at a vertex, n its outward normal (surface_kernel.h);  a = y_i − y_j
 //   κ     1/R², the mean of both vertices' (R: influence radius, one mean edge at rest)
 //   u     max(0, 1 − κ² a⁴)                       fades with the distance, 0 from R on
-//   v     max(0, 1 − κ a²)                        the same, with a less steep fall
+//   w     max(0, 1 − κ a²/α²),  α = 3/2           the same for attraction: farther, and with a less steep fall
 //   h     (n_j − n_i)/2                           from j's cell to i's; 1 long face to face
 //   D     max(0, −a·h)                            overlap: by how much the planes half-way between i and j overlap
 //   B     κ D² u                                  (depth over reach)² for vertices that lie on each other
@@ -12,19 +12,21 @@
 //   s     t² (3 − 2t),  t = min(m/m₀, 1), m₀ = ½  1, but less for nearly parallel normals, as on a thin cell's far side
 //   z     m² (3 − m)/4                            the same, with a less steep rise
 //
-//   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z v³,   β₁ = 6, β₂ = 200                                      [energy]
+//   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z w³,   β₁ = 6, β₂ = 200                                      [energy]
 //
 // The first part repels: K [force/length]. Face to face its energy rises until B = 0.38, at a depth of 0.74 R, where it
 // is 4.5 K R². Surfaces that are pressed deeper would pass through each other, so the run ends before (deepestHeld). β₁
 // and β₂ multiply B, not κ D²: otherwise vertices far beside each other, where u ends, would be so stiff that many
 // cells together never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of
-// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
+// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). It reaches farther than repulsion: with
+// α = 1, where each vertex attracts but the next few, vertices hold each other one by one, the border of a contact stays
+// where it is, and how large a contact is depends on the way that cells came to it.
 //
 // y and n depend on the vertices' one-rings, so the gradient of the energy does, too. With
 //
 //   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                                ∂E/∂D
-//   E_q = −κ a² s K D² u (2 + 3β₁ B + 4β₂ B²) + T/2 z v²               ∂E/∂(κa²)
-//   E_m = ½ ds/dm K D² u² (1 + β₁ B + β₂ B²) − ¾ m (2 − m) T/6 v³      ∂E/∂m,   ds/dm = 6 t (1 − t)/m₀
+//   E_q = −κ a² s K D² u (2 + 3β₁ B + 4β₂ B²) + T/(2α²) z w²           ∂E/∂(κa²)
+//   E_m = ½ ds/dm K D² u² (1 + β₁ B + β₂ B²) − ¾ m (2 − m) T/6 w³      ∂E/∂m,   ds/dm = 6 t (1 − t)/m₀
 //
 // the pair adds to the sums of vertex i
 //
@@ -74,7 +76,8 @@ struct PairLaw {
     const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
     const Lanes square = dot(a, a);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
-    const Lanes nearness = min(curvature * square, 1.0);  // in single precision the far row's is infinite
+    const Lanes ratio = curvature * square,
+                nearness = min(ratio, 1.0);  // in single precision the far row's is infinite
     const Mask near = nearness < Lanes(1.0);
     const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D; negative: the distance
     const Lanes opening = 0.5 * dot(relative, apartNormals);
@@ -94,9 +97,10 @@ struct PairLaw {
       byTurn =
           ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {
-      const Lanes held = adhesion * (v * v);
-      byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;
-      byTurn -= ((0.125 * m) * (2.0 - m)) * (held * v);
+      constexpr double perReach = 1 / (attractionReach * attractionReach);  // 1/α²
+      const Lanes w = 1.0 - min(perReach * ratio, 1.0), held = adhesion * (w * w);
+      byFade -= (((0.125 * perReach) * m) * (m * (3.0 - m))) * held;
+      byTurn -= ((0.125 * m) * (2.0 - m)) * (held * w);
     }
     sum.force += half * apartNormals + (2.0 * (curvature * byFade)) * a;
     sum.turn += byTurn * j.n - half * a;

@@ -38,6 +38,7 @@ constexpr double retreat = 0.125;                                            // 
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
 constexpr double leastFacing = 0.5;                                          // m₀
+constexpr double attractionReach = 1.5;                                      // α
 constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
 // B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
 // surfaces are let through.

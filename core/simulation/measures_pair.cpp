@@ -12,7 +12,8 @@ using Value = std::optional<double>;
 // clang-format off
 constexpr PairMeasure ofPair[] = {
     {.name = "area", .unit = "length²",
-     .meaning = "Of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if it is 0.005 of the smaller one's surface at least; of two "
+     .meaning = "Of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if it is 0.005 of the smaller one's surface at least; of cells "
+                "that stick, the mean of that and of the area on which attraction acts, by pressure p and adhesion's stress 3 W/A, A one and a half reaches; of two "
                 "balls the disc in which their surfaces meet",
      .needs = Needs::contact,
      .followsNumber = true, .get = [](const Touch& touch) -> Value { return touch.area; }},

@@ -148,6 +148,8 @@ void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
   Bodies& b = *world.bodies;
   const SettleParameters& p = b.parameters.settle;
   const Bodies before = b;
+  const auto rows = world.contacts ? world.contacts->rows : decltype(Contacts::rows)();
+  const auto deepest = world.contacts ? world.contacts->deepest : AlignedVector<double>();
   const double energy = heldEnergy(world);
   SettlingRecord on = record;
   try {
@@ -161,8 +163,12 @@ void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
   } catch (const NumericalError&) {}
   b = before;
   if (world.contacts) world.contacts->listIsValid = false;
-  evaluateForces(world);  // so that contacts are those of before
+  evaluateForces(world);  // so that lists are those of before
   b = before;             // and accelerations are, which have followed changes of inertia
+  if (world.contacts) {   // a shell moves what it holds a little when it holds it once more
+    world.contacts->rows = rows;
+    world.contacts->deepest = deepest;
+  }
 }
 
 void settle(World& world) {

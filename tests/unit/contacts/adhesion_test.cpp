@@ -134,10 +134,11 @@ double energyOfBalls(const Mesh& ball, double gap, double size = 1, double other
 
 }  // namespace
 
-TEST_CASE("Flat surfaces hold W (1 - g²/R²)⁴ per area over a gap g, whatever the mesh and their sizes") {
+TEST_CASE("Flat surfaces hold W (1 - g²/A²)⁴ per area over a gap g, whatever the mesh and their sizes") {
   for (const auto& [name, e, f] : lattices)
     for (const double size : {1.0, 0.6}) {
-      const double radius = meanEdge(cushion(e, f)), reach = radius / std::sqrt((1 + 1 / (size * size)) / 2);
+      const double radius = attractionReach * meanEdge(cushion(e, f)),
+                   reach = radius / std::sqrt((1 + 1 / (size * size)) / 2);
       for (const double gap : {0.0, 0.3, 0.6}) {
         const double share = 1 - gap * gap;
         CAPTURE(name, size, gap);
@@ -149,7 +150,7 @@ TEST_CASE("Flat surfaces hold W (1 - g²/R²)⁴ per area over a gap g, whatever
 TEST_CASE("The work that parts two surfaces is the energy they held, and goes with W") {
   for (const auto& [name, e, f] : lattices) {
     const Mesh mesh = cushion(e, f);
-    const double reach = 1.01 * meanEdge(mesh);
+    const double reach = 1.01 * attractionReach * meanEdge(mesh);
     constexpr int steps = 160;
     double work = 0;
     for (int k = 0; k <= steps; ++k) {  // [Simpson]
@@ -164,12 +165,12 @@ TEST_CASE("The work that parts two surfaces is the energy they held, and goes wi
 }
 
 TEST_CASE("Balls hold what spheres do by Derjaguin") {
-  // [Derjaguin 1934] E(D) = −2πR* ∫ W (1 − g²/R²)⁴ dg from D on, R* = ½ for two balls of radius 1; from 0 on that
-  // integral is 128/315 W R.
+  // [Derjaguin 1934] E(D) = −2πR* ∫ W (1 − g²/A²)⁴ dg from D on, R* = ½ for two balls of radius 1; from 0 on that
+  // integral is 128/315 W A.
   const auto expected = [](double star, double reach) { return -2 * pi * star * 128 / 315 * reach; };
   for (const auto& [level, tolerance] : {std::pair{2, 0.07}, {3, 0.03}, {4, 0.02}}) {
     const Mesh ball = makeIcosphere(level);
-    const double reach = meanEdge(ball);
+    const double reach = attractionReach * meanEdge(ball);
     CAPTURE(level, reach);
     CHECK(energyOfBalls(ball, 0) == Approx(expected(0.5, reach)).epsilon(tolerance));
     CHECK(energyOfBalls(ball, 0, 0.5, 0.5) == Approx(expected(0.25, reach / 2)).epsilon(tolerance));
@@ -177,9 +178,9 @@ TEST_CASE("Balls hold what spheres do by Derjaguin") {
   }
 }
 
-TEST_CASE("Surfaces that come near draw each other from R on, most at 0.38 R") {
+TEST_CASE("Surfaces that come near draw each other from A on, most at 0.38 A") {
   const Mesh mesh = cushion(lattices[1].e, lattices[1].f);
-  const double reach = meanEdge(mesh);
+  const double reach = attractionReach * meanEdge(mesh);
   const auto pull = [&](double gap) {
     Crowd crowd = faceToFace(mesh, 1, gap * reach);
     crowd.evaluateForces();
@@ -218,7 +219,7 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
     const double work = kinds.work[kinds.ofSlot[i] * 2 + kinds.ofSlot[j]];
     works.insert(work);
     const double x = 1 / (c.radius[i] * c.radius[i]), y = 1 / (c.radius[j] * c.radius[j]);
-    const double mean = (x + y) / 2;
+    const double mean = (x + y) / 2 / (attractionReach * attractionReach);
     // With s of flat meshes face to face, whose normals are as long as G = 6a has them.
     const double g = 6 * restArea(crowd.lab.bodies, 0) / (c.radius[0] * c.radius[0]);
     const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4);
@@ -241,10 +242,10 @@ TEST_CASE("The steepest adhesion counts against the time step; without adhesion 
     const Crowd crowd(limp(), law, ball, {one, other});
     return adhesionStiffness(crowd.contacts, crowd.lab.bodies);
   };
-  // T/R² for W = 1, with n = 1 to a hundredth: 24/π (a/R²)²
+  // α² T/A² = T/R² for W = 1, with n = 1 to a hundredth: 24/π a²/(A² R²)
   const double share = measureArea(ball.vertices, ball.faces) / static_cast<double>(ball.vertices.size()) /
                        (meanEdge(ball) * meanEdge(ball));
-  const double one = 24 / pi * share * share;
+  const double one = 24 / pi * share * share / (attractionReach * attractionReach);
   CHECK(of(plain, 1) == 0);
   CHECK(of(sticky(2), 1) == Approx(2 * one).epsilon(0.03));
   CHECK(of(pairs, 1) == Approx(4 * one).epsilon(0.03));

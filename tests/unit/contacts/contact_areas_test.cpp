@@ -89,10 +89,11 @@ TEST_CASE("Areas do not depend on when the list was built") {
 
 namespace {
 
-/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; of a pair of
-/// cells at least 0.005 of the smaller one's surface.
+/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; where it is
+/// attracted, the mean of that and of its share of W by pressure and 3 W/A; of a pair of cells up to twice what forces say
+/// and at least 0.005 of the smaller one's surface.
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
-  std::map<std::pair<int, int>, double> areas;
+  std::map<std::pair<int, int>, double> areas, pressed;
   ContactParameters still = law;
   still.damping = still.friction = 0;
   const PairOracle oracle(b, still);
@@ -101,17 +102,29 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
     for (const auto& [v, j, k] : oracle.rings.faces[i.v])
       around += norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) / 6;
     for (int other = 0; other < b.count; ++other) {
-      double pressing = 0;
+      double pressing = 0, energy = 0;
       for (const SeenVertex& j : oracle.all) {
         const Vector h = (j.normal - i.normal) / 2.0;
-        if (j.slot == other && other != i.slot && dot(i.x - j.x, h) < 0)
+        const Vector a = i.x - j.x;
+        if (j.slot == other && other != i.slot && PairOracle::kappa(i, j) * dot(a, a) < 1.5 * 1.5)
+          energy += oracle.energyOf(i, j, oracle.holds(i, j)).adhesion / 2;
+        if (j.slot == other && other != i.slot && dot(a, h) < 0 && PairOracle::kappa(i, j) * dot(a, a) < 1)
           pressing += std::max(0.0, dot(oracle.pushOf(i, j).force, h) / norm(h));
       }
       const double least = law.stiffness / 5000 / std::sqrt(i.inverseRadiusSquared) / around;
       const double pressure = std::max((b.pressure[i.slot] + b.pressure[other]) / 2, least);
-      if (pressing > 0) areas[std::minmax(i.slot, other)] += std::min(pressing / pressure, 2 * around) / 2;
+      double area = std::min(pressing / pressure, 2 * around);
+      pressed[std::minmax(i.slot, other)] += area / 2;
+      if (law.adhesion && other != i.slot) {
+        const double cover = -2 * energy * around / (law.adhesion->strength * std::pow(oracle.restArea(i.slot), 2));
+        const double kappa = PairOracle::kappa(i, oracle.all[other * b.vertexCount()]);
+        const double stress = 3 * law.adhesion->strength * std::sqrt(kappa) / 1.5;
+        area = (pressure * area + stress * around * std::clamp((cover - 0.1) / 0.9, 0.0, 1.0)) / (pressure + stress);
+      }
+      areas[std::minmax(i.slot, other)] += area / 2;
     }
   }
+  for (auto& [pair, area] : areas) area = std::min(area, 2 * pressed[pair]);
   std::erase_if(areas, [&](const auto& pair) {
     const double radius =
         b.parameters.cell.radius * std::min(b.restScale[pair.first.first], b.restScale[pair.first.second]);

@@ -20,16 +20,17 @@ struct PairOracle {
     strongestGrip = 0.1 * lightest / timeStep;
   }
 
+  /// [length²] of a vertex, in the mean
+  double restArea(int slot) const {
+    const Mesh& mesh = b.mesh.mesh;
+    return measureArea(mesh.vertices, mesh.faces) / b.vertexCount() * b.restScale[slot] * b.restScale[slot];
+  }
   /// [energy] T, from the work W.
   double holds(const SeenVertex& i, const SeenVertex& j) const {
     if (!law.adhesion) return 0;
-    const Mesh& mesh = b.mesh.mesh;
-    const double perVertex = measureArea(mesh.vertices, mesh.faces) / b.vertexCount();
-    const double ai = perVertex * b.restScale[i.slot] * b.restScale[i.slot],
-                 aj = perVertex * b.restScale[j.slot] * b.restScale[j.slot];
-    const double edge = law.radius * meanEdge(mesh), g = 6 * perVertex / (edge * edge);
+    const double ai = restArea(i.slot), aj = restArea(j.slot), g = 6 * ai * i.inverseRadiusSquared;
     const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4), s = m * m * (3 - m) / 4;  // flat, face to face
-    return 24 / std::numbers::pi * law.adhesion->strength * ai * aj * kappa(i, j) / s;
+    return 24 / std::numbers::pi * law.adhesion->strength * ai * aj * kappa(i, j) / (1.5 * 1.5) / s;
   }
   static double kappa(const SeenVertex& i, const SeenVertex& j) {
     return (i.inverseRadiusSquared + j.inverseRadiusSquared) / 2;
@@ -42,18 +43,19 @@ struct PairOracle {
   };
   Energy energyOf(const SeenVertex& i, const SeenVertex& j, double held) const {
     const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0;
-    const double k = kappa(i, j), q = k * dot(a, a), u = std::max(0.0, 1 - q * q), v = std::max(0.0, 1 - q);
+    const double k = kappa(i, j), q = k * dot(a, a), u = std::max(0.0, 1 - q * q),
+                 w = std::max(0.0, 1 - q / (1.5 * 1.5));
     const double depth = std::max(0.0, -dot(a, h)), bulk = k * depth * depth * u;
     const double m = 1 - dot(i.normal, j.normal), t = std::min(2 * m, 1.0), s = t * t * (3 - 2 * t);
     return {s * 0.5 * law.stiffness * depth * depth * u * u * (1 + 6 * bulk + 200 * bulk * bulk),
-            -m * m * (3 - m) / 4 * held / 6 * v * v * v};
+            -m * m * (3 - m) / 4 * held / 6 * w * w * w};
   }
 
   Energy energy() const {
     Energy sum;
     for (const SeenVertex& i : all)
       for (const SeenVertex& j : all) {
-        if (j.slot <= i.slot || kappa(i, j) * dot(i.x - j.x, i.x - j.x) >= 1) continue;
+        if (j.slot <= i.slot || kappa(i, j) * dot(i.x - j.x, i.x - j.x) >= 1.5 * 1.5) continue;
         const Energy e = energyOf(i, j, holds(i, j));
         sum.repulsion += e.repulsion, sum.adhesion += e.adhesion;
       }
@@ -89,15 +91,16 @@ struct PairOracle {
   };
   Push pushOf(const SeenVertex& i, const SeenVertex& j) const {
     const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0, v = i.velocity - j.velocity;
-    const double k = kappa(i, j), near = k * dot(a, a), u = 1 - near * near, fade = 1 - near;
-    if (near >= 1) return {};
-    const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth * u;
+    const double k = kappa(i, j), near = k * dot(a, a), u = std::max(0.0, 1 - near * near),
+                 fade = 1 - near / (1.5 * 1.5);
+    if (near >= 1.5 * 1.5) return {};
+    const double overlap = near < 1 ? -dot(a, h) : 0, depth = std::max(0.0, overlap), bulk = k * depth * depth * u;
     const double m = 1 - dot(i.normal, j.normal), t = std::min(2 * m, 1.0), s = t * t * (3 - 2 * t);
     const double hard = 1 + 12 * bulk + 600 * bulk * bulk;
     const double byDepth = std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
     const double held = holds(i, j), barrier = law.stiffness * depth * depth;
-    const double byNearness =
-        -near * s * barrier * u * (2 + 18 * bulk + 800 * bulk * bulk) + m * m * (3 - m) / 4 * held / 2 * fade * fade;
+    const double byNearness = -near * s * barrier * u * (2 + 18 * bulk + 800 * bulk * bulk) +
+                              m * m * (3 - m) / 4 * held / 2 / (1.5 * 1.5) * fade * fade;
     const double byNormals = 12 * t * (1 - t) * u * u * barrier / 2 * (1 + 6 * bulk + 200 * bulk * bulk) -
                              0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
     Push p{byDepth * h - 2 * k * byNearness * a, byNormals * j.normal - byDepth / 2 * a};
@@ -147,7 +150,7 @@ struct PairOracle {
           const SeenVertex i{slot, w, s.y, {}, s.n, first.inverseRadiusSquared};
           double sum = 0;
           for (const SeenVertex& j : all)
-            if (j.slot != slot && kappa(i, j) * dot(i.x - j.x, i.x - j.x) < 1)
+            if (j.slot != slot && kappa(i, j) * dot(i.x - j.x, i.x - j.x) < 1.5 * 1.5)
               sum -= energyOf(i, j, held[j.slot]).total();
           return sum;
         },
