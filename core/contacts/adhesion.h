@@ -8,7 +8,8 @@
 //   n_i n_j s T/6 ∫ (1 − (ρ² + g²)/A²)³ 2πρ dρ = n_i n_j s T πA²/24 (1 − g²/A²)⁴ = W (1 − g²/A²)⁴
 //   ⇒  T = (24/π) W a_i a_j/(A² s),   a = 1/n the area of a vertex at rest, s of flat meshes face to face
 //
-// and attract each other most at g = 0.38 A. So W does not depend on the mesh nor on the cells' sizes.
+// and attract each other most at g = 0.38 A. So W does not depend on the mesh nor on the cells' sizes. Surfaces that are
+// stretched hold less, and compressed ones more: W a_i n_i a_j n_j.
 #include <vector>
 
 #include "base/aligned.h"
