@@ -33,16 +33,22 @@ void takePoints(Contacts& c, const Bodies& bodies, int threads) {
   });
 }
 
+bool sticksAtAll(const AdhesionParameters& a) {
+  return a.strength > 0 || std::ranges::any_of(a.pairs, [](const AdhesionPair& pair) { return pair.strength > 0; });
+}
+
 }  // namespace
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search, Precision precision,
                       CellModel model) {
   Contacts c;
   c.parameters = parameters;
+  if (parameters.adhesion && !sticksAtAll(*parameters.adhesion))
+    c.parameters.adhesion.reset();  // costs nothing, changes no bit
   c.skinShare = search.skinShare;
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
-  const bool rubs = parameters.friction > 0, sticks = parameters.adhesion.has_value();
+  const bool rubs = parameters.friction > 0, sticks = c.parameters.adhesion.has_value();
   if (sticks) c.list.bytesPerNeighbour += sizeof(double);
   const auto take = !kindOf(model).hasMesh                 ? &ContactKernels::takeSphereSnapshot
                     : parameters.law == ContactLaw::thesis ? &ContactKernels::takeSnapshot

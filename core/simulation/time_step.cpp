@@ -62,7 +62,7 @@ double connectionLimit(const World& world, double stiffness, int slot) {
 }
 
 // [1] Membranes that stick fold, and where one-rings fold normals turn fast. Three and four cells of 42 vertices that
-// collide without any damping and stick with W = 1 change their energy by up to 0.2 % at the step that this gives, and by
+// collide without any damping and stick with W = 1 change their energy by up to 0.24 % at the step that this gives, and by
 // 0.8 % at twice it. Thirteen that stay together (hard/perpetual) drift by 0.5 % in 100,000 steps of twice it.
 constexpr double foldedAdhesion = 350;
 
