@@ -73,16 +73,13 @@ MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes
   for (int c = 0; c < 8; c += 4)
     transposeFours(load(row[0] + c).v, load(row[1] + c).v, load(row[2] + c).v, load(row[3] + c).v, column + c);
 #else
-  typedef double Four __attribute__((vector_size(32)));
   const double* row[8];
   for (int i = 0; i < 8; ++i) row[i] = rows + std::int64_t(index[i]) * 8;
   for (int c = 0; c < 8; c += 4) {
-    RawLanes r[4];
+    RawLanes r[4];  // rows i and i + 4, side by side
     for (int i = 0; i < 4; ++i) {
-      Four first, second;  // rows i and i + 4, side by side
-      __builtin_memcpy(&first, row[i] + c, sizeof first);
-      __builtin_memcpy(&second, row[i + 4] + c, sizeof second);
-      r[i] = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+      const __m512d first = _mm512_castpd256_pd512(_mm256_loadu_pd(row[i] + c));
+      r[i] = (RawLanes)_mm512_insertf64x4(first, _mm256_loadu_pd(row[i + 4] + c), 1);
     }
     transposeFours(r[0], r[1], r[2], r[3], column + c);
   }

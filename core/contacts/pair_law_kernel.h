@@ -62,57 +62,61 @@
 
 namespace morula::MORULA_ISA {
 
+// Powers of two are taken into the constants below, which changes no bit: 2D in place of D, 4B in place of B.
 template <bool withFriction, bool withAdhesion>
 struct PairLaw {
   MORULA_INLINE explicit PairLaw(const ContactConstants& c)
-      : stiffness(c.stiffness),
-        damping(c.damping),
+      : stiffness(c.stiffness / 4),
+        damping(c.damping / 4),
         friction(4 * c.friction),  // 2 μ E_D = 4 μ E_D/2
         slipSpeed(c.slipSpeed),
         strongestGrip(c.strongestGrip) {}
 
-  /// Adds what j does to i. `adhesion`: T [energy].
+  /// Adds what j does to i. `adhesion`: T [energy]. `deepest`: 4B.
   MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum, Lanes& deepest) const {
-    const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
-    const Lanes square = dot(a, a);
+    const Vec toward = j.x - i.x, relative = j.v - i.v, apartNormals = j.n - i.n;  // −a, −(v_i − v_j), 2h
+    const Lanes square = dot(toward, toward);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
     const Lanes ratio = curvature * square,
                 nearness = min(ratio, 1.0);  // in single precision the far row's is infinite
-    const Mask near = nearness < Lanes(1.0);
-    const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D; negative: the distance
-    const Lanes opening = 0.5 * dot(relative, apartNormals);
+    const Lanes overlap = select(nearness < Lanes(1.0), dot(toward, apartNormals), 0.0);  // 2D; negative: the distance
+    const Lanes closing = dot(relative, apartNormals);                                    // 2ḋ
+    const Lanes pressing = stiffness * overlap, damped = damping * closing;               // K D/2, C ḋ/2
     if constexpr (!withAdhesion)  // neither overlap nor a push by damping: the pair adds exactly nothing
-      if (!any((max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0)) & near)) return;
-    const Lanes v = 1.0 - nearness, u = v * (1.0 + nearness);
-    const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
-    const Lanes depth = max(overlap, Lanes(0.0));
-    const Lanes b = curvature * (depth * depth) * u, su = s * u;
+      if (!any(max(overlap, pressing + damped) > Lanes(0.0))) return;
+    const Lanes u = (1.0 - nearness) * (1.0 + nearness);
+    const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0);
+    const Lanes depth = max(overlap, Lanes(0.0)), depthSquare = depth * depth;
+    const Lanes b = curvature * depthSquare * u, barrier = stiffness * depthSquare;  // 4B, K D²
     deepest = max(b, deepest);
-    const Lanes push = stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
-    const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));  // E_D/2
-    const Lanes barrier = stiffness * (depth * depth);
-    Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
-    Lanes byTurn = 0.0;
-    if (any(t < Lanes(1.0)))  // ds/dm is 0 for normals 60° apart or more
-      byTurn =
-          ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
+    const Lanes push = pressing * (1.0 + b * (2 * hardening1 / 4 + (3 * hardening2 / 16) * b)) + damped;
+    Lanes su = u, byTurn = 0.0;
+    const bool turned = any(t < Lanes(1.0));  // s is 1 and ds/dm is 0 for normals 60° apart or more
+    if (turned) {
+      su = ((t * t) * (3.0 - 2.0 * t)) * u;
+      byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
+               ((barrier * (u * u)) * (1.0 + b * (hardening1 / 4 + (hardening2 / 16) * b)));
+    }
+    const Lanes half = (su * u) * max(push, Lanes(0.0));                                                   // E_D/2
+    Lanes byFade = (nearness * (su * barrier)) * (4.0 + b * (3 * hardening1 / 2 + (hardening2 / 2) * b));  // −2E_q
     if constexpr (withAdhesion) {
       constexpr double perReach = 1 / (attractionReach * attractionReach);  // 1/α²
       const Lanes w = 1.0 - min(perReach * ratio, 1.0), held = adhesion * (w * w);
-      byFade -= (((0.125 * perReach) * m) * (m * (3.0 - m))) * held;
+      byFade -= (((0.25 * perReach) * m) * (m * (3.0 - m))) * held;
       byTurn -= ((0.125 * m) * (2.0 - m)) * (held * w);
     }
-    sum.force += half * apartNormals + (2.0 * (curvature * byFade)) * a;
-    sum.turn += byTurn * j.n - half * a;
+    sum.force += half * apartNormals - (curvature * byFade) * toward;
+    if (withAdhesion || turned) sum.turn += byTurn * j.n + half * toward;
+    else sum.turn += half * toward;
     if constexpr (withFriction) {
-      const Lanes slipSquare = max(dot(relative, relative) - opening * opening, Lanes(0.0));
+      const Lanes slipSquare = max(dot(relative, relative) - 0.25 * (closing * closing), Lanes(0.0));
       const Lanes slip = max(sqrt(slipSquare), slipSpeed);
       const Lanes grip = min(friction * half, strongestGrip * slip);
-      sum.force -= (grip * dot(relative, a) / (slip * square + tiny)) * a;
+      sum.force += (grip * dot(relative, toward) / (slip * square + tiny)) * toward;
     }
   }
 
-  Lanes stiffness, damping, friction, slipSpeed, strongestGrip;
+  Lanes stiffness, damping, friction, slipSpeed, strongestGrip;  // the first two over 4
 };
 
 /// [ContactKernels::findSteepest]
@@ -169,7 +173,7 @@ inline void addPairForces(const BlockSlices& block, const std::int32_t* indices,
     }
   }
   moveToVertices(block, force);
-  *block.deepest = largestOf(deepest);
+  *block.deepest = 0.25 * largestOf(deepest);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -61,6 +61,12 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
   constexpr std::int64_t ofRows = blockLanes * sizeof(RowMemory), ofReference = vertexStride * sizeof(Real);
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
+  Real curvatures[blockLanes], folds[blockLanes];  // 1/R², (ε R²)²
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
+    store(curvatures + lane, curvature);
+    store(folds + lane, fold * fold);
+  }
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const RingStep* ring = mesh.ring + mesh.ringStart[v];
     const int neighbours = mesh.neighbours(v);
@@ -72,8 +78,8 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
       Vec around = loadVec(position + ring[0].vertexOffset + lane);
       for (int k = 1; k < neighbours; ++k) around += loadVec(position + ring[k].vertexOffset + lane);
       const Vec y = (1.0 - retreat) * x + share * around;
-      const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
-      const Vec n = (normalScale / sqrt(dot(g, g) + fold * fold)) * g;
+      const Lanes curvature = load(curvatures + lane);
+      const Vec n = (normalScale / sqrt(dot(g, g) + load(folds + lane))) * g;
       const int row = v * blockLanes + lane;
       if constexpr (counting)
         mostChanged = max(countChange(count, row, loadRows(rows + row, consecutive), {y, n, asStored(w), curvature}),
