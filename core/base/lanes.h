@@ -165,7 +165,7 @@ MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 /// Added to a divisor: keeps quotients finite where a length is 0, and is below rounding everywhere else.
 constexpr double tiny = single ? 1e-30 : 1e-280;
 
-// With x86's instructions where compilers take a comparison and a choice instead, which last longer.
+// x86 has an instruction for each of the two. gcc often makes a comparison and a blend, which take longer.
 #if defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 8
 #define MORULA_X86_PACKED(operation, a, b) (RawLanes) _mm512_##operation##_pd((__m512d)a.v, (__m512d)b.v)
 #elif defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 4

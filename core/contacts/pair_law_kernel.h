@@ -62,7 +62,7 @@
 
 namespace morula::MORULA_ISA {
 
-// Powers of two are taken into the constants below, which changes no bit: 2D in place of D, 4B in place of B.
+// It computes 2D in place of D and 4B in place of B, with powers of two in its constants: fewer operations, the same bits.
 template <bool withFriction, bool withAdhesion>
 struct PairLaw {
   MORULA_INLINE explicit PairLaw(const ContactConstants& c)
