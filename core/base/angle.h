@@ -1,5 +1,8 @@
 #pragma once
 // Angles, of + − × ÷ and square roots only [base/maths.h].
+#include <numbers>
+
+#include "base/maths.h"
 #include "base/vec3.h"
 
 namespace morula {
@@ -20,6 +23,16 @@ inline double angleOfLines(const Vector& u, const Vector& v) {
   const double apart = norm(u - v), together = norm(u + v);
   const double t = apart < together ? apart / together : together / apart;
   return 2 * degree * arcTangent(t);
+}
+
+/// x turned about the axis u of `turn` by φ, its length in degrees, counter-clockwise seen against u [Rodrigues 1840]:
+/// cos φ x + sin φ u × x + (1 − cos φ) (u·x) u. Without a turn x itself.
+inline Vector turnedBy(const Vector& turn, const Vector& x) {
+  const double degrees = norm(turn);
+  if (degrees == 0) return x;
+  const Vector u = (1 / degrees) * turn;
+  const auto [sine, cosine] = sineAndCosine(degrees * (std::numbers::pi / 180));
+  return cosine * x + sine * cross(u, x) + ((1 - cosine) * dot(u, x)) * u;
 }
 
 }  // namespace morula

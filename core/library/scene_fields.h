@@ -50,7 +50,7 @@ MORULA_FIELDS(ConnectionSpring, stiffness, rest)
 MORULA_FIELDS(ConnectionParameters, make, onDivision, strength, releaseDistance, pairs, spring, releaseTension,
               releaseAge, most)
 MORULA_FIELDS(MechanicsScene, physics, mesh, coarser, contact, division, connections)
-MORULA_FIELDS(StartCell, at, velocity, scale, stretch, mass, substances)
+MORULA_FIELDS(StartCell, at, velocity, scale, turn, stretch, mass, substances)
 MORULA_FIELDS(VariationParameters, cycle, share, start, tilt, adhesion)
 MORULA_FIELDS(Scene, name, seed, dna, cycle, stop, mechanics, cells, variation, senses)
 

@@ -14,7 +14,7 @@
 
 namespace morula {
 
-inline constexpr int sceneFormat = 1;
+inline constexpr int sceneFormat = 2;
 
 std::string writeScene(Scene scene);
 

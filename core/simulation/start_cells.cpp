@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/angle.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -40,7 +41,8 @@ void createFounders(World& world) {
 
 Point placeVertex(const StartCell& cell, const Point& x) {
   const Vector& s = cell.stretch;
-  return cell.at + cell.scale * Vector{s.x * x.x, s.y * x.y, s.z * x.z};
+  const Point turned = turnedBy(cell.turn, x);
+  return cell.at + cell.scale * Vector{s.x * turned.x, s.y * turned.y, s.z * turned.z};
 }
 
 std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartCell>& cells) {

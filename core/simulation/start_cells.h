@@ -16,6 +16,7 @@ struct StartCell {
   Point at = {};            // [length] its centre
   Vector velocity = {};     // [length/time] of all its vertices
   double scale = 1;         // its size at rest over the egg's: lengths; the fluid's k_p and mass go with the cube
+  Vector turn = {};         // [degree] of its mesh about this axis, by so much as it is long; before it is stretched
   Vector stretch{1, 1, 1};  // of its shape along x, y and z; what it is at rest with stays
   std::optional<double> mass = {};                          // [mass]; absent: the egg's times scale³
   std::optional<std::vector<std::string>> substances = {};  // sorted; absent: what the DNA starts with

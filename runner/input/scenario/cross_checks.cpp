@@ -190,10 +190,13 @@ void checkSpheres(const SceneCheck& check) {
     check.refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not", "needs pair");
   if (contact && contact->radius != ContactParameters{}.radius)
     check.refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
-  for (std::size_t i = 0; i < cells.size() && i < check.reading.startCells.size(); ++i)
-    if (cells[i].stretch != Vector{1, 1, 1})
-      check.reading.problems.add(check.reading.startCells[i], "cells[" + std::to_string(i) + "].stretch",
-                                 "a sphere stays round", "remove this, or use scale");
+  for (std::size_t i = 0; i < cells.size() && i < check.reading.startCells.size(); ++i) {
+    const auto refuse = [&](const char* key, const char* why, const char* remedy) {
+      check.reading.problems.add(check.reading.startCells[i], "cells[" + std::to_string(i) + "]." + key, why, remedy);
+    };
+    if (cells[i].stretch != Vector{1, 1, 1}) refuse("stretch", "a sphere stays round", "remove this, or use scale");
+    if (cells[i].turn != Vector{}) refuse("turn", "a sphere has no mesh to turn", "remove this");
+  }
 }
 
 /// What a seed may change only of bodies.

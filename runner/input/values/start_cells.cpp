@@ -7,7 +7,9 @@ namespace morula::scenario {
 namespace {
 
 constexpr const char* startForm = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";
-const std::vector<std::string> keys{"at", "velocity", "scale", "stretch", "mass", "substances"};
+const std::vector<std::string> keys{"at", "velocity", "scale", "turn", "stretch", "mass", "substances"};
+
+constexpr Range degrees{.low = -360, .high = 360};
 
 /// Reads one cell of the list; `path` is "cells[2]".
 class CellReader {
@@ -22,6 +24,7 @@ class CellReader {
       reading_.problems.add(node_.place, path_ + ".at", "is missing", "needs its centre, as at: [0, 0, 0]");
     triple("at", {}, "three numbers [length], as [0, 0, 0]", cell.at);
     triple("velocity", {}, "three numbers [length/time], as [0, 0, 0]", cell.velocity);
+    triple("turn", degrees, "three numbers from -360 to 360 [degree], as [0, 0, 30]", cell.turn);
     triple("stretch", positive, "three numbers > 0, as [1, 1, 0.5]", cell.stretch);
     // One cell among others may be out of all proportion.
     constexpr Range anyPositive{.low = 0, .openLow = true};
@@ -67,6 +70,7 @@ Json writeCell(const StartCell& cell) {
            {"velocity", listOf(cell.velocity)},
            {"scale", cell.scale},
            {"stretch", listOf(cell.stretch)}};
+  if (cell.turn != Vector{}) map["turn"] = listOf(cell.turn);
   if (cell.mass) map["mass"] = *cell.mass;
   if (cell.substances) map["substances"] = *cell.substances;
   return map;
@@ -77,6 +81,7 @@ Json cellSchema() {
   return mapSchema({{"at", triple({})},
                     {"velocity", triple({})},
                     {"scale", numberSchema(positive)},
+                    {"turn", triple(degrees)},
                     {"stretch", triple(positive)},
                     {"mass", numberSchema(positive)},
                     {"substances", {{"type", "array"}, {"items", {{"type", "string"}}}, {"uniqueItems", true}}}},
@@ -91,7 +96,8 @@ Parameter startCells() {
   p.allowed = std::string("a list of ") + startForm;
   p.meaning =
       "The cells that live at time 0. Of each: at, its centre; velocity; scale of its size at rest, with its contents "
-      "and mass; stretch of its shape along x, y and z, not of its rest lengths; mass; substances instead of START";
+      "and mass; turn of its mesh in degrees, [0, 0, 30] by 30 about z; stretch of its shape along x, y and z, not of its "
+      "rest lengths; mass; substances instead of START";
   p.absent = "one egg at the origin";
   p.needs = "physics";
   p.schema = {{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};

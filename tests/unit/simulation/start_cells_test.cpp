@@ -56,6 +56,21 @@ TEST_CASE("Paths are those of an egg that divided at time 0, in the order of the
   }
 }
 
+TEST_CASE("A mesh is turned about an axis, and then stretched") {
+  const double third = std::sqrt(1.0 / 3);
+  const World world = makeWorld(withCells({{.at = {-3, 0, 0}, .turn = {0, 0, 90}, .stretch = {2, 1, 1}},
+                                           {.at = {3, 0, 0}, .turn = {-120 * third, -120 * third, -120 * third}},
+                                           {.at = {9, 0, 0}, .turn = {0, 0, 360}}}));
+  const Mesh& egg = world.model.mechanics->mesh;
+  for (int v = 0; v < world.bodies->vertexCount(); ++v) {
+    const Point& x = egg.vertices[v];
+    CHECK(norm(world.bodies->vertex(0, v) - Point{-3 - 2 * x.y, x.x, x.z}) < 2e-15);
+    CHECK(norm(world.bodies->vertex(1, v) - Point{3 + x.y, x.z, x.x}) < 2e-15);
+    CHECK(norm(world.bodies->vertex(2, v) - Point{9 + x.x, x.y, x.z}) < 4e-15);
+  }
+  CHECK(world.bodies->volume[1] == Approx(world.bodies->volume[2]).epsilon(1e-14));
+}
+
 TEST_CASE("Place, velocity, size, shape and mass arrive; a scaled cell is at rest as the egg is") {
   StartCell plain = at(-3), other{.at = {3, 1, 2}, .velocity = {1, 2, 3}, .scale = 0.5};
   StartCell flat{.at = {0, 5, 0}, .stretch = {2, 1, 0.25}, .mass = 7.0};
