@@ -2,7 +2,7 @@
 // A scene as a text of its own, for programs that have the simulator and know no scenario files: run_scene of the tests, pages
 // that run again, other programs. A scenario is for people; this holds exactly what decides a run, all numbers as their bits.
 //
-//   morula-scene 1
+//   morula-scene 2
 //   11 unique-four         a text: its bytes, a blank, and the text
 //   20080617               a number: whole, or the 64 bits of a double
 //   …                      the members of Scene, one after the other; before what may be absent 0 or 1, before a list its length

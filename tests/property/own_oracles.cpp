@@ -155,6 +155,10 @@ Scene turned(Scene scene, const Turn& turn) {
     place(v);
     v = {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
   };
+  const auto rotation = [&](Vector& axis) {  // in a mirror it goes the other way round
+    place(axis);
+    if (turn.mirrors) axis = -1.0 * axis;
+  };
   MechanicsScene& m = *scene.mechanics;
   const auto surface = [&](Mesh& mesh) {
     for (Point& v : mesh.vertices) place(v);
@@ -184,7 +188,7 @@ Scene turned(Scene scene, const Turn& turn) {
     hand(rule.chirality);
   }
   for (SenseParameters& sense : scene.senses) place(sense.axis);
-  for (StartCell& cell : scene.cells) place(cell.at), place(cell.velocity), size(cell.stretch);
+  for (StartCell& cell : scene.cells) place(cell.at), place(cell.velocity), rotation(cell.turn), size(cell.stretch);
   return scene;
 }
 
