@@ -62,7 +62,8 @@ TEST_CASE("A mesh is turned about an axis, and then stretched") {
                                            {.at = {3, 0, 0}, .turn = {-120 * third, -120 * third, -120 * third}},
                                            {.at = {9, 0, 0}, .turn = {0, 0, 360}}}));
   const Mesh& egg = world.model.mechanics->mesh;
-  for (int v = 0; v < world.bodies->vertexCount(); ++v) {  // to roundings of places up to 4, and up to 10
+  for (int v = 0; v < world.bodies->vertexCount(); ++v) {
+    // A few roundings: coordinates are 5 at most in the first two cells and 10 in the third.
     const Point& x = egg.vertices[v];
     CHECK(norm(world.bodies->vertex(0, v) - Point{-3 - 2 * x.y, x.x, x.z}) < 2e-15);
     CHECK(norm(world.bodies->vertex(1, v) - Point{3 + x.y, x.z, x.x}) < 2e-15);
