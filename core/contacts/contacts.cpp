@@ -197,6 +197,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                            .liveLanes = place.liveLanes,
                            .firstVertex = place.firstLine * blockLanes,
                            .position = bodies.position.from(std::size_t(place.firstLine) * vertexStride),
+                           .velocity = bodies.velocity.from(std::size_t(place.firstLine) * vertexStride),
                            .surfaceForce = onSurface ? c.scratch[threadNumber()].force.from(0) : none,
                            .surfaceTurn = onSurface ? c.scratch[threadNumber()].turn.from(0) : none,
                            .deepest = &c.deepest[block]};

@@ -31,7 +31,7 @@ struct BlockSlices {
   TemplateView mesh;
   int liveLanes;
   VertexNumber firstVertex;               // of the block
-  RealPointer position;                   // [vertexCount][3][blockLanes]
+  RealPointer position, velocity;         // [vertexCount][3][blockLanes]
   RealPointer surfaceForce, surfaceTurn;  // the same; scratch of the running thread
   double* deepest;                        // B u, the largest of the block's pairs
 };

