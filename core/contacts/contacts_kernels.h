@@ -27,7 +27,7 @@ struct BlockSlices {
   const double* vertexMass;    // [lane]
   std::int64_t nextLine;       // where the next block's vertices begin (BlockPlace::firstLine):
   std::int64_t linesPerSlice;  // so many of them for each slice
-  // The pair law's
+  // The pair law's; of every law firstVertex, position and velocity, to prefetch the next block's
   TemplateView mesh;
   int liveLanes;
   VertexNumber firstVertex;               // of the block
