@@ -57,9 +57,21 @@ typedef Real RawLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
 typedef MaskReal RawMask __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
 typedef double WideLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(double))));
 
+// AVX-512 has registers for masks; gcc would make vectors of its comparisons, and masks of these.
+#if defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 8
+#define MORULA_COMPARE(a, b, how, ordered) \
+  { _mm512_cmp_pd_mask((__m512d)a.v, (__m512d)b.v, ordered) }
+#define MORULA_MASK_REGISTERS
+typedef __mmask8 RawBits;
+#else
+#define MORULA_COMPARE(a, b, how, ordered) \
+  { a.v how b.v }
+typedef RawMask RawBits;
+#endif
+
 struct Mask {
-  RawMask v;
-  friend MORULA_INLINE Mask operator&(Mask a, Mask b) { return {a.v & b.v}; }
+  RawBits v;
+  friend MORULA_INLINE Mask operator&(Mask a, Mask b) { return {static_cast<RawBits>(a.v & b.v)}; }
 };
 
 struct Lanes {
@@ -74,9 +86,9 @@ struct Lanes {
   friend MORULA_INLINE Lanes operator/(Lanes a, Lanes b) { return a.v / b.v; }
   MORULA_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
   MORULA_INLINE Lanes& operator-=(Lanes b) { return *this = *this - b; }
-  friend MORULA_INLINE Mask operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
-  friend MORULA_INLINE Mask operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
-  friend MORULA_INLINE Mask operator!=(Lanes a, Lanes b) { return {a.v != b.v}; }
+  friend MORULA_INLINE Mask operator>(Lanes a, Lanes b) { return MORULA_COMPARE(a, b, >, _CMP_GT_OS); }
+  friend MORULA_INLINE Mask operator<(Lanes a, Lanes b) { return MORULA_COMPARE(a, b, <, _CMP_LT_OS); }
+  friend MORULA_INLINE Mask operator!=(Lanes a, Lanes b) { return MORULA_COMPARE(a, b, !=, _CMP_NEQ_UQ); }
 };
 
 MORULA_INLINE Lanes load(const Real* p) {
@@ -133,7 +145,13 @@ MORULA_INLINE Lanes abs(Lanes a) {
   constexpr MaskReal sign = static_cast<MaskReal>(1ULL << (8 * sizeof(MaskReal) - 1));
   return (RawLanes)((RawMask)a.v & ~(sign + RawMask{}));
 }
-MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m.v ? a.v : b.v; }
+MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) {
+#if defined(MORULA_MASK_REGISTERS)
+  return (RawLanes)_mm512_mask_blend_pd(m.v, (__m512d)b.v, (__m512d)a.v);
+#else
+  return m.v ? a.v : b.v;
+#endif
+}
 
 /// Bit i: lane i.
 MORULA_INLINE unsigned bits(Mask m) {
@@ -145,8 +163,8 @@ MORULA_INLINE unsigned bits(Mask m) {
   return _mm_movemask_pd((__m128d)m.v);
 #elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 4
   return _mm256_movemask_pd((__m256d)m.v);
-#elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 8
-  return _mm512_movepi64_mask((__m512i)m.v);
+#elif defined(MORULA_MASK_REGISTERS)
+  return m.v;
 #elif defined(MORULA_SINGLE) && defined(__wasm_simd128__) && MORULA_WIDTH == 4
   return wasm_i32x4_bitmask((v128_t)m.v);
 #elif !defined(MORULA_SINGLE) && defined(__wasm_simd128__) && MORULA_WIDTH == 2

@@ -77,22 +77,24 @@ struct PairLaw {
     const Vec toward = j.x - i.x, relative = j.v - i.v, apartNormals = j.n - i.n;  // −a, −(v_i − v_j), 2h
     const Lanes square = dot(toward, toward);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
-    const Lanes ratio = curvature * square,
-                nearness = min(ratio, 1.0);  // in single precision the far row's is infinite
-    const Lanes overlap = select(nearness < Lanes(1.0), dot(toward, apartNormals), 0.0);  // 2D; negative: the distance
-    const Lanes closing = dot(relative, apartNormals);                                    // 2ḋ
-    const Lanes pressing = stiffness * overlap, damped = damping * closing;               // K D/2, C ḋ/2
-    if constexpr (!withAdhesion)  // neither overlap nor a push by damping: the pair adds exactly nothing
+    const Lanes ratio = curvature * square, nearness = min(ratio, 1.0);
+    Lanes overlap = dot(toward, apartNormals);  // 2D; negative: the distance
+    if constexpr (single)                       // the far row's squares are infinite
+      overlap = select(nearness < Lanes(1.0), overlap, 0.0);
+    const Lanes closing = dot(relative, apartNormals);                       // 2ḋ
+    const Lanes pressing = stiffness * overlap, damped = damping * closing;  // K D/2, C ḋ/2
+    if constexpr (!withAdhesion && width <= 2)  // the pair adds exactly nothing; of more lanes one nearly always acts
       if (!any(max(overlap, pressing + damped) > Lanes(0.0))) return;
     const Lanes u = (1.0 - nearness) * (1.0 + nearness);
-    const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0);
+    const Lanes m = 1.0 - dot(i.n, j.n);
     const Lanes depth = max(overlap, Lanes(0.0)), depthSquare = depth * depth;
     const Lanes b = curvature * depthSquare * u, barrier = stiffness * depthSquare;  // 4B, K D²
     deepest = max(b, deepest);
     const Lanes push = pressing * (1.0 + b * (2 * hardening1 / 4 + (3 * hardening2 / 16) * b)) + damped;
     Lanes su = u, byTurn = 0.0;
-    const bool turned = any(t < Lanes(1.0));  // s is 1 and ds/dm is 0 for normals 60° apart or more
+    const bool turned = any(m < Lanes(leastFacing));  // s is 1 and ds/dm is 0 for normals 60° apart or more
     if (turned) {
+      const Lanes t = min((1 / leastFacing) * m, 1.0);
       su = ((t * t) * (3.0 - 2.0 * t)) * u;
       byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
                ((barrier * (u * u)) * (1.0 + b * (hardening1 / 4 + (hardening2 / 16) * b)));
