@@ -23,6 +23,7 @@ class Indirect {
     if (value_) operations_->destroy(std::exchange(value_, nullptr));
   }
   bool has_value() const { return value_; }
+  const T* get() const { return value_; }  // or null
   explicit operator bool() const { return value_; }
   T& operator*() { return *value_; }
   const T& operator*() const { return *value_; }

@@ -15,6 +15,7 @@ struct BodyShape {
   // [force/length²] Inner minus outer at this volume [Nilsson 2008, eq. 4.3]; absent: without fluid under pressure.
   std::optional<double> pressure;
   bool isBall = false;  // it has no surface but that of a ball
+  double sag = 0;       // [length] how far below its vertices the surface is that holds its volume; 0 of a sphere
 };
 
 class PhysicalUnit {

@@ -191,6 +191,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const BlockSlices slices{.slices = lists.slices.data(),
                            .count = count,
                            .vertexMass = &bodies.vertexMass[std::size_t(block) * blockLanes],
+                           .sag = &bodies.sag[std::size_t(block) * blockLanes],
                            .nextLine = place.firstLine + lines,
                            .linesPerSlice = count > 0 ? (lines + count - 1) / count : 0,
                            .mesh = bodies.meshAt(place.meshLevel).view(),

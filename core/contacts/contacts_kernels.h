@@ -24,9 +24,9 @@ constexpr int linesPrefetched = 8;
 struct BlockSlices {
   const NeighbourSlice* slices;
   std::int64_t count;
-  const double* vertexMass;    // [lane]
-  std::int64_t nextLine;       // where the next block's vertices begin (BlockPlace::firstLine):
-  std::int64_t linesPerSlice;  // so many of them for each slice
+  const double *vertexMass, *sag;  // [lane]
+  std::int64_t nextLine;           // where the next block's vertices begin (BlockPlace::firstLine):
+  std::int64_t linesPerSlice;      // so many of them for each slice
   // The pair law's; of every law firstVertex, position and velocity, to prefetch the next block's
   TemplateView mesh;
   int liveLanes;

@@ -157,6 +157,7 @@ template <bool withFriction, bool withAdhesion>
 inline void addPairForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                           const ContactConstants& c, RealPointer force) {
   const PairLaw<withFriction, withAdhesion> law(c);
+  const SurfaceDepths depths(block);
   clearSurface(block);
   Lanes deepest = 0.0;
   for (std::int64_t s = 0; s < block.count; ++s) {
@@ -171,7 +172,7 @@ inline void addPairForces(const BlockSlices& block, const std::int32_t* indices,
         law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0), sum,
                 deepest);
       }
-      storeOnSurface(block, slice.vertex + lane, c.vertices, i, sum);
+      storeOnSurface(block, depths, slice.vertex + lane, c.vertices, i, sum);
     }
   }
   moveToVertices(block, force);

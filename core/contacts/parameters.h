@@ -34,7 +34,7 @@ struct AdhesionParameters {
 };
 
 // What the pair law is made of, in kernels and measures; formulas: pair_law_kernel.h, surface_kernel.h.
-constexpr double retreat = 0.125;                                            // γ
+constexpr double retreat = 0.125, surfaceDepth = 0.65;                       // λ, γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
 constexpr double leastFacing = 0.5;                                          // m₀

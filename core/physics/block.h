@@ -56,10 +56,7 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
-  // Between drift and kick, where the shell holds surfaces, else null: the vertices that lie outside of it in some lane, how
-  // many, and, of these, the points that it holds [v]
-  std::int32_t *heldVertices, *heldCount;
-  RealPointer held;
+  const double* sag;               // [l] [length] Bodies::sag
   // Output of each cell
   double* volume;    // [l]
   double* pressure;  // [l]

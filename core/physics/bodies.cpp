@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "mesh/nesting.h"
 #include "physics/integrator.h"
+#include "physics/sag.h"
 #include "physics/stages.h"
 
 namespace morula {
@@ -38,11 +39,6 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
-  if (shellShapeOf(b.parameters) == ShellShape::surface) {
-    b.held.assign(b.position.size(), 0);
-    b.heldVertices.assign(lines, 0);
-    b.heldCounts.assign(b.blocks.size(), 0);
-  }
   if (kindOf(b.parameters.integrator).evaluations > 1) b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
 
@@ -99,7 +95,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps, &b.held}) *a = Reals(parameters.precision);
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
   b.scratch.assign(threads, {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
     s.predicted.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
@@ -118,7 +114,6 @@ BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
-  const bool holds = held.size() > 0;
   // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
   const std::size_t coefficients = std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
   return {.meshLevel = place.meshLevel,
@@ -129,9 +124,7 @@ BlockView Bodies::block(int index, int thread) {
           .vertexMass = &vertexMass[l],
           .restScale = &restScale[l],
           .pressureConstant = &pressureConstant[l],
-          .heldVertices = holds ? &heldVertices[place.firstLine] : nullptr,
-          .heldCount = holds ? &heldCounts[index] : nullptr,
-          .held = holds ? held.from(v) : RealPointer{nullptr},
+          .sag = &sag[l],
           .volume = &volume[l],
           .pressure = &pressure[l],
           .predicted = s.predicted.from(0),
@@ -186,7 +179,8 @@ void setVertexMass(Bodies& b, int slot, double mass) {
 void setBodies(Bodies& b, const std::vector<Body>& cells) {
   arrange(b, cells);
   const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes;
-  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure}) a->assign(lanes, 0);
+  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.sag, &b.volume, &b.pressure})
+    a->assign(lanes, 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int slot = b.slots[i];
     place(b, slot, cells[i], cells[i].mass / b.vertexCount(slot));  // [Nilsson 2008, eq. 4.1]
@@ -194,6 +188,7 @@ void setBodies(Bodies& b, const std::vector<Body>& cells) {
   for (int block = 0; block < b.blockCount(); ++block)
     for (int lane = b.liveLanes(block); lane < blockLanes; ++lane)
       place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].meshLevel), immovable(b.parameters.precision));
+  setSags(b);
 }
 
 }  // namespace morula

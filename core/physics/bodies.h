@@ -57,13 +57,10 @@ struct Bodies {
   Reals position, velocity, acceleration;
   // Each cell's parameters, [slot], filled up to whole blocks
   AlignedVector<double> vertexMass, restScale, pressureConstant;
+  AlignedVector<double> sag;  // [length] how far below its vertices a cell's surface is that holds its volume (sag.h)
 
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
-
-  // Of the last drift, where a shell holds surfaces, else empty (BlockView)
-  Reals held;
-  std::vector<std::int32_t> heldVertices, heldCounts;  // [block][vertex], [block]
 
   // Output of the last force evaluation, [slot]
   AlignedVector<double> volume;    // [length³]

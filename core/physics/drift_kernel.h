@@ -9,15 +9,15 @@ namespace morula::MORULA_ISA {
 template <ShellShape shell, class Advance>
 MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                  const Advance& advance) {
-  const ShellSlope slope(p);
+  const BlockShell<shell> felt(b, p);
   Real *position = b.position, *velocities = b.velocity, *predictions = b.predicted;
   const Real* accelerations = b.acceleration;
   const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
   for (int v = 0; v < vertices; ++v)
-    for (int lane = 0; lane < liveLanes; lane += width) {
+    for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
       advance(v, lane, loadVec(accelerations, v, lane), x, velocity, predicted);
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(felt[group], x, velocity, predicted);
       storeVec(velocities, v, lane, velocity);
       storeVec(predictions, v, lane, predicted);
       storeVec(position, v, lane, x);

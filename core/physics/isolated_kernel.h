@@ -13,16 +13,16 @@ inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const Kern
   const EnclosedFluid<dragged> fluid(b, p);
   const Lanes halfStep = 0.5 * dt, step = dt;
   const InverseMass inverseMass(b);
-  const ShellSlope slope(p);
+  const BlockShell<shell> felt(b, p);
   Real *position = b.position, *velocities = b.velocity, *predictions = b.predicted;
   const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
   for (int v = 0; v < vertices; ++v)
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
-      const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(slope, load(inverseMass.value + lane), halfStep,
-                                                                      fluid.forceWith(v, lane, group), x, velocity);
+      const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(
+          felt[group], load(inverseMass.value + lane), halfStep, fluid.forceWith(v, lane, group), x, velocity);
       driftVertex(halfStep, step, a, x, velocity, predicted);
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(felt[group], x, velocity, predicted);
       storeVec(velocities, v, lane, velocity);
       storeVec(predictions, v, lane, predicted);
       storeVec(position, v, lane, x);

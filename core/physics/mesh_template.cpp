@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/maths.h"
@@ -41,7 +42,34 @@ double measureUnevenness(const Mesh& mesh) {
   return std::max(double(gradient.size()) * sum / (area * area), 1.0);
 }
 
+/// [length] Of the sphere that all these lie on; nothing if they do not.
+std::optional<double> radiusOfSphere(const std::vector<Point>& vertices) {
+  const Point centre = measureCentroid(vertices);
+  const double radius = norm(vertices[0] - centre);
+  const auto isNear = [&](const Point& x) { return std::abs(norm(x - centre) - radius) <= 1e-9 * radius; };
+  return std::ranges::all_of(vertices, isNear) ? std::optional(radius) : std::nullopt;
+}
+
 }  // namespace
+
+double measureSag(const Mesh& mesh) {
+  if (const auto radius = radiusOfSphere(mesh.vertices))
+    return *radius - cubeRoot(3 * measureVolume(mesh.vertices, mesh.faces) / (4 * std::numbers::pi));
+  const Connectivity c = makeConnectivity(mesh);
+  std::vector<Vector> gradient(mesh.vertices.size());  // 6 ∇V
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < 3; ++k)
+      gradient[face[k]] += cross(mesh.vertices[face[(k + 1) % 3]], mesh.vertices[face[(k + 2) % 3]]);
+  double sum = 0;
+  for (int v = 0; v < c.vertexCount; ++v) {
+    Vector toRing{};
+    for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k)
+      toRing += mesh.vertices[c.ringVertex[k]] - mesh.vertices[v];
+    const double size = norm(gradient[v]) * (c.ringStart[v + 1] - c.ringStart[v]);
+    if (size > 0) sum -= dot(toRing, gradient[v]) / size;
+  }
+  return std::max(0.25 * sum / c.vertexCount, 0.0);
+}
 
 MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
   const Connectivity c = makeConnectivity(mesh);
@@ -69,8 +97,12 @@ MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
   t.unevenness = measureUnevenness(mesh);
+  t.sag = measureSag(mesh);
+  t.volume = measureVolume(mesh.vertices, mesh.faces);
+  if (springs != Springs::equal) t.springWeights = makeSpringWeights(mesh, t.edges);
+  for (int e = 0; e < c.edgeCount; ++e)
+    t.restSquares += (springs == Springs::equal ? 1 : t.springWeights[e]) * t.restLengths[e] * t.restLengths[e];
   if (springs == Springs::equal) return t;
-  t.springWeights = makeSpringWeights(mesh, t.edges);
   std::vector<double> sums(mesh.vertices.size());
   for (std::size_t end = 0; end < t.edges.size(); ++end) sums[t.edges[end]] += t.springWeights[end / 2];
   t.ringWeight = *std::ranges::max_element(sums);

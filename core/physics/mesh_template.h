@@ -28,6 +28,9 @@ struct MeshTemplate {
   std::vector<std::int32_t> ringStart;  // [vertex + 1] into ring
   std::vector<RingStep> ring;           // TemplateView
   std::vector<double> ringShare;        // TemplateView
+  double sag = 0;                       // [length] measureSag
+  double volume = 0;                    // [length³]
+  double restSquares = 0;               // [length²] sum over the springs of L₀² times the weight
   double meanRestLength = 0;            // [length]
   RestShape rest;                       // empty where no body is made by shape matching
 
@@ -38,6 +41,11 @@ struct MeshTemplate {
 
 /// Expects a closed manifold (checkClosedManifold).
 MeshTemplate makeTemplate(const Mesh& mesh, Springs springs = Springs::equal);
+
+/// [length] How far inside the smooth surface through the vertices of a closed mesh the surface is that encloses its volume. Of
+/// vertices on a sphere: its radius less that of the ball of this volume. Of others: the mean over all vertices of −¼ U·n, with
+/// U from a vertex to the mean of its one-ring and the normal n, which is 1 to 4 % less on icospheres; 0 at least.
+double measureSag(const Mesh& mesh);
 
 /// [edge] [1] √3 (cot α + cot β)/2, with the angles opposite of the edge: √3 times the length of its dual, between the
 /// centres of both circumcircles, over its own. 1 where all triangles are equilateral. Then Σ w d dᵀ over the edges of

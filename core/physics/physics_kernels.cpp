@@ -9,7 +9,6 @@
 #include "physics/runge_kutta_kernel.h"
 #include "physics/shape_kernel.h"
 #include "physics/shell_planes_kernel.h"
-#include "physics/shell_surface_kernel.h"
 #include "physics/sphere_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
@@ -18,12 +17,13 @@
 namespace morula::MORULA_ISA {
 
 // [ShellShape] of a drift whose template arguments before the shape are the ones that follow its name.
-#define MORULA_IN_MESH_SHELLS(drift, ...) \
-  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, drift<__VA_ARGS__ ShellShape::ellipsoid>
-#define MORULA_IN_SHELLS(drift)                                                                                        \
-  {                                                                                                                    \
-    MORULA_IN_MESH_SHELLS(drift), driftAroundSurfaces<drift<ShellShape::none>>, driftSpheres<drift<ShellShape::none>>, \
-        driftInPlanes<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>, true>                           \
+#define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
+  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
+      drift<__VA_ARGS__ ShellShape::ellipsoid>, drift<__VA_ARGS__ ShellShape::surface>
+#define MORULA_IN_SHELLS(drift)                                                                                  \
+  {                                                                                                              \
+    MORULA_IN_MESH_SHELLS(drift), driftSpheres<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>>, \
+        driftInPlanes<drift<ShellShape::none>, true>                                                             \
   }
 // [evaluation] of a time step.
 #define MORULA_FOUR(shape) \
@@ -37,11 +37,11 @@ namespace morula::MORULA_ISA {
         driftInPlanes<driftRungeKutta<4, ShellShape::none>, balls>  \
   }
 // [KickShell]
-#define MORULA_KICKS(lacking)                                                            \
-  {                                                                                      \
-    kick<lacking, false>, kick<lacking, true>, kickAroundSurfaces<kick<lacking, false>>, \
-        kickSpheres<kick<lacking, false>>, kickInPlanes<kick<lacking, false>>,           \
-        kickInPlanes<kick<lacking, false>, true>                                         \
+#define MORULA_KICKS(lacking)                                                                                  \
+  {                                                                                                            \
+    kick<lacking, ShellShape::none>, kick<lacking, ShellShape::ellipsoid>, kick<lacking, ShellShape::surface>, \
+        kickSpheres<kick<lacking, ShellShape::none>>, kickInPlanes<kick<lacking, ShellShape::none>>,           \
+        kickInPlanes<kick<lacking, ShellShape::none>, true>                                                    \
   }
 
 extern const PhysicsKernels physics;
@@ -53,22 +53,17 @@ const PhysicsKernels physics = {
     .driftRungeKutta = {MORULA_FOUR(ShellShape::none),
                         MORULA_FOUR(ShellShape::sphere),
                         MORULA_FOUR(ShellShape::ellipsoid),
-                        {driftAroundSurfaces<driftRungeKutta<1, ShellShape::none>>,
-                         driftAroundSurfaces<driftRungeKutta<2, ShellShape::none>>,
-                         driftAroundSurfaces<driftRungeKutta<3, ShellShape::none>>,
-                         driftAroundSurfaces<driftRungeKutta<4, ShellShape::none>>},
+                        MORULA_FOUR(ShellShape::surface),
                         {driftSpheres<driftRungeKutta<1, ShellShape::none>>,
                          driftSpheres<driftRungeKutta<2, ShellShape::none>>,
                          driftSpheres<driftRungeKutta<3, ShellShape::none>>,
                          driftSpheres<driftRungeKutta<4, ShellShape::none>>},
                         MORULA_FOUR_IN_PLANES(false),
                         MORULA_FOUR_IN_PLANES(true)},
-    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, ), driftXpbdIn<false, keepSurfaces>, nullptr,
-                   driftXpbdIn<false, keepAllInPlanes<false>>},
-                  {MORULA_IN_MESH_SHELLS(driftXpbd, true, ), driftXpbdIn<true, keepSurfaces>, nullptr,
-                   driftXpbdIn<true, keepAllInPlanes<false>>}},
-    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, ), nullptr, nullptr, nullptr},
-                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, ), nullptr, nullptr, nullptr}},
+    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, ), nullptr, driftXpbdIn<false, keepAllInPlanes<false>>},
+                  {MORULA_IN_MESH_SHELLS(driftXpbd, true, ), nullptr, driftXpbdIn<true, keepAllInPlanes<false>>}},
+    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, ), nullptr, nullptr},
+                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, ), nullptr, nullptr}},
     .endEvaluation = MORULA_KICKS(Kick::none),
     .kickVelocityVerlet = MORULA_KICKS(Kick::half),
     .kickSymplecticEuler = MORULA_KICKS(Kick::whole),

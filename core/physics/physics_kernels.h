@@ -25,7 +25,7 @@ struct PhysicsKernels {
   TimedStage driftExplicitEuler[7], driftSymplecticEuler[7];  // [ShellShape]
   TimedStage driftRungeKutta[7][4];                           // [ShellShape][evaluation]
   TimedStage driftXpbd[2][6];                                 // [damped][ShellShape], null around spheres
-  // [dragged][ShellShape], null for surfaces, around spheres and in planes; velocity Verlet only
+  // [dragged][ShellShape], null around spheres and in planes; velocity Verlet only
   TimedStage endAndDrift[2][6];
   TimedStage endEvaluation[6], kickVelocityVerlet[6], kickSymplecticEuler[6];  // [KickShell]
   Stage findTensions, findDampedTensions;

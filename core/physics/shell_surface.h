@@ -1,18 +1,12 @@
 #pragma once
-// What a shell holds of a cell, for those who measure; the step finds it in shell_surface_kernel.h.
-#include <vector>
-
+// What a shell holds of a cell, for those who measure; the step finds it in shell_kernel.h.
 #include "mesh/mesh.h"
 #include "physics/parameters.h"
 
 namespace morula {
 
-// [1] of the sag δ: so much it may change from when the shell was felt in a step to the step's end.
-constexpr double heldWithin = 0.05;
-
-/// [vertex] [length] The points of a closed surface that must lie in the shell. Where it holds surfaces: y = x − δ ŝ of
-/// each vertex that is not inside, or the point on the shell where δ within heldWithin leads there. The vertex itself
-/// elsewhere.
-std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters& shell);
+/// [length] The point below a cell's vertex x that must lie in the shell: where it holds surfaces, in a shell whose half-axes a
+/// are longer by the sag δ, x lies where y_i = x_i a_i/(a_i + δ) lies in the shell itself. Else the vertex.
+Point heldPoint(const Point& x, const ShellParameters& shell, double sag);
 
 }  // namespace morula

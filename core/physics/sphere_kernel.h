@@ -23,22 +23,10 @@ inline void measureSpheres(const TemplateView&, const BlockView& b, const Kernel
   }
 }
 
-/// The shell as the centres of eight spheres feel it.
-struct ShortenedShell {
-  ShortenedShell(const BlockView& b, const KernelParameters& p, int lane) {
-    const Lanes r = p.radius * load(b.restScale + lane);
-    for (int i = 0; i < 3; ++i) {
-      // A sphere as large as the shell stands in its middle.
-      const Lanes axis = max(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
-      inverseSquare[i] = 1.0 / (axis * axis);
-    }
-  }
-  /// As ShellSlope.
-  MORULA_INLINE Vec operator()(const Vec& x) const {
-    return {x.x * inverseSquare[0], x.y * inverseSquare[1], x.z * inverseSquare[2]};
-  }
-  Lanes inverseSquare[3];
-};
+/// The shell as the centres of spheres feel it.
+MORULA_INLINE FeltShell shellOfSpheres(const BlockView& b, const KernelParameters& p, int lane) {
+  return FeltShell(p, -p.radius * load(b.restScale + lane));
+}
 
 /// A drift, and then the shell.
 template <auto drift>
@@ -47,7 +35,7 @@ inline void driftSpheres(const TemplateView& mesh, const BlockView& b, const Ker
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     Vec x = loadVec(b.position, 0, lane), velocity = loadVec(b.velocity, 0, lane),
         predicted = loadVec(b.predicted, 0, lane);
-    keepInShell<ShellShape::ellipsoid>(ShortenedShell(b, p, lane), x, velocity, predicted);
+    keepInShell<ShellShape::ellipsoid>(shellOfSpheres(b, p, lane), x, velocity, predicted);
     storeVec(b.position, 0, lane, x);
     storeVec(b.velocity, 0, lane, velocity);
     storeVec(b.predicted, 0, lane, predicted);
@@ -60,7 +48,7 @@ inline void kickSpheres(const TemplateView& mesh, const BlockView& b, const Kern
   kick(mesh, b, p, dt);
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     Vec velocity = loadVec(b.velocity, 0, lane), acceleration = loadVec(b.acceleration, 0, lane);
-    slideOnShell(ShortenedShell(b, p, lane), loadVec(b.position, 0, lane), velocity, acceleration);
+    slideOnShell(shellOfSpheres(b, p, lane), loadVec(b.position, 0, lane), velocity, acceleration);
     storeVec(b.velocity, 0, lane, velocity);
     storeVec(b.acceleration, 0, lane, acceleration);
   }

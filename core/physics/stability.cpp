@@ -14,9 +14,10 @@ double dragLimit(Integrator integrator, double drag) {
   return kind.solvesForces ? INFINITY : kind.oscillatorLimit(0, drag, 1);
 }
 
-double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag) {
+double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag,
+                    double pairs) {
   const IntegratorKind& kind = kindOf(integrator);
-  const double m = vertexMass / 10;
+  const double m = vertexMass / pairs;
   if (!kind.needsDrag) return kind.oscillatorLimit(stiffness, damping, m);
   return drag > 0 ? kind.oscillatorLimit(stiffness, damping + drag * m, m) : 0;
 }

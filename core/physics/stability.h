@@ -29,12 +29,16 @@ struct StabilityLimits {
 /// There is no pressure. Spheres have no inner modes: both are infinite.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
-/// [time] Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
-/// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move:
-///   K Δt² + 2s C Δt − 4 m/10 = 0
+constexpr double usualPairs = 10;
+
+/// [time] Of a penalty contact K, C between vertices of mass m, each pressed by so many pairs with both sides in motion,
+/// ω² = `pairs` K/m: 10 on a freshly cut face, which has twice the usual density of vertices, where the weights of a vertex sum
+/// up to 5:
+///   K Δt² + 2s C Δt − 4 m/pairs = 0
 /// `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0. XPBD takes contact
 /// forces once per time step: s = 1, whatever its sub-steps.
-double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag = 0);
+double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag = 0,
+                    double pairs = usualPairs);
 
 /// [time] Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
 /// XPBD.

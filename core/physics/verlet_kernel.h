@@ -53,8 +53,8 @@ enum class Kick { none, half, whole };
 
 /// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it. The shell
 /// bears what presses against it.
-template <Kick lacking, bool shell>
-MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes step, const Vec& force, const Vec& x,
+template <Kick lacking, bool shell, class Slope>
+MORULA_INLINE Vec kickVertex(const Slope& slope, Lanes inverseMass, Lanes step, const Vec& force, const Vec& x,
                              Vec& velocity) {
   Vec a = inverseMass * force;
   if constexpr (lacking != Kick::none) velocity += step * a;
@@ -63,18 +63,19 @@ MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes s
 }
 
 /// Force → acceleration, of all vertices.
-template <Kick lacking, bool shell>
+template <Kick lacking, ShellShape shape>
 inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  constexpr bool shell = shape != ShellShape::none;
   constexpr bool moves = lacking != Kick::none || shell;
   const Lanes step = lacking == Kick::half ? 0.5 * dt : dt;
   const InverseMass inverseMass(b);
-  const ShellSlope slope(p);
+  const BlockShell<shape> felt(b, p);
   for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       Vec x, velocity;
       if constexpr (shell) x = loadVec(b.position, v, lane);
       if constexpr (moves) velocity = loadVec(b.velocity, v, lane);
-      const Vec a = kickVertex<lacking, shell>(slope, load(inverseMass.value + lane), step,
+      const Vec a = kickVertex<lacking, shell>(felt[group], load(inverseMass.value + lane), step,
                                                loadVec(b.acceleration, v, lane), x, velocity);
       if constexpr (moves) storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, a);

@@ -158,13 +158,13 @@ inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, do
 /// 5. predicted ← velocity.
 template <ShellShape shell>
 inline void endSubstep(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const ShellSlope slope(p);
+  const BlockShell<shell> felt(b, p);
   for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       Vec velocity = loadVec(b.velocity, v, lane), predicted = velocity;
       if constexpr (shell != ShellShape::none) {
         Vec x = loadVec(b.position, v, lane);
-        keepInShell<shell>(slope, x, velocity, predicted);
+        keepInShell<shell>(felt[group], x, velocity, predicted);
         storeVec(b.position, v, lane, x);
         storeVec(b.velocity, v, lane, velocity);
       }

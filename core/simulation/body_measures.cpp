@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/maths.h"
+#include "contacts/contact_surface.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
 #include "physics/shell_surface.h"
@@ -23,8 +24,9 @@ BodyShape measureShape(const Bodies& b, int slot) {
     return {std::move(surface), b.vertex(slot, 0), b.volume[slot], ballArea * radius * radius, {}, true};
   }
   const auto& [vertices, faces] = surface;
-  BodyShape shape{{},   measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {},
-                  false};
+  BodyShape shape{
+      {},         measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {}, false,
+      b.sag[slot]};
   if (b.model().hasMembrane) shape.pressure = b.pressureConstant[slot] / shape.volume - b.parameters.pressure.outside;
   shape.surface = std::move(surface);
   return shape;
@@ -95,9 +97,10 @@ double measureOutermost(const Bodies& b, int slot) {
   const double radius = b.parameters.cell.radius * b.restScale[slot];
   if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
   double outermost = 0;
-  const Mesh surface = takeSurface(b, slot);
-  for (Point p : b.areSpheres() ? surface.vertices : measureHeldPoints(surface, *b.parameters.shell)) {
-    if (b.areSpheres()) {  // in the same direction, on the ball
+  for (Point p : takeSurface(b, slot).vertices) {
+    if (!b.areSpheres()) {
+      p = heldPoint(p, *b.parameters.shell, b.sag[slot]);
+    } else {  // in the same direction, on the ball
       const Point centre = b.vertex(slot, 0);
       const Vector way = p - centre;
       p = centre + (radius / norm(way)) * way;
@@ -110,12 +113,12 @@ double measureOutermost(const Bodies& b, int slot) {
 
 double measureExtent(const Bodies& b) {
   double extent = 0;
+  const bool holds = b.parameters.shell && !b.areSpheres();
   for (int slot : b.slots) {
     const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
-    std::vector<Point> held;
-    if (b.held.size() > 0) held = measureHeldPoints(takeSurface(b, slot), *b.parameters.shell);
     for (int v = 0; v < b.vertexCount(slot); ++v) {
-      const double here = norm(held.empty() ? b.vertex(slot, v) : held[v]) + around;
+      const Point x = b.vertex(slot, v);
+      const double here = norm(holds ? heldPoint(x, *b.parameters.shell, b.sag[slot]) : x) + around;
       if (std::isnan(here)) return here;  // std::max would pass over it
       extent = std::max(extent, here);
     }
@@ -142,10 +145,10 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   const double* a = shell.semiAxes;
   const std::vector<Point>& vertices = shape.surface.vertices;
   const std::vector<Face>& faces = shape.surface.faces;
-  const std::vector<Point> held = measureHeldPoints(shape.surface, shell);
   const auto isOnShell = [&](int v) {
     if (shell.mesh) return measureReach(shell.mesh->planes, vertices[v]) > 1 - within;
-    const Vector q{held[v].x / a[0], held[v].y / a[1], held[v].z / a[2]};
+    const Point held = heldPoint(vertices[v], shell, shape.sag);
+    const Vector q{held.x / a[0], held.y / a[1], held.z / a[2]};
     return std::sqrt(dot(q, q)) > 1 - within;
   };
   double all = 0, onShell = 0;
@@ -177,10 +180,10 @@ double measureShellVolume(const Bodies& b) {
   return ballArea / 3 * a[0] * a[1] * a[2];
 }
 
-double measureMeanOverlap(const Bodies& b, int columns) {
+double measureMeanOverlap(const Bodies& b, const Contacts* contacts, int columns) {
   if (b.count == 0) return 0;
   std::vector<Mesh> surfaces;
-  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
+  for (int slot : b.slots) surfaces.push_back(takeContactSurface(contacts, b, slot));
   std::vector<MeshView> meshes;
   for (const Mesh& surface : surfaces) meshes.push_back({surface.vertices, surface.faces});
   return measureOverlap(meshes, columns).meanShare();

@@ -7,6 +7,8 @@
 
 namespace morula {
 
+struct Contacts;
+
 BodyShape measureShape(const Bodies& bodies, int slot);
 
 /// [length³] Of one of the scene's meshes at rest, at rest scale 1; of a sphere the ball's.
@@ -45,8 +47,8 @@ ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place)
 /// [length³] What the scene's shell encloses.
 double measureShellVolume(const Bodies& bodies);
 
-/// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines
-/// through a grid of `columns` × `columns` columns; O(cells · faces).
-double measureMeanOverlap(const Bodies& bodies, int columns = 256);
+/// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by the surfaces that contacts (null:
+/// none) act on, and by scan lines through a grid of `columns` × `columns` columns; O(cells · faces).
+double measureMeanOverlap(const Bodies& bodies, const Contacts* contacts, int columns = 256);
 
 }  // namespace morula

@@ -4,6 +4,7 @@
 
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "contacts/contact_surface.h"
 #include "contacts/contacts.h"
 #include "contacts/pair_energy.h"
 #include "mesh/distance.h"
@@ -111,11 +112,10 @@ void checkNumbers(const World& world) {
 void checkStart(const World& world) {
   const Bodies& b = *world.bodies;
   if (b.count < 2 || !world.contacts || world.contacts->parameters.law != ContactLaw::pair || b.areSpheres()) return;
-  const Observation now(world);
   std::vector<Mesh> surfaces;
   std::vector<Box> boxes;
   for (int cell = 0; cell < b.count; ++cell) {
-    surfaces.push_back(ObservedCell(now, cell).physical()->getShape().surface);
+    surfaces.push_back(takeContactSurface(world.contacts.get(), b, b.slots[cell]));
     boxes.push_back(measureBox(surfaces.back().vertices));
   }
   for (int i = 0; i < b.count; ++i)

@@ -3,6 +3,7 @@
 #include <limits>
 #include <variant>
 
+#include "physics/sag.h"
 #include "simulation/checkpoint_state.h"
 #include "simulation/stages.h"
 
@@ -124,6 +125,7 @@ class StateReader {
       else
         for (std::size_t cell = 0; cell < cells; ++cell) member[b.slots[cell]] = values[cell];
     });
+    setSags(b);
   }
 
   void operator()(const char* table, Contacts& contacts) {

@@ -96,10 +96,10 @@ constexpr WorldMeasure ofWorld[] = {
     {.name = "momentum_z", .unit = "mass·length/time", .meaning = "The same along z", .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).z; }},
     {.name = "mean_overlap",
-     .meaning = "Share of a cell's volume that lies in another cell too, in the mean over the cells, by 256 × 256 scan "
-                "lines",
+     .meaning = "Share of a cell's volume that lies in another cell too, by the surfaces that contacts act on, in the mean "
+                "over the cells, by 256 × 256 scan lines",
      .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now)); }},
+     .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now), now.world.contacts.get()); }},
     {.name = "organism_elongation",
      .meaning = "Largest over second largest extent of the vertices of all cells together, as elongation of a cell",
      .taken = Taken::onDemand,

@@ -45,7 +45,6 @@ double perVertex(const MechanicsScene& m) {
   double bytes = 3 * vector;                                                     // place, velocity, acceleration
   bytes += 2 * sizeof(Vector);                                                   // Body, while cells divide
   if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;         // Bodies::substeps
-  if (shellShapeOf(m.physics) == ShellShape::surface) bytes += vector;           // Bodies::held
   if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 6 * sizeof(std::int32_t);
@@ -113,8 +112,8 @@ MemoryUse measureMemory(const World& world) {
     const Bodies& b = *world.bodies;
     m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths, b.mesh.springWeights,
                    b.mesh.ringStart, b.mesh.ring);
-    m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.held, b.heldVertices, b.heldCounts,
-                     b.vertexMass, b.restScale, b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
+    m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.vertexMass, b.restScale, b.pressureConstant,
+                     b.sag, b.volume, b.pressure, b.slots, b.blocks);
     for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
   }
   if (world.contacts) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contacts/contact_surface.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
 #include "simulation/body_measures.h"
@@ -177,14 +178,15 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   std::vector<Mesh> surfaces;
   std::vector<Point> centres;
   Worst least{1}, most{1}, inverted{0};
-  double largest = 0;
+  double largest = 0, filled = 0;
   for (int i = 0; i < b.count; ++i) {
     const ObservedCell cell(now, i);
     const double volume = valueOf("volume_over_rest", cell);
     least.lower(volume, i);
     most.raise(volume, i);
     inverted.raise(valueOf("inverted", cell), i);
-    surfaces.push_back(cell.physical()->getShape().surface);
+    surfaces.push_back(takeContactSurface(world.contacts.get(), b, b.slots[i]));
+    filled += b.areSpheres() ? valueOf("volume", cell) : measureVolume(surfaces[i].vertices, surfaces[i].faces);
     const Box box = measureBox(surfaces[i].vertices);
     largest = std::max(largest, 0.5 * norm(box.high - box.low));
     centres.push_back(measureCentroid(surfaces[i].vertices));
@@ -200,7 +202,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     Worst outermost{0};
     for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
-    all.push_back(measureOf(world, "fill", {*measure<Observation>("shell_fill").get(now)}, 0, sanity::mostFill));
+    all.push_back(measureOf(world, "fill", {filled / measureShellVolume(b)}, 0, sanity::mostFill));
   }
   return all;
 }

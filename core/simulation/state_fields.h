@@ -129,8 +129,7 @@ void visitFields(T& connection, auto&& visit) {
 template <IsA<Bodies> T>
 void visitFields(T& bodies, auto&& visit) {
   auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position, velocity,
-         acceleration, vertexMass, restScale, pressureConstant, substeps, held, heldVertices, heldCounts, volume,
-         pressure, scratch] = bodies;
+         acceleration, vertexMass, restScale, pressureConstant, sag, substeps, volume, pressure, scratch] = bodies;
   visit(Field{"vertex mass", "vertex mass"}, vertexMass);
   visit(Field{"rest scale", "rest scale"}, restScale);
   visit(Field{"pressure constant", "pressure constant"}, pressureConstant);

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "contacts/contacts.h"
 #include "physics/growth.h"
+#include "physics/sag.h"
 #include "simulation/memory.h"
 #include "simulation/settle.h"
 #include "simulation/stages.h"
@@ -159,12 +160,15 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
 void growCells(World& world, double timeStep) {
   const auto& growth = world.model.mechanics->physics.growth;
   if (!growth) return;
+  bool grows = false;
   for (std::size_t i = 0; i < world.cells.growth.size(); ++i) {
     const double rate = growth->rate * world.cells.growth[i];
     const int slot = world.bodies->slots[i];
     if (rate > 0 && growth->until) growUntil(*world.bodies, slot, rate, timeStep, *growth->until);
     else if (rate != 0) grow(*world.bodies, slot, rate, timeStep);
+    grows |= rate != 0;
   }
+  if (grows) setSags(*world.bodies);
 }
 
 std::uint64_t stepsUntil(const Clock& clock, double time) {

@@ -76,22 +76,24 @@ double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   return hardening * c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
-/// Of a slot's cell. `held`, `contact`: stiffnesses of all its connections, and of a pair.
-Limit limitOf(const World& world, int cell, int slot, double held, double contact) {
+/// Of a slot's cell. `held`, `contact`: stiffnesses of all its connections, and of a pair. `steepness`: of its steepest pair,
+/// over K.
+Limit limitOf(const World& world, int cell, int slot, double held, double contact, double steepness) {
   const Bodies& b = *world.bodies;
   const StabilityLimits own = measureLimits(b, slot);
   Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
-  if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
-    l.contact = contactLimit(b.parameters.integrator, contact, world.contacts->parameters.damping, b.vertexMass[slot],
-                             b.parameters.drag);
+  if (!world.contacts || world.contacts->parameters.law == ContactLaw::thesis) return l;
+  const ContactParameters& c = world.contacts->parameters;
+  const auto limit = [&](double stiffness, double pairs) {
+    return contactLimit(b.parameters.integrator, stiffness, c.damping, b.vertexMass[slot], b.parameters.drag, pairs);
+  };
+  l.contact = limit(contact, usualPairs);
+  // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move, but those that its other pairs
+  // press on stand still, so these damp it by half.
+  constexpr double others = 0.5 * usualPairs;
+  if (steepness > 0) l.contact = std::min(l.contact, limit(2 * steepness * c.stiffness / others, others));
   return l;
 }
-
-// [1] Of the stiffness that contactLimit counts, ω² = 10 K/m: that of one pair as stiff as K, at rest. Its surfaces stand at
-// y = (1 − γ) x + γ (mean of n neighbours' x) [surface_kernel.h], so k between them gives two vertices of mass m
-// ω² = 2 ((1 − γ)² + γ²/n) k/m, and less where the other one is heavier. No vertex has fewer than 5 neighbours on an icosphere;
-// with 3 it would be 0.3 % more.
-constexpr double pairShare = 2 * ((1 - retreat) * (1 - retreat) + retreat * retreat / 5) / 10;
 
 /// [1] By how much contacts that have hardened are stiffer than limits count with anyway.
 double excess(double hardening) { return std::max(1.0, hardening / heldByLimit); }
@@ -110,10 +112,7 @@ Limit tightestLimit(const World& world, std::vector<double>& steepness, double& 
   const bool looks = follows && !kindOf(b.parameters.integrator).solvesForces;
   if (looks) measureSteepness(*world.contacts, b, world.execution.threads, steepness);
   for (int cell = 0; cell < b.count; ++cell) {
-    const int slot = b.slots[cell];
-    const double more = looks ? std::max(pairShare * steepness[slot] - hard, 0.0) : 0;
-    const double stiffness = more > 0 ? contact + more * world.contacts->parameters.stiffness : contact;
-    const Limit l = limitOf(world, cell, slot, held, stiffness);
+    const Limit l = limitOf(world, cell, b.slots[cell], held, contact, looks ? steepness[b.slots[cell]] : 0);
     const double all = combine(b.parameters.integrator, l);
     if (all < combined) combined = all, tightest = l;
   }
@@ -243,7 +242,8 @@ double restingLimit(const World& world) {
   const double held = connectionStiffness(world), contact = contactStiffness(*world.contacts, b, 1);
   double smallest = INFINITY;
   for (int cell = 0; cell < b.count; ++cell)
-    smallest = std::min(smallest, combine(b.parameters.integrator, limitOf(world, cell, b.slots[cell], held, contact)));
+    smallest =
+        std::min(smallest, combine(b.parameters.integrator, limitOf(world, cell, b.slots[cell], held, contact, 0)));
   return smallest;
 }
 
@@ -266,13 +266,15 @@ double automaticLimit(const World& world, double combined) {
 void followInertia(World& world, std::span<double> counted, std::span<const double> factor, bool anew) {
   Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
+  if (world.contacts && anew) measureSteepness(*world.contacts, b, world.execution.threads, world.contacts->steepness);
   for (int block = 0; block < b.blockCount(); ++block) {
     const double hard = world.contacts ? excess(hardeningAt(world.contacts->deepest[block])) : 1;
     if (!anew && !(hard > counted[block])) continue;
     counted[block] = hard;
     const double contact = world.contacts ? contactStiffness(*world.contacts, b, hard) : 0;
     for (int slot = block * blockLanes; slot < block * blockLanes + b.liveLanes(block); ++slot) {
-      const double share = margin * combine(b.parameters.integrator, limitOf(world, 0, slot, held, contact));
+      const double steepness = world.contacts ? world.contacts->steepness[slot] : 0;
+      const double share = margin * combine(b.parameters.integrator, limitOf(world, 0, slot, held, contact, steepness));
       // A cell that nothing holds and nothing touches has no limit, and no force to be moved by.
       if (share < INFINITY) setVertexMass(b, slot, b.vertexMass[slot] * factor[slot] / (share * share));
     }

@@ -59,6 +59,6 @@ TEST_CASE("coarsening: five cells lie, and are as large, as in the fine run, for
   CHECK(area < 0.02);
   CHECK(coarse.world.bodies->livingVertices == 642 + 4 * 162);
   CHECK(fine.vertexSteps > 3 * coarse.vertexSteps);
-  CHECK(measureMeanOverlap(*coarse.world.bodies) < 0.01);
+  CHECK(measureMeanOverlap(*coarse.world.bodies, coarse.world.contacts.get()) < 0.01);
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].at("sphericity") > 0.75);
 }

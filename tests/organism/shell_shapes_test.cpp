@@ -46,7 +46,7 @@ TEST_CASE(
   CHECK(at(3)["linear"] == seeds);
   auto sticky = at(2.25, "2"), stickyLonger = at(2.5, "2");
   CHECK(at(2.25, "1")["diamond"] > between["diamond"]);
-  CHECK(sticky["diamond"] >= 3 * seeds / 4);  // 94 of 100 seeds
+  CHECK(sticky["diamond"] >= 3 * seeds / 4);
   CHECK(stickyLonger["diamond"] > longer["diamond"]);
   // The scenario's head tells these counts.
   std::ifstream file(MORULA_SOURCE_DIR "/scenarios/worm/shell-shapes.yaml");

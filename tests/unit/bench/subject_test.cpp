@@ -51,16 +51,16 @@ TEST_CASE("Counters are the same on every instruction set, whatever was timed in
   for (const Isa isa : availableIsas()) {
     CAPTURE(name(isa));
     Subject subject = someSubject();
-    subject.goOn(isa, 1000);
+    subject.goOn(isa, 4000);
     if (isa != Isa::scalar) {
       subject.timeContact(Isa::scalar);
       subject.trySteps(Isa::scalar, 1, ClockKind::cpu, 7);
     }
-    subject.goOn(isa, 1000);
+    subject.goOn(isa, 4000);
     const StepCounters c = subject.counters();
-    CHECK(c.steps == 2000);
+    CHECK(c.steps == 8000);
     CHECK(c.rebuilds > 0);
-    CHECK(c.pairs > 2000 * subject.vertices());
+    CHECK(c.pairs > 8000 * subject.vertices());
     if (isa == Isa::scalar) {
       first = c;
       state = stateHash(subject.world());

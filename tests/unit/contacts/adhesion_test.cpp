@@ -83,10 +83,21 @@ const std::vector<Lattice> lattices{{"squares", {0, 1, 0}, {0, 0, 1}},
                                     {"triangles", {0, 1, 0}, {0, std::cos(third / 2), std::sin(third / 2)}},
                                     {"stretched", {0, 1, 0}, {0, 0, 0.7}}};
 
+/// The vertex in the middle of the right face.
+int middleOf(const Mesh& mesh) {
+  const auto nearest = std::ranges::min_element(mesh.vertices, {}, [](const Point& x) {
+    return norm(x - Vector{halfThickness, 0, 0});
+  });
+  return static_cast<int>(nearest - mesh.vertices.begin());
+}
+
 /// Two cushions, the right one of a size, with a gap and shifted along.
 Crowd faceToFace(const Mesh& mesh, double work, double gap, double size = 1, const Vector& shift = {}) {
   Body left = shakenBody(mesh, 0, 0), right = left;
-  for (Point& x : right.position) x = size * x + Vector{halfThickness * (1 + size) + gap, 0, 0} + shift;
+  const double depth =
+      Rings(mesh).see(mesh.vertices, middleOf(mesh), 1 / (meanEdge(mesh) * meanEdge(mesh)), measureSag(mesh)).y.x -
+      halfThickness;
+  for (Point& x : right.position) x = size * x + Vector{(halfThickness + depth) * (1 + size) + gap, 0, 0} + shift;
   right.restScale = size;
   return {limp(), sticky(work), mesh, {left, right}};
 }
@@ -119,8 +130,10 @@ double energyPerArea(const Vector& e, const Vector& f, double gap, double size) 
 double energyOfBalls(const Mesh& ball, double gap, double size = 1, double other = 1) {
   double surface = 0;  // where it stands, within the corners
   const Rings rings(ball);
+  const double edge = meanEdge(ball);
   for (std::size_t v = 0; v < ball.vertices.size(); ++v)
-    surface += norm(rings.see(ball.vertices, static_cast<int>(v), 1).y) / static_cast<double>(ball.vertices.size());
+    surface += norm(rings.see(ball.vertices, static_cast<int>(v), 1 / (edge * edge), measureSag(ball)).y) /
+               static_cast<double>(ball.vertices.size());
   constexpr std::uint32_t turns = 24;
   double sum = 0;
   for (std::uint32_t key = 0; key < turns; ++key) {

@@ -148,13 +148,13 @@ struct Rings {
     }
   }
 
-  SeenSurface see(const std::vector<Point>& x, int v, double inverseRadiusSquared) const {
+  SeenSurface see(const std::vector<Point>& x, int v, double inverseRadiusSquared, double sag) const {
     Vector g, around;
     for (const auto& [i, j, k] : faces[v]) g += cross(x[j] - x[i], x[k] - x[i]);
-    for (int k : neighbours[v]) around += x[k];
     const double fold = 2 / inverseRadiusSquared, scale = std::sqrt(1 + 4.0 / 27);
-    return {x[v] + (around / static_cast<double>(neighbours[v].size()) - x[v]) / 8.0,
-            scale / std::sqrt(dot(g, g) + fold * fold) * g};
+    for (int k : neighbours[v]) around += x[k];
+    const Vector n = scale / std::sqrt(dot(g, g) + fold * fold) * g;
+    return {x[v] + (around / static_cast<double>(neighbours[v].size()) - x[v]) / 8.0 - 0.65 * sag * n, n};
   }
 };
 
@@ -169,7 +169,7 @@ inline std::vector<SeenVertex> seen(const Bodies& b, const ContactParameters& c)
     const double inverseRadiusSquared = asFloat(1 / (radius * radius));
     for (int v = 0; v < b.vertexCount(); ++v) {
       const Vector u = body.velocity[v];
-      SeenSurface s = rings.see(body.position, v, inverseRadiusSquared);
+      SeenSurface s = rings.see(body.position, v, inverseRadiusSquared, b.sag[slot]);
       if (c.law == ContactLaw::thesis) s = {body.position[v], s.n / norm(s.n)};
       all.push_back({slot, v, s.y, {asFloat(u.x), asFloat(u.y), asFloat(u.z)}, s.n, inverseRadiusSquared});
     }

@@ -189,7 +189,7 @@ TEST_CASE(
     Crowd crowd(limp(), law, ball, {left, right});
     std::vector<Vector> before(2 * ball.vertices.size());
     Worst jump, largest;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 2800; ++i) {
       for (std::size_t v = 0; v < right.position.size(); ++v)
         crowd.lab.setPosition(1, static_cast<int>(v), right.position[v] - Vector{i * 5e-4, 0, 0});
       crowd.evaluateForces();

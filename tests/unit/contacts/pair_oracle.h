@@ -133,7 +133,7 @@ struct PairOracle {
               const Push& p = onSurface[first + w];
               return dot(p.force, s.y) + dot(p.turn, s.n);
             },
-            all[first].inverseRadiusSquared));
+            all[first]));
     }
     return forces;
   }
@@ -154,16 +154,17 @@ struct PairOracle {
               sum -= energyOf(i, j, held[j.slot]).total();
           return sum;
         },
-        first.inverseRadiusSquared);
+        first);
   }
 
  private:
   /// ∂/∂x of vertex v of the sum of `worth` over all vertices whose surface hangs on it.
   template <class Worth>
-  Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth, double inverseRadiusSquared) const {
+  Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth, const SeenVertex& first) const {
+    const double sag = b.sag[first.slot];
     const auto sum = [&] {
-      double s = worth(v, rings.see(x, v, inverseRadiusSquared));
-      for (int w : rings.neighbours[v]) s += worth(w, rings.see(x, w, inverseRadiusSquared));
+      double s = worth(v, rings.see(x, v, first.inverseRadiusSquared, sag));
+      for (int w : rings.neighbours[v]) s += worth(w, rings.see(x, w, first.inverseRadiusSquared, sag));
       return s;
     };
     const Point here = x[v];

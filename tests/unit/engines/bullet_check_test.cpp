@@ -12,7 +12,7 @@ namespace {
 
 const std::string pair =
     "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\ncycle: {length: 100}\nstop: {time: 1}\n"
-    "cells: [{at: [-1, 0, 0]}, {at: [1, 0, 0]}]\n"
+    "cells: [{at: [-0.96, 0, 0]}, {at: [0.96, 0, 0]}]\n"
     "physics: {mesh: {icosphere: 2}, contact: {}}\ncheck: {bullet: {margin: 0.05}}\n";
 
 using Shapes = std::vector<std::vector<Point>>;

@@ -164,7 +164,7 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
       {"all cell cycles one step late", "LINEAGE", cell(0), "life", nothing,
        [](World& w) { w.clock.nextCycle += 1.5 * w.clock.timeStep; }, division},
       {"the egg, one ulp", "SETUP", "", "position",
-       [](World& w) { nudge(w.bodies->position[w.bodies->at(0, 11) + blockLanes]); }, nothing, 0},
+       [](World& w) { nudge(w.bodies->position[w.bodies->at(0, 7) + blockLanes]); }, nothing, 0},
       {"a zero with another sign", "SETUP", "", "velocity",
        [](World& w) { w.bodies->velocity[w.bodies->at(0, 2)] = -double(w.bodies->velocity[w.bodies->at(0, 2)]); },
        nothing, 0},

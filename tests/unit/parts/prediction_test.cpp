@@ -127,7 +127,7 @@ TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory t
   const Counted real = ran(scene);
   REQUIRE(real.world.cells.path.size() == 64);
   // The trial run comes to eight cells; it is the same on every machine.
-  const Predicted f = predict(scene, 2e5);
+  const Predicted f = predict(scene, 1.2e5);
   REQUIRE_FALSE(f.trial.whole);
   CHECK(f.trial.world.bodies->count == 8);
   CHECK(f.life.mostCells() == 64);
@@ -147,8 +147,8 @@ TEST_CASE("Memory is that of the arrays") {
   const std::size_t n = world.bodies->vertexCount();
   CHECK(one.contact() == 0);
   CHECK(one.connections == 0);
-  // One block: x, v and a of eight lanes, and five numbers of each; and where the cell is.
-  CHECK(one.bodies == 8 * (3 * 24 * n + 5 * 8) + sizeof(int) + sizeof(BlockPlace));
+  // One block: x, v and a of eight lanes, and six numbers of each; and where the cell is.
+  CHECK(one.bodies == 8 * (3 * 24 * n + 6 * 8) + sizeof(int) + sizeof(BlockPlace));
   world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 3));
   CHECK(measureMemory(world).total() == measureMemory(world).cells);
   world = makeWorld(scenes::packed());
@@ -167,7 +167,7 @@ TEST_CASE("Time steps of later generations are those that a run takes") {
   Scene scene = crowd();
   const Life life = predictLife(scene);
   const TrialRun whole = tryBeginning(makeWorld(scene), life, 1e9);
-  const TrialRun start = tryBeginning(makeWorld(scene), life, 2e5);
+  const TrialRun start = tryBeginning(makeWorld(scene), life, 1.2e5);
   REQUIRE(start.generation == 3);
   REQUIRE(whole.generation == 6);
   CHECK(predictTimeStepLimit(whole, 6) == Approx(whole.timeStepLimit));

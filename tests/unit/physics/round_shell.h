@@ -15,15 +15,11 @@ inline PhysicsParameters inShell(const ShellParameters& shell) {
   return p;
 }
 
-/// Where the shell bears what presses on it: at a vertex, or below it.
-inline Point borneAt(const Bodies& b, int v) {
-  return b.parameters.shell->holds == Held::surface ? b.read(b.held, 0, v) : b.vertex(0, v);
-}
-
-/// What the shell held at a vertex in the last drift: the same without the share of the sag that is borne as well.
-inline Point heldAt(const Bodies& b, int v) {
-  const double borne = b.parameters.shell->holds == Held::surface ? 2e-3 : 0;
-  return (borneAt(b, v) - borne * b.vertex(0, v)) / (1 - borne);
+/// The shell as the first cell's vertices feel it: where it holds surfaces, with half-axes longer by their sag.
+inline ShellParameters felt(const Bodies& b) {
+  ShellParameters shell = *b.parameters.shell;
+  for (double& a : shell.semiAxes) a += shell.holds == Held::surface ? b.sag[0] : 0;
+  return shell;
 }
 
 /// 1 on the shell.

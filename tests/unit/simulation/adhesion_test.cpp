@@ -139,7 +139,7 @@ TEST_CASE("Adhesion shortens the automatic time step, for membranes that stick f
     scene.cells = {{.at = {-0.96, 0, 0}}, {.at = {0.96, 0, 0}}};
     return timeStepLimit(makeWorld(scene));
   };
-  CHECK(limitWith(0.001) > 0.99 * limitWith(0));
+  CHECK(limitWith(0.0005) > 0.99 * limitWith(0));
   CHECK(limitWith(1) < 0.8 * limitWith(0));
   CHECK(limitWith(30) < 0.8 * limitWith(1));
   CHECK(limitWith(1, CellModel::sphere) == limitWith(0, CellModel::sphere));

@@ -121,7 +121,7 @@ TEST_CASE("Colliding cells with different meshes keep their momentum") {
 
 TEST_CASE("Contact areas name cells by number, and both meshes see the same cells") {
   const Scene scene = scenes::mixedMeshes();
-  World world = worldOf(scene, mixedCells(scene, 8, 1.8, 0));
+  World world = worldOf(scene, mixedCells(scene, 8, 1.72, 0));
   for (int i = 0; i < 10; ++i) step(world);
   const std::vector<ContactMeasures> areas = measureContacts(world);
   CHECK(areas.size() == 12);  // the edges of a cube

@@ -323,8 +323,8 @@ TEST_CASE("Of each cell: how the divisions that made it lay, its extents, and ho
 TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
   const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   BodyShape shape{{corners, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}}, {}, 1, 1, {}, false};
-  const double far = std::sqrt(3.0),
-               out = far - 1 / far;  // edges of l² = 8: the surface is l²/8far below a corner
+  const double far = std::sqrt(3.0), out = far - 1 / far;
+  shape.sag = 1 / far;  // l²/8far with edges of l² = 8
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(1));
   CHECK(measureShellShare(shape, ShellParameters{{2, 2, 2}}) == 0);
   for (std::size_t i = 1; i < 4; ++i) shape.surface.vertices[i] *= 0.97;  // three faces lose their other corners
@@ -380,7 +380,7 @@ TEST_CASE("Displacement is what the centres tell of a life, of meshes and of bal
     const auto cells = measureCells(world);
     REQUIRE(displacements.size() == cells.size());
     double farthest = 0;
-    const double takenIn = world.bodies->areSpheres() ? 1e-12 : 3e-4;  // of 1.6e-4 at most
+    const double takenIn = world.bodies->areSpheres() ? 1e-12 : 5e-4;  // of 3.8e-4 at most
     for (std::size_t i = 0; i < cells.size(); ++i) {
       CHECK(displacements[i].a == cells[i].path);
       // Where the shell holds surfaces it takes in a little of what daughters have on new meshes, once they are born.

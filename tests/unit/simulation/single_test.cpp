@@ -30,8 +30,8 @@ TEST_CASE("With floats, a whole life has the same lineage, and cells of the same
     narrowVolume += narrow.bodies->volume[slot];
   }
   // Which way cells tip in the crowd differs, and with it what they hold together: in doubles, too, where one vertex of
-  // the egg moved by 1e-9 to 5e-9 makes it 2.9611 to 2.9732.
-  CHECK(narrowVolume == Approx(wideVolume).epsilon(6e-3));
+  // the egg moved by 1e-9 to 5e-9 makes it 2.998 to 3.014.
+  CHECK(narrowVolume == Approx(wideVolume).epsilon(8e-3));
 }
 
 TEST_CASE("With floats, touching cells keep their momentum to the floats' rounding") {

@@ -1,0 +1,51 @@
+#include "physics/sag.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/maths.h"
+#include "mesh/measures.h"
+
+namespace morula {
+namespace {
+
+/// [length³]
+double enclosedBy(const ShellParameters& shell) {
+  if (shell.mesh) return measureVolume(shell.mesh->mesh.vertices, shell.mesh->mesh.faces);
+  return 4 * std::numbers::pi / 3 * shell.semiAxes[0] * shell.semiAxes[1] * shell.semiAxes[2];
+}
+
+}  // namespace
+
+double measureFreeScale(const Bodies& b, int slot) {
+  if (!b.model().hasMembrane) return 1;
+  const MeshTemplate& mesh = b.meshOf(slot);
+  const double scale = b.restScale[slot], contents = b.pressureConstant[slot];
+  if (!(contents > 0)) return 1;
+  const double outside = b.parameters.pressure.outside * mesh.volume * scale * scale * scale;
+  const double springs = b.parameters.membrane.stiffness * mesh.restSquares * scale * scale / 3;
+  double least = 0.5, most = 2;  // contents less what holds them falls with s
+  for (int i = 0; i < 50; ++i) {
+    const double s = 0.5 * (least + most);
+    (contents > s * (outside * s * s + springs * (s - 1)) ? least : most) = s;
+  }
+  return 0.5 * (least + most);
+}
+
+void setSags(Bodies& b) {
+  std::ranges::fill(b.sag, 0);
+  if (b.areSpheres()) return;
+  double free = 0;  // [length³] of all cells
+  for (int slot : b.slots) {
+    const double scale = b.restScale[slot] * measureFreeScale(b, slot);
+    b.sag[slot] = b.meshOf(slot).sag * scale;
+    free += b.meshOf(slot).volume * scale * scale * scale;
+  }
+  if (!b.parameters.shell) return;
+  const double room = enclosedBy(*b.parameters.shell);
+  if (free <= room) return;
+  const double share = cubeRoot(room / free);
+  for (int slot : b.slots) b.sag[slot] *= share;
+}
+
+}  // namespace morula
