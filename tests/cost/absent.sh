@@ -8,7 +8,7 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 program=$1
-functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces driftAroundSurfaces
+functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces (morula::ShellShape)3
   findTensions<true addPressureForces<true> measureContactAreas morula::grow(
   findPairStrengths addMotility'
 
