@@ -1,21 +1,11 @@
 #include "physics/sag.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "base/maths.h"
-#include "mesh/measures.h"
+#include "physics/shell_surface.h"
 
 namespace morula {
-namespace {
-
-/// [length³]
-double enclosedBy(const ShellParameters& shell) {
-  if (shell.mesh) return measureVolume(shell.mesh->mesh.vertices, shell.mesh->mesh.faces);
-  return 4 * std::numbers::pi / 3 * shell.semiAxes[0] * shell.semiAxes[1] * shell.semiAxes[2];
-}
-
-}  // namespace
 
 double measureFreeScale(const Bodies& b, int slot) {
   if (!b.model().hasMembrane) return 1;
@@ -42,7 +32,7 @@ void setSags(Bodies& b) {
     free += b.meshOf(slot).volume * scale * scale * scale;
   }
   if (!b.parameters.shell) return;
-  const double room = enclosedBy(*b.parameters.shell);
+  const double room = measureShellVolume(*b.parameters.shell);
   if (free <= room) return;
   const double share = cubeRoot(room / free);
   for (int slot : b.slots) b.sag[slot] *= share;

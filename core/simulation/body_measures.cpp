@@ -174,12 +174,6 @@ ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place)
           measureReach(shell.mesh->planes, place)};
 }
 
-double measureShellVolume(const Bodies& b) {
-  if (const auto& shell = b.parameters.shell->mesh) return measureVolume(shell->mesh.vertices, shell->mesh.faces);
-  const double* a = b.parameters.shell->semiAxes;
-  return ballArea / 3 * a[0] * a[1] * a[2];
-}
-
 double measureMeanOverlap(const Bodies& b, const Contacts* contacts, int columns) {
   if (b.count == 0) return 0;
   std::vector<Mesh> surfaces;

@@ -44,9 +44,6 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
 /// Of a place in the shell: over the semi-axes, or over how far the mesh reaches along each axis.
 ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place);
 
-/// [length³] What the scene's shell encloses.
-double measureShellVolume(const Bodies& bodies);
-
 /// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by the surfaces that contacts (null:
 /// none) act on, and by scan lines through a grid of `columns` × `columns` columns; O(cells · faces).
 double measureMeanOverlap(const Bodies& bodies, const Contacts* contacts, int columns = 256);

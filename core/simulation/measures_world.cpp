@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "contacts/contacts.h"
+#include "physics/shell_surface.h"
 #include "simulation/body_measures.h"
 #include "simulation/energy.h"
 #include "simulation/measures.h"
@@ -48,7 +49,7 @@ constexpr WorldMeasure ofWorld[] = {
        return count > 0 ? Value(sumOf(now, pressureOf) / count) : Value();
      }},
     {.name = "shell_fill", .meaning = "Volume of all cells over the shell's", .needs = Needs::shell,
-     .get = [](Now now) -> Value { return sumOf(now, volumeOf) / measureShellVolume(bodiesOf(now)); }},
+     .get = [](Now now) -> Value { return sumOf(now, volumeOf) / measureShellVolume(*bodiesOf(now).parameters.shell); }},
     {.name = "outermost", .unit = "shell radii",
      .meaning = "How far out the farthest vertex, or ball, reaches: 1 on the shell; absent without cells",
      .needs = Needs::shell,

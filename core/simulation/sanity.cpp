@@ -8,6 +8,7 @@
 #include "contacts/contact_surface.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
+#include "physics/shell_surface.h"
 #include "simulation/body_measures.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
@@ -202,7 +203,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     Worst outermost{0};
     for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
-    all.push_back(measureOf(world, "fill", {filled / measureShellVolume(b)}, 0, sanity::mostFill));
+    all.push_back(measureOf(world, "fill", {filled / measureShellVolume(*b.parameters.shell)}, 0, sanity::mostFill));
   }
   return all;
 }
