@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::size_t>> madeAgain{
     {"heavier-128", {8}},         {"elegans-128", {20}},        {"elegans-1024", {6}},
     {"worm-placement", {0, 863}}, {"clones", {0, 239, 479}},    {"settling-sticky", {0, 39}},
     {"settling-128", {6}},        {"beyond-chaos-42", {0, 30}}, {"beyond-chaos-162", {0, 15}},
-    {"beyond-chaos-step", {30}}};
+    {"beyond-chaos-step", {30}},  {"beyond-chaos-box", {0}},    {"beyond-chaos-thesis", {0, 29}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 

@@ -1,5 +1,5 @@
 // Scenarios state what their mesh costs. Two of them are held here against the same scene on icosphere 4,
-// with steps so short that they add little, at the time at which their meshes are farthest apart.
+// with steps so short that they add little, at times at which `accuracy` compares meshes that are far apart.
 #include <algorithm>
 #include <cmath>
 
@@ -80,9 +80,10 @@ TEST_CASE(
     std::string timeStep, fineTimeStep;
     double within;
   };
-  // Just after a division, with friction: finer meshes are no nearer (order 0), and 0.021 is stated for 0.027.
+  // Just after a division finer meshes are hardly nearer: 0.017 is stated for 0.0218, at the first time after it at which
+  // `accuracy` compares. Before that, 0.03 cycles after the division, it is 0.035.
   const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
-                              Case{"thesis/unique-four", 1.06640625, 0.95, "0.00048828125", "0.00048828125", 0.35});
+                              Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
   const std::string root = MORULA_SOURCE_DIR;
   const std::string file = root + "/scenarios/" + scene.name + ".yaml";
   double stated = 0;  // the largest of those that `difference` takes
