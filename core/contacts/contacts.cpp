@@ -10,8 +10,8 @@ namespace morula {
 namespace {
 
 /// Friction below the slip speed is a damper, and a damper c on a mass m alternates without end from c·Δt = m
-/// on. A vertex rubs against up to ten others, as in contactLimit. Against a step a hundredth as long, two
-/// daughters pressed together are off by 1e-5 radii with this limit and by 5e-3 without.
+/// on. A vertex rubs against up to ten others, as in contactLimit. The limit follows from the step, and slow cells
+/// feel it alone: with a shorter step they are held faster (core/README.md, known limits).
 constexpr double gripShare = 0.1;
 
 /// The points that lists are built from: where the rows stand.
