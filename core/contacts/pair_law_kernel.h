@@ -54,7 +54,7 @@
 // v_t the speed along the surface. A central force of the pair keeps both momenta and only takes energy. Over a
 // surface, where neighbours lie on all sides of a vertex, half of it acts along the slip: hence the factor 2. Two
 // vertices face to face have a along the normal and so no friction; Coulomb's limit holds in the mean over positions of
-// meshes. c_max keeps friction from reversing the slip within a step (contacts.cpp).
+// meshes. c_max keeps friction from reversing the slip within a step (strongestGrip in contacts.cpp).
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
 // potentials [Li et al. 2020; Li et al. 2023]; here pairs are of vertices, so that each vertex only gathers forces.

@@ -150,8 +150,11 @@ std::vector<Parameter> parameters() {
            MECHANICS(contact->damping)),
       real("physics.contact.friction", "", notNegative, "Coulomb's coefficient; not of law thesis",
            MECHANICS(contact->friction)),
-      real("physics.contact.slip-speed", "length/time", positive,
-           "Friction grows in proportion to slip up to this speed", MECHANICS(contact->slipSpeed)),
+      real(
+          "physics.contact.slip-speed", "length/time", positive,
+          "Friction grows in proportion to slip up to this speed; of a pair it is at most 0.3 √(stiffness × mass of the "
+          "lightest vertex) × slip",
+          MECHANICS(contact->slipSpeed)),
       real("physics.contact.radius", "", positive, "Reach of a vertex, in mean rest lengths of its cell's edges",
            MECHANICS(contact->radius)),
       adhesion(),

@@ -80,28 +80,40 @@ TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel 
 }
 
 TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
+  constexpr double slipSpeed = 100;  // so high that the bound of a damper (below) decides nowhere
   const auto onRight = [&](double friction, double slip, std::uint32_t key = 0, double timeStep = 0x1p-30) {
-    return rubbing({ContactLaw::pair, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep).lab.forceOn(1);
+    return rubbing({ContactLaw::pair, 40, 0, friction, slipSpeed}, {0, slip, 0}, key, timeStep).lab.forceOn(1);
   };
   double pressed = 0, rubbed = 0;  // how vertices stand to each other is chance: in the mean
   for (std::uint32_t key = 0; key < 40; ++key) {
-    pressed += onRight(0, 1, key).x;
-    rubbed += onRight(0, 1, key).y - onRight(0.3, 1, key).y;
+    pressed += onRight(0, 1e4, key).x;
+    rubbed += onRight(0, 1e4, key).y - onRight(0.3, 1e4, key).y;
   }
   CHECK(rubbed == Approx(0.3 * pressed).epsilon(0.05));
 
-  const double without = onRight(0, 1).y, fast = onRight(0.3, 1).y - without, faster = onRight(0.3, 5).y - without,
-               slow = onRight(0.3, 1e-4).y - without;
+  const double without = onRight(0, 1).y, fast = onRight(0.3, 1e4).y - without, faster = onRight(0.3, 5e4).y - without,
+               slow = onRight(0.3, 1).y - without;
   CHECK(fast < 0);
   CHECK(faster == Approx(fast).epsilon(1e-6));       // beyond the slip speed it does not grow
   CHECK(slow == Approx(fast * 0.01).epsilon(1e-2));  // below it fades linearly
-  CHECK(onRight(0.3, 2e-4).y - without == Approx(2 * slow).epsilon(1e-5));
+  CHECK(onRight(0.3, 2).y - without == Approx(2 * slow).epsilon(1e-5));
+  CHECK(onRight(0.3, 1e6, 0, 0x1p-2).y - without == Approx(fast).epsilon(1e-6));  // whatever the step
+}
 
-  // A step that is too long for so strong a damper: friction grips less, and cannot turn the slip round.
-  const double slip = 1e-4, longStep = 0x1p-2;
-  const double gentle = onRight(0.3, slip, 0, longStep).y - without;
+TEST_CASE("What slips slowly is damped alike at every short time step, and is not reversed by a long one") {
+  const auto onRight = [&](double friction, double slip, double timeStep) {
+    return rubbing({ContactLaw::pair, 40, 0, friction, 0.01}, {0, slip, 0}, 0, timeStep).lab.forceOn(1).y;
+  };
+  const double slip = 1e-4, without = onRight(0, slip, 0x1p-9), damped = onRight(0.3, slip, 0x1p-9) - without;
+  CHECK(damped < 0);
+  for (const double timeStep : {0x1p-10, 0x1p-12, 0x1p-30})
+    CHECK(onRight(0.3, slip, timeStep) - without == Approx(damped).epsilon(1e-12));
+  CHECK(onRight(0.3, 2 * slip, 0x1p-9) - without == Approx(2 * damped).epsilon(1e-5));
+  CHECK(onRight(0.6, slip, 0x1p-9) - without == Approx(damped).epsilon(1e-5));  // far within the cone
+
+  const double longStep = 0x1p-2;  // too long for so strong a damper
+  const double gentle = onRight(0.3, slip, longStep) - without;
   CHECK(gentle < 0);
-  CHECK(-gentle < 0.5 * -slow);
-  CHECK(-gentle * longStep < slip);                                                   // the right ball's mass is 1
-  CHECK(onRight(0.3, 10000, 0, longStep).y - without == Approx(fast).epsilon(1e-6));  // what slips fast is not touched
+  CHECK(-gentle < 0.5 * -damped);
+  CHECK(-gentle * longStep < slip);  // the right ball's mass is 1
 }

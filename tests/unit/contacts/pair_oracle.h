@@ -17,7 +17,7 @@ struct PairOracle {
   PairOracle(const Bodies& bodies, const ContactParameters& parameters, double timeStep = 1)
       : b(bodies), law(parameters), rings(bodies.mesh.mesh), all(seen(bodies, parameters)) {
     const double lightest = *std::min_element(b.vertexMass.begin(), b.vertexMass.begin() + b.count);
-    strongestGrip = 0.1 * lightest / timeStep;
+    strongestGrip = std::min(0.3 * std::sqrt(law.stiffness * lightest), 0.16 * lightest / timeStep);
   }
 
   /// [length²] of a vertex, in the mean
