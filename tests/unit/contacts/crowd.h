@@ -58,7 +58,7 @@ struct Crowd {
     return block * blockLanes + g % blockLanes;
   }
 
-  double lawTimeStep = 0x1p-9;  // what the thesis' law is told
+  double lawTimeStep = 0x1p-9;  // what the thesis' law and friction are told
 };
 
 /// [block] as kernels read them.
