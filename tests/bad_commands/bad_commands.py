@@ -57,7 +57,7 @@ def commands(line):
 def shell(command, folder):
     # The limit is of CPU time: what reads for ever is ended, on a machine however slow. The other is a last resort.
     return subprocess.run(["bash", "-c", "ulimit -t 60; " + command], cwd=folder, stdin=subprocess.DEVNULL, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=900,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=7200,
                           env={"PATH": f"{folder}/../bin:/usr/local/bin:/usr/bin:/bin", "HOME": folder, "LC_ALL": "C"})
 
 

@@ -103,7 +103,7 @@ export async function contract(page, name) {
 }
 
 export async function firstFrame(page, name) {
-  await page.waitForFunction(() => performance.getEntriesByName("morula-first-frame").length > 0, { timeout: 20000 });
+  await page.waitForFunction(() => performance.getEntriesByName("morula-first-frame").length > 0, { timeout: 300_000 });
   console.log(`${name}: first frame after ${Math.round(await page.evaluate(() => performance.getEntriesByName("morula-first-frame")[0].startTime))} ms`);
 }
 

@@ -7,7 +7,7 @@ import { accessible, changes, check, failures, open, pause, settle, start, textO
 const source = process.argv[4], isLarge = Boolean(process.env.MORULA_BROWSER_LARGE);
 const some = (all, most) => (isLarge || all.length <= most ? all : all.filter((_, i) => Math.floor((i * most) / all.length) !== Math.floor(((i - 1) * most) / all.length)));
 const status = (page) => textOf(page, "#write [role=status]");
-const isRead = (page, before) => page.waitForFunction((b) => Number(document.querySelector("#messages").dataset.number ?? 0) > b, { timeout: 60_000 }, before);
+const isRead = (page, before) => page.waitForFunction((b) => Number(document.querySelector("#messages").dataset.number ?? 0) > b, { timeout: 600_000 }, before);
 const number = (page) => page.$eval("#messages", (e) => Number(e.dataset.number ?? 0));
 const messages = (page) => page.$$eval("#messages li", (all) => all.map((item) => item.textContent.replace(/^[✗!] /, "")));
 
@@ -25,7 +25,7 @@ async function write(page, text) {
 
 async function run(page) {
   await page.click("#run");
-  await page.waitForFunction(() => document.querySelector("#write [role=status] .mark") !== null, { timeout: 120_000 });
+  await page.waitForFunction(() => document.querySelector("#write [role=status] .mark") !== null, { timeout: 600_000 });
   return textOf(page, "#hash");
 }
 
@@ -81,8 +81,8 @@ async function hands(page) {
   await choose(page, "thesis/elegans-128");
   await page.focus("#run");
   await page.keyboard.press("Enter");
-  await page.waitForSelector("#explorer canvas", { timeout: 60_000 });
-  await page.waitForFunction(() => /step [1-9]/.test(document.querySelector("#write [role=status]").textContent), { timeout: 60_000 });
+  await page.waitForSelector("#explorer canvas", { timeout: 600_000 });
+  await page.waitForFunction(() => /step [1-9]/.test(document.querySelector("#write [role=status]").textContent), { timeout: 600_000 });
   await page.click("#stop");
   check("a stop is said", /Stopped/.test(await status(page)), await status(page));
   check("what was stopped has no hash", (await textOf(page, "#hash")) === "–");
@@ -91,9 +91,9 @@ async function hands(page) {
   await choose(page, "worm/four-cell");
   const began = performance.now();
   await page.click("#run");
-  await page.waitForFunction(() => performance.getEntriesByName("morula-first-frame").length > 0, { timeout: 60_000 });
+  await page.waitForFunction(() => performance.getEntriesByName("morula-first-frame").length > 0, { timeout: 600_000 });
   console.log(`organism after ${Math.round(performance.now() - began)} ms`);
-  await page.waitForFunction(() => document.querySelector("#write [role=status] .mark") !== null, { timeout: 120_000 });
+  await page.waitForFunction(() => document.querySelector("#write [role=status] .mark") !== null, { timeout: 600_000 });
   await settle(page);
   for (const what of ["#editor", "#run", "#stop", "#hash", "#messages", "#explorer canvas", "#tree [data-path]"]) check(`there is ${what}`, (await page.$(what)) !== null);
   await changes(page, "back to the start of the run, which", async () => {

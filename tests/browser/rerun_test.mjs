@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { accessible, check, failures, open, pages, press, start, textOf } from "./browser.mjs";
 
 const status = (page) => textOf(page, "#again [role=status]");
-const ended = (page) => page.waitForFunction(() => document.querySelector("#again .mark") !== null, { timeout: 120_000 });
+const ended = (page) => page.waitForFunction(() => document.querySelector("#again .mark") !== null, { timeout: 600_000 });
 
 async function again(page) {
   await page.click("#rerun");

@@ -42,7 +42,7 @@ async function tree(page, name) {
 async function organism(page, name) {
   const middle = await placeOn(page, 0.45, 0.47);
   await page.mouse.move(...middle);
-  await page.waitForFunction(() => !document.querySelector(".tip").hidden, { timeout: 5000 }).catch(() => check(`${name}: hover shows a name`, false));
+  await page.waitForFunction(() => !document.querySelector(".tip").hidden, { timeout: 60_000 }).catch(() => check(`${name}: hover shows a name`, false));
   const called = await textOf(page, ".tip");
   await page.mouse.click(...middle);
   await settle(page);
@@ -71,7 +71,7 @@ async function time(page, name) {
   check(`${name}: the slider says time and cells`, /time .* cell/.test(await page.$eval("#time", (t) => t.getAttribute("aria-valuetext"))));
   check(`${name}: divisions are marked`, (await page.$$(".clock svg line")).length >= 1);
   await page.click("#play");
-  await page.waitForFunction((t) => Number(document.querySelector("#time").value) > t, { timeout: 10000 }, earlier).catch(() => check(`${name}: play goes on`, false));
+  await page.waitForFunction((t) => Number(document.querySelector("#time").value) > t, { timeout: 120_000 }, earlier).catch(() => check(`${name}: play goes on`, false));
   if ((await textOf(page, "#play")).includes("Pause")) await page.click("#play");
   await page.$eval("#time", (t) => { t.value = t.max; t.dispatchEvent(new Event("input")); });
 }
@@ -148,7 +148,7 @@ export async function otherwise(browser, plain, file) {
   await page.emulateMediaType("print");
   for (const [what, isSeen] of [["#explorer .tools", false], ["#explorer canvas", false], ["#tree svg", true], ["#verdict", true]])
     await page // the tree is drawn anew when the medium changes
-      .waitForFunction((w, seen) => document.querySelector(w).checkVisibility() === seen, { timeout: 5000 }, what, isSeen)
+      .waitForFunction((w, seen) => document.querySelector(w).checkVisibility() === seen, { timeout: 60_000 }, what, isSeen)
       .catch(() => check(`${file}: on paper ${what} is ${isSeen ? "seen" : "not seen"}`, false));
   await page.close();
   const without = await open(plain, file);

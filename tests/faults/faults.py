@@ -152,7 +152,7 @@ class Place:
         process = subprocess.Popen([self.program, *words], cwd=self.work, env=environment, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=before)
         try:
-            err = process.communicate(timeout=120)[1].decode(errors="replace")
+            err = process.communicate(timeout=1200)[1].decode(errors="replace")
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """What the reusable workflow and the container file do, done in a bare Debian 12, as root.
 
-    MORULA_TEST_ROOT=ROOT bare_root.py BUILD SOURCE-FOLDER
+    bare_root.py BUILD SOURCE-FOLDER
 
-ROOT: made by `debootstrap --variant=minbase bookworm ROOT`, with sources from which apt-get can install; it is changed. BUILD: where
-./morula package has put its .deb. The commands are the files' own; how long they take is printed, for people. Exit codes: 0 they work, and the
-package leaves nothing behind; 1 not so, 77 skipped.
+The root is BUILD/bare-root, which debootstrap makes from this machine's own mirror unless it is there; MORULA_TEST_ROOT names another one, with
+sources from which apt-get can install. It is changed. The package is BUILD/packages/*.deb, which cpack makes if ./morula package has made none.
+The commands are the files' own; how long they take is printed, for people. Exit codes: 0 the commands work, and the package leaves nothing
+behind; 1 one of them fails; 77 skipped: debootstrap is missing, or the user is not root.
 """
 import glob
 import os
@@ -15,12 +16,47 @@ import subprocess
 import sys
 import time
 
-build, source = sys.argv[1:]
-root = os.environ.get("MORULA_TEST_ROOT", "")
-packages = glob.glob(os.path.join(build, "packages/*.deb"))
-if not root or not packages:
-    print("skipped:", "./morula package has made no .deb" if root else "MORULA_TEST_ROOT names no bare root to install into")
+build, source = (os.path.abspath(folder) for folder in sys.argv[1:])
+
+
+def skip(why):
+    print("skipped:", why)
     sys.exit(77)
+
+
+def made_root():
+    """The bare root, made from the mirror that this machine's own packages come from."""
+    root = os.path.join(build, "bare-root")
+    if os.path.exists(os.path.join(root, "made")):
+        return root
+    if os.geteuid() != 0:
+        skip("only root can make a bare root; MORULA_TEST_ROOT names one that is there")
+    if not shutil.which("debootstrap"):
+        skip("debootstrap is not installed")
+    targets = ["apt-get", "indextargets", "--format", "$(REPO_URI)", "Created-By: Packages", "Codename: bookworm", "Component: main"]
+    mirrors = subprocess.run(targets, stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+    if not mirrors:
+        skip("this machine has no source of Debian 12's packages")
+    shutil.rmtree(root, ignore_errors=True)
+    began = time.monotonic()
+    made = subprocess.run(["debootstrap", "--variant=minbase", "bookworm", root, mirrors[0]], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False)
+    if made.returncode != 0:
+        print(made.stdout[-2000:], "\nNOT SO: debootstrap makes a bare root")
+        sys.exit(1)
+    for file in glob.glob("/etc/apt/apt.conf.d/9*"):  # how this machine reaches the mirror
+        shutil.copy(file, os.path.join(root, "etc/apt/apt.conf.d"))
+    open(os.path.join(root, "made"), "w", encoding="utf-8").close()
+    print(f"debootstrap makes a bare root, in {time.monotonic() - began:.0f} s with the network", flush=True)
+    return root
+
+
+root = os.environ.get("MORULA_TEST_ROOT", "") or made_root()
+packages = glob.glob(os.path.join(build, "packages/*.deb"))
+if not packages:
+    config = os.path.join(build, "CPackConfig.cmake")
+    subprocess.run(["cpack", "-G", "DEB", "--config", config, "-B", os.path.join(build, "packages")], stdout=subprocess.DEVNULL, check=True)
+    packages = glob.glob(os.path.join(build, "packages/*.deb"))
 import yaml
 
 package = packages[0]
@@ -48,6 +84,7 @@ def files():
     return set(listed.stdout.decode().split("\n")) - {""}
 
 
+inside("apt-get purge -qy morula >/dev/null 2>&1 || true; rm -rf /tmp/*")  # what an earlier test has left
 shutil.copy(package, os.path.join(root, "srv", "given.deb"))
 project = os.path.join(root, "srv", "project")
 shutil.rmtree(project, ignore_errors=True)
