@@ -9,7 +9,9 @@
 namespace morula {
 namespace {
 
-constexpr double planeWithin = 1e-9;  // of the size: corners of one polygon as decimal numbers put them
+constexpr double planeWithin = 1e-9;  // of the size, at least: corners of one polygon as decimal numbers put them
+constexpr double maxRounding =
+    1e-3;  // of the size, at most: what a file's digits explain; more is a shape, not rounding
 constexpr double leastOffset = 1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
 constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
@@ -24,13 +26,17 @@ class Planes {
   }
 
   std::vector<ShellPlane> find() {
-    std::vector<ShellPlane> planes;
+    std::vector<ShellPlane> all, planes;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      const ShellPlane plane = planeOf(mesh_.faces[f]);
-      checkOrigin(f, plane);
-      checkConvex(f, plane);
-      if (std::ranges::none_of(planes, [&](const ShellPlane& other) { return areOne(plane, other); }))
-        planes.push_back(plane);
+      all.push_back(planeOf(mesh_.faces[f]));
+      checkOrigin(f, all.back());
+      moveOutwards(f, all.back());
+    }
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      double within = planeWithin * size_;
+      if (isRounded_) within = std::max(within, std::min(toleranceAt(mesh_.faces[f], size_), maxRounding * size_));
+      if (std::ranges::none_of(planes, [&](const ShellPlane& other) { return areOne(all[f], other, within); }))
+        planes.push_back(all[f]);
     }
     return planes;
   }
@@ -43,8 +49,24 @@ class Planes {
     return {normal, dot(normal, corner)};
   }
 
-  bool areOne(const ShellPlane& a, const ShellPlane& b) const {
-    return norm(a.normal - b.normal) <= planeWithin && std::abs(a.offset - b.offset) <= planeWithin * size_;
+  bool areOne(const ShellPlane& a, const ShellPlane& b, double within) const {
+    return norm(a.normal - b.normal) * size_ <= within && std::abs(a.offset - b.offset) <= within;
+  }
+
+  /// [length] By how much the digits of the file can put a vertex at this distance from the face outside of its plane: each
+  /// coordinate may be off by its rounding ε, so a point by √3 ε; the plane through three such points, of which the
+  /// smallest height is h, is off by √3 ε (1 + 2 r/h) at a distance r from them.
+  double toleranceAt(const Face& face, double distance) const {
+    double rounding = 0, longest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Point& x = mesh_.vertices[face[i]];
+      for (const double coordinate : {x.x, x.y, x.z})
+        rounding = std::max(rounding, source_.written.roundingOf(coordinate));
+      longest = std::max(longest, norm(mesh_.vertices[face[(i + 1) % 3]] - x));
+    }
+    const Point& corner = mesh_.vertices[face[0]];
+    const double height = norm(cross(mesh_.vertices[face[1]] - corner, mesh_.vertices[face[2]] - corner)) / longest;
+    return std::sqrt(3.0) * rounding * (2 + 2 * distance / height);
   }
 
   [[noreturn]] void fail(std::size_t face, const std::string& text) const {
@@ -58,17 +80,29 @@ class Planes {
                               : "the origin lies almost in this face; a shell has it well inside, so move it");
   }
 
-  void checkConvex(std::size_t f, const ShellPlane& plane) const {
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
-      if (dot(plane.normal, mesh_.vertices[v]) > plane.offset + planeWithin * size_)
+  /// Throws if a vertex lies outside of the plane by more than the file's digits explain; moves the plane to the farthest
+  /// of those that they explain, so that the shell holds all of its vertices.
+  void moveOutwards(std::size_t f, ShellPlane& plane) {
+    const Face& face = mesh_.faces[f];
+    double farthest = plane.offset;
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      const double along = dot(plane.normal, mesh_.vertices[v]);
+      if (!(along > plane.offset + planeWithin * size_)) continue;
+      const double distance = norm(mesh_.vertices[v] - mesh_.vertices[face[0]]);
+      if (along > plane.offset + std::min(toleranceAt(face, distance), maxRounding * size_))
         fail(f, "vertex " + std::to_string(v + 1) +
                     " lies outside of its plane; a shell is convex, so move one of them, or split a polygon "
                     "that is not flat the other way");
+      farthest = std::max(farthest, along);
+      isRounded_ = true;
+    }
+    plane.offset = farthest;
   }
 
   const Mesh& mesh_;
   const MeshSource& source_;
   double size_ = 0;
+  bool isRounded_ = false;  // some vertex lies outside of a plane, as the digits of the file explain
 };
 
 }  // namespace

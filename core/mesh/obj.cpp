@@ -10,6 +10,7 @@
 #include "mesh/measures.h"
 #include "mesh/mesh.h"
 #include "mesh/obj_source.h"
+#include "mesh/triangulate.h"
 #include "mesh/validity.h"
 
 namespace morula {
@@ -31,6 +32,7 @@ class ObjStatements {
   // False at the end of the text. Statements without words are passed over.
   bool next(std::vector<ObjWord>& words) {
     words.clear();
+    mayGoOn_ = true;
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (isLineEnd(c)) {
@@ -47,6 +49,7 @@ class ObjStatements {
         const std::size_t begin = at_;
         while (at_ < text_.size() && isWordPart()) ++at_;
         words.push_back({text_.substr(begin, at_ - begin), line_, static_cast<int>(begin - lineBegin_) + 1});
+        mayGoOn_ = words[0].text == "v" || words[0].text == "f";
       }
     }
     return !words.empty();
@@ -55,7 +58,10 @@ class ObjStatements {
  private:
   static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
   static bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  bool joinsLines() const { return text_[at_] == '\\' && at_ + 1 < text_.size() && isLineEnd(text_[at_ + 1]); }
+  // The name of a material may end in a backslash, which joins nothing: only vertices and faces go on in the next line.
+  bool joinsLines() const {
+    return text_[at_] == '\\' && at_ + 1 < text_.size() && isLineEnd(text_[at_ + 1]) && mayGoOn_;
+  }
   bool isWordPart() const {
     const char c = text_[at_];
     return !isSpace(c) && !isLineEnd(c) && c != '#' && !joinsLines();
@@ -69,6 +75,7 @@ class ObjStatements {
   std::string_view text_;
   std::size_t at_ = 0, lineBegin_ = 0;
   int line_ = 1;
+  bool mayGoOn_ = true;  // a backslash at the end of the line joins the next one
 };
 
 // Names, textures, normals, materials, smoothing, points and lines: they do not change the surface.
@@ -125,16 +132,12 @@ class ObjReader {
     return all;
   }
 
-  // v x y z, and what exporters put behind: a weight, or a colour of three numbers, or both.
+  // v x y z, and what exporters put behind: a weight, or a colour of three numbers, or both, which are not read.
   void readVertex(const std::vector<ObjWord>& words) {
-    std::vector<double> numbers;
+    std::array<double, 3> numbers{};
     bool good = true;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-      double value = 0;
-      good &= readNumber(words[i], value);
-      numbers.push_back(value);
-    }
-    const std::size_t n = numbers.size();
+    const std::size_t n = words.size() - 1;
+    for (std::size_t i = 0; i < std::min(n, numbers.size()); ++i) good &= readNumber(words[i + 1], numbers[i]);
     if (n != 3 && n != 4 && n != 6 && n != 7) {
       fail(words[0], "a vertex of " + std::to_string(n) + " numbers; write \"v x y z\"");
       good = false;
@@ -152,7 +155,10 @@ class ObjReader {
       fail(word, quoted(word.text) + " is not a number; write it like 0.5 or -1e-3");
     else if (error == std::errc::result_out_of_range || !(std::abs(value) <= largest))
       fail(word, quoted(word.text) + " is not a usable coordinate; it must be finite, between -1e100 and 1e100");
-    else return true;
+    else {
+      source_.written.note(digits);
+      return true;
+    }
     return false;
   }
 
@@ -173,7 +179,8 @@ class ObjReader {
     polygons_.push_back({std::move(corners), faceCount_, words[0].line});
   }
 
-  // v, v/vt, v//vn or v/vt/vn; each counts from 1, or from the latest one back with -1.
+  // v, v/vt, v//vn or v/vt/vn; each counts from 1, or from the latest one back with -1. Exporters also leave empty what is
+  // not there: v/, v//, v/vt/.
   bool readCorner(const ObjWord& word, std::int64_t& vertex) {
     std::string_view rest = word.text;
     for (int part = 0; part < 3; ++part) {
@@ -182,7 +189,7 @@ class ObjReader {
       const bool last = slash == rest.size();
       std::int64_t index = 0;
       const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-      const bool absent = part == 1 && digits.empty() && !last;  // v//vn
+      const bool absent = part > 0 && digits.empty();
       if (!absent && (error == std::errc::invalid_argument || end != digits.data() + digits.size())) break;
       if (!absent && index == 0 && error == std::errc()) {
         fail(word,
@@ -210,10 +217,14 @@ class ObjReader {
     for (const Polygon& polygon : polygons_) {
       const auto& corners = polygon.corners;
       if (!checkCorners(corners)) continue;
-      for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-        mesh_.faces.push_back({static_cast<std::int32_t>(corners[0].vertex),
-                               static_cast<std::int32_t>(corners[k].vertex),
-                               static_cast<std::int32_t>(corners[k + 1].vertex)});
+      std::vector<Point> places;
+      for (const ObjCorner& c : corners) places.push_back(mesh_.vertices[static_cast<std::size_t>(c.vertex)]);
+      const Triangulation cut = triangulate(places);
+      if (!cut.wrong.empty()) fail(corners[0].word, cut.wrong);
+      for (const auto& [a, b, c] : cut.triangles) {
+        mesh_.faces.push_back({static_cast<std::int32_t>(corners[a].vertex),
+                               static_cast<std::int32_t>(corners[b].vertex),
+                               static_cast<std::int32_t>(corners[c].vertex)});
         source_.faceLines.push_back(polygon.line);
         source_.faceNumbers.push_back(polygon.number);
       }

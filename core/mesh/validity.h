@@ -1,11 +1,23 @@
 #pragma once
 // What makes a mesh fit to be a cell, with the place in a file for the message if it came from one.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/mesh.h"
 
 namespace morula {
+
+/// How finely a file's coordinates are written: the most decimals, and the most significant digits, of any of them.
+/// Exporters round all coordinates alike, to a number of decimals or of digits, and may leave out zeros at the end.
+struct WrittenDigits {
+  int decimals = 0, significant = 0;
+
+  /// Takes one coordinate into account, as "-1.25" or "3e-4".
+  void note(std::string_view number);
+  /// [length] By how much the coordinate may differ from the number that was rounded to it.
+  double roundingOf(double coordinate) const;
+};
 
 /// Where the parts of a mesh stand in its file. The vectors are empty for a mesh that is not from a file.
 struct MeshSource {
@@ -13,6 +25,7 @@ struct MeshSource {
   std::vector<int> vertexLines;  // 1-based, per vertex
   std::vector<int> faceLines;    // 1-based, per triangle
   std::vector<int> faceNumbers;  // 1-based `f` line that a triangle is part of: a polygon has several
+  WrittenDigits written = {};    // of the vertices' coordinates
 };
 
 /// checkClosedManifold of mesh.h, whose errors begin with "name:line: " where the source knows lines.

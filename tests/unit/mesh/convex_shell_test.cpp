@@ -1,6 +1,8 @@
 // Convex shells: their planes, and what is none.
 #include "mesh/convex_shell.h"
 
+#include <cstdio>
+
 #include "catch.h"
 #include "mesh/obj_source.h"
 #include "zoo.h"
@@ -63,4 +65,63 @@ TEST_CASE("What is no shell is refused with the face, its line and the reason") 
   CHECK_FALSE(complaint(zoo::objOf(open)).empty());
   CHECK_THAT(complaint(zoo::objOf(zoo::box({-1e7, -1e7, -1e7}, {1e7, 1e7, 1e7}))), ContainsSubstring("more than 1e6"));
   CHECK(complaint(zoo::objOf(zoo::box({-1, -1, -1}, {1, 1, 1}))).empty());
+}
+
+namespace {
+
+/// A sphere of quads of radius 2, as modellers write it: so many decimals, and the end of one longitude pushed inwards.
+std::string sphereOfQuads(int decimals, double dent = 0) {
+  constexpr int around = 32, down = 16;
+  std::string text, faces;
+  char line[100];
+  const auto vertex = [&](double x, double y, double z) {
+    std::snprintf(line, sizeof line, "v %.*f %.*f %.*f\n", decimals, x, decimals, y, decimals, z);
+    text += line;
+  };
+  const auto at = [&](int i, int j) { return std::to_string(2 + (i - 1) * around + j % around); };
+  vertex(0, 0, 2);
+  for (int i = 1; i < down; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double t = 3.14159265358979 * i / down, p = 2 * 3.14159265358979 * j / around;
+      const double r = 2 * (i == 8 && j == 3 ? 1 - dent : 1);
+      vertex(r * std::sin(t) * std::cos(p), r * std::sin(t) * std::sin(p), r * std::cos(t));
+    }
+  vertex(0, 0, -2);
+  const std::string last = std::to_string(2 + (down - 1) * around);
+  for (int j = 0; j < around; ++j) faces += "f 1 " + at(1, j) + " " + at(1, j + 1) + "\n";
+  for (int i = 1; i < down - 1; ++i)
+    for (int j = 0; j < around; ++j)
+      faces += "f " + at(i, j) + " " + at(i + 1, j) + " " + at(i + 1, j + 1) + " " + at(i, j + 1) + "\n";
+  for (int j = 0; j < around; ++j) faces += "f " + at(down - 1, j) + " " + last + " " + at(down - 1, j + 1) + "\n";
+  return text + faces;
+}
+
+}  // namespace
+
+TEST_CASE("A shell of quads is convex as far as the digits of its file tell") {
+  for (const int decimals : {4, 5, 6, 9}) {
+    CAPTURE(decimals);
+    const ConvexShell shell = readConvexShell(sphereOfQuads(decimals), "s.obj");
+    // Each quad is one plane, except where both of its triangles hold all vertices within 1e-9, as written.
+    if (decimals < 9) CHECK(shell.planes.size() == 14 * 32 + 2 * 32);
+    for (const Point& x : shell.mesh.vertices)
+      CHECK(measureReach(shell.planes, x) <= 1 + 1e-9);  // what all shells may be off by
+  }
+  for (const int decimals : {4, 6, 9})
+    CHECK_THAT(complaint(sphereOfQuads(decimals, 0.05)),
+               ContainsSubstring("lies outside of its plane; a shell is convex"));
+}
+
+TEST_CASE("The rounding of a coordinate follows from the digits of its file") {
+  WrittenDigits fixed;
+  for (const char* number : {"1.234567", "-12.5", "0"}) fixed.note(number);
+  CHECK(fixed.roundingOf(1.2) == Approx(5e-7));
+  CHECK(fixed.roundingOf(0) == Approx(5e-7));
+  WrittenDigits significant;  // six digits of each number
+  for (const char* number : {"123.456", "0.00123456", "1e-3"}) significant.note(number);
+  CHECK(significant.roundingOf(123.4) == Approx(5e-4));
+  CHECK(significant.roundingOf(0.00123) == Approx(5e-9));
+  WrittenDigits exponents;
+  exponents.note("-1.234567e-02");
+  CHECK(exponents.roundingOf(-0.01234567) == Approx(5e-9));
 }

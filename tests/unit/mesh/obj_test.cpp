@@ -125,8 +125,8 @@ TEST_CASE("What is wrong with the text is said with its line and column, and wha
       {tetrahedron + "f 1 2 4294967297\n", "m.obj:9:7: \"4294967297\": there is no such vertex; the file has 4"},
       {tetrahedron + "f 1 2 3.5\n",
        "m.obj:9:7: \"3.5\" is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1"},
-      {tetrahedron + "f 1 2 3/\n",
-       "m.obj:9:7: \"3/\" is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1"},
+      {tetrahedron + "f 1 2 3/-\n",
+       "m.obj:9:7: \"3/-\" is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1"},
       {tetrahedron + "f 1 2 3/1/1/1\n",
        "m.obj:9:7: \"3/1/1/1\" is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1"},
       {tetrahedron + "f /1 2 3\n",
@@ -173,4 +173,44 @@ TEST_CASE("What is wrong with the surface is said with the line of the face") {
              ContainsSubstring("m.obj:1:1: vertex 1: no face has this vertex"));
   CHECK_THAT(complaintAbout(corners + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"),
              ContainsSubstring("m.obj:5:1: all faces are inverted"));
+}
+
+TEST_CASE("Corners as exporters write them where textures and normals are missing") {
+  const Mesh plain = readObj(tetrahedron, "m.obj");
+  for (const std::string behind : {"/", "//", "/1/", "//1", "/1", "/1/1"}) {
+    std::string faces;
+    for (const char* face : {"1 3 2", "1 2 4", "1 4 3", "2 3 4"}) {
+      faces += "f";
+      for (const char c : std::string(face))
+        if (c != ' ') faces += std::string(" ") + c + behind;
+      faces += "\n";
+    }
+    CAPTURE(behind);
+    CHECK(same(readObj(corners + "vt 0 0\nvn 0 0 1\n" + faces, "m.obj"), plain));
+  }
+  CHECK_THAT(complaintAbout(corners + "f 1 3 /2\n"), ContainsSubstring("\"/2\" is not a corner"));
+}
+
+TEST_CASE("A material whose name ends in a backslash does not swallow the next line") {
+  CHECK(same(readObj("usemtl skin\\\n" + tetrahedron + "g a\\\n", "m.obj"), readObj(tetrahedron, "m.obj")));
+}
+
+TEST_CASE("Numbers behind a vertex are not read") {
+  CHECK(
+      same(readObj("v 1 1 1 - - -\nv -1 -1 1 nan nan nan\nv -1 1 -1 1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+                   "m.obj"),
+           readObj(tetrahedron, "m.obj")));
+}
+
+TEST_CASE("A concave polygon of a file is filled, and one that crosses itself is told with its line") {
+  const std::string sides = "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+  std::string points;
+  for (const char* z : {"0", "1"})
+    for (const char* xy : {"0 0", "2 0", "2 1", "1 1", "1 2", "0 2"}) points += std::string("v ") + xy + " " + z + "\n";
+  const Mesh solid = readObj(points + "f 9 10 11 12 7 8\nf 3 2 1 6 5 4\n" + sides, "l.obj");
+  const double area = measureArea(solid.vertices, solid.faces), volume = measureVolume(solid.vertices, solid.faces);
+  CHECK(std::pow(area / 14, 3) == Approx(std::pow(volume / 3, 2)).epsilon(1e-12));  // 14 and 3 in the file's units
+  CHECK_THAT(
+      complaintAbout(points + "f 7 9 8 10 11 12\nf 6 5 4 3 2 1\n" + sides),
+      ContainsSubstring("m.obj:13:3: the outline of this face crosses or touches itself; split it into triangles"));
 }
