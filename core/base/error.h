@@ -6,9 +6,14 @@
 
 namespace morula {
 
-/// What an error is for want of. Another machine, or this one on another day, may have it: such an end says nothing
-/// about the scene, and is compared with nothing.
-enum class Want { nothing, memory };
+/// The resource that ran out, if any. Such an error depends on the machine or on the program, not on the scene, so a run that
+/// ended by it is compared with nothing.
+enum class Want {
+  nothing,
+  memory,
+  files,  // a disk or a file that could be written
+  reason  // the program has a bug
+};
 
 /// The user's input is wrong. The text names the place, what is wrong and what would be right. Exit 3.
 struct InputError : std::runtime_error {

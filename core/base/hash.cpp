@@ -50,6 +50,11 @@ Hash Hasher::digest() const {
   return {h.high64, h.low64};
 }
 
+Hash hashOf(std::string_view bytes) {
+  const XXH128_hash_t h = XXH3_128bits(bytes.data(), bytes.size());
+  return {h.high64, h.low64};
+}
+
 std::string Hash::text() const {
   static constexpr char digits[] = "0123456789abcdef";
   std::string s(32, '0');

@@ -48,6 +48,9 @@ class Hasher {
   std::unique_ptr<State> state_;
 };
 
+/// XXH3-128 of the bytes alone.
+Hash hashOf(std::string_view bytes);
+
 /// 32 hexadecimal digits, as Hash::text writes them.
 inline std::optional<Hash> readHash(std::string_view text) {
   if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != text.npos) return std::nullopt;

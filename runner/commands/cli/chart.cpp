@@ -38,7 +38,7 @@ struct RunToDraw {
 RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
   if (isDatabase(options.file)) {
     auto store = Store::openForReading(options.file);
-    const auto run = store.find(options.run);
+    const auto run = store.find(options.run);  // whose rows anyScenario has held against their digests
     return {store.results(run.id), run.time};
   }
   auto run = simulate(scenario, execution(options.execution),

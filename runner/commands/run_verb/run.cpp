@@ -145,9 +145,10 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
   }
 }
 
-int exitCodeOf(const RunOutcome& outcome) {
+int exitCodeOf(const RunOutcome& outcome, const RunSettings& settings) {
   if (outcome.end.status == RunStatus::killed) return signalled + outcome.signal;
   if (outcome.end.status == RunStatus::failed) return numerical;
+  if (outcome.database != settings.database) return file;  // it is not where it was asked for
   if (outcome.checks && !outcome.checks->passed()) return differs;
   return outcome.isSane().value_or(true) ? fine : differs;
 }
@@ -169,9 +170,9 @@ int act(const RunOptions& options) {
       continue;
     }
     const auto outcome = runScenario(run.scenario, run.settings);
-    const int exitCode = exitCodeOf(outcome);
+    const int exitCode = exitCodeOf(outcome, run.settings);
     code = std::max(code, exitCode);
-    if (options.output.json) list.push_back(toJson(outcome, run.scenario, run.settings));
+    if (options.output.json) list.push_back(toJson(outcome, run.scenario));
     else print(describe(outcome, run.scenario, run.settings));
     if (outcome.checks && !outcome.checks->passed() && options.output.json)
       tell(describe(*outcome.checks), options.output.quiet);

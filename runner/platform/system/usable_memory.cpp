@@ -37,11 +37,35 @@ double freeOfMachine() {
 /// [byte] The only number in a file of the control groups; infinite if it is "max", or not there.
 double numberIn(const std::string& file) { return numberFrom(readHead(file, 64)); }
 
-/// Control groups of version 2, as containers see their own.
-double freeOfGroup() {
-  const double most = numberIn("/sys/fs/cgroup/memory.max");
-  const double used = numberIn("/sys/fs/cgroup/memory.current");
-  return std::isinf(most) || std::isinf(used) ? INFINITY : std::max(most - used, 0.0);
+/// [byte] What the group at `path` and all groups that it is in leave, by the names of their two files.
+double freeBelow(const std::string& root, std::string path, const char* limit, const char* use) {
+  double free = INFINITY;
+  for (;;) {
+    const std::string folder = root + path + "/";
+    const double most = numberIn(folder + limit), used = numberIn(folder + use);
+    if (!std::isinf(most) && !std::isinf(used)) free = std::min(free, std::max(most - used, 0.0));
+    if (path.empty()) return free;
+    path.erase(path.rfind('/') == path.npos ? 0 : path.rfind('/'));
+  }
+}
+
+/// [byte] What the control groups of this process leave: those of version 2, and the memory groups of version 1. A container
+/// may show its own group as the root.
+double freeOfGroups() {
+  const std::string root = "/sys/fs/cgroup";
+  double free = INFINITY;
+  for (const std::string& line : linesOf(readHead("/proc/self/cgroup", 65536))) {
+    // "0::/job/step", "9:cpu,memory:/job"
+    const auto first = line.find(':'), second = line.find(':', first == line.npos ? first : first + 1);
+    if (first == line.npos || second == line.npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    std::string path = line.substr(second + 1);
+    if (path == "/") path.clear();
+    if (controllers == ",,") free = std::min(free, freeBelow(root, path, "memory.max", "memory.current"));
+    else if (controllers.find(",memory,") != controllers.npos)
+      free = std::min(free, freeBelow(root + "/memory", path, "memory.limit_in_bytes", "memory.usage_in_bytes"));
+  }
+  return std::min(free, freeBelow(root, "", "memory.max", "memory.current"));
 }
 
 int endCode = 0;
@@ -51,7 +75,7 @@ std::terminate_handler otherwise = nullptr;
   try {
     if (std::current_exception()) throw;
   } catch (const std::bad_alloc&) {
-    constexpr std::string_view text = "morula: there is no more memory, and no way on without\n";
+    constexpr std::string_view text = "morula: out of memory; the program ends\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
     std::set_terminate([] { ::_exit(endCode); });  // that may find no memory either
     try {
@@ -75,6 +99,6 @@ std::uint64_t peakMemory() {
   return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
 }
 
-double usableMemory() { return share * std::min(freeOfMachine(), freeOfGroup()); }
+double usableMemory() { return share * std::min(freeOfMachine(), freeOfGroups()); }
 
 }  // namespace morula

@@ -111,6 +111,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
     for (const std::size_t t : condition.tasks) {
       if (t == noTask || !suspects.contains(r.tasks[t].runId) || !seen.insert(r.tasks[t].runId).second) continue;
       const StoredRun run = store.find(r.tasks[t].runId);
+      requireWholeRecord(store, run);
       const RunResults results = store.results(run.id);
       const Scenario scenario = storedScenario(database, run.id);
       runs += !ambiguousDivisions(

@@ -4,8 +4,11 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <new>
+#include <thread>
+#include <utility>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -13,6 +16,8 @@
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
+#include "system/clock.h"
+#include "system/console.h"
 
 namespace morula {
 namespace {
@@ -27,7 +32,7 @@ std::string remedy(int code, int systemError, const fs::path& file) {
     case SQLITE_NOTADB: return "it is not an SQLite database; give another file";
     case SQLITE_CORRUPT: return "the file is damaged; give another file, or restore it from a copy";
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return "another process is writing to it; wait until it has finished, or give another file";
+    case SQLITE_LOCKED: return "another process holds it; wait until it has finished, or give another file";
     case SQLITE_READONLY:
       return "the file or its directory is not writable; change its permissions or give another file";
     case SQLITE_FULL: return "the disk is full; free some space or give a file on another disk";
@@ -48,7 +53,48 @@ std::string remedy(int code, int systemError, const fs::path& file) {
   }
 }
 
+constexpr double toldAfter = 2;  // [s] of waiting: what is shorter nobody notices
+
+/// SQLite's own temporary data, as the records of a run that goes on, lie beside the results, unless the user names a folder
+/// for them: the system's may be small.
+void keepTemporaryDataBeside(const fs::path& file) {
+  if (std::getenv("SQLITE_TMPDIR") || std::getenv("TMPDIR")) return;
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  sqlite3_free(sqlite3_temp_directory);
+  sqlite3_temp_directory = sqlite3_mprintf("%s", folder.c_str());
+}
+
 }  // namespace
+
+/// How long a connection waits for other processes, and since when it does.
+struct Database::Wait {
+  fs::path file;
+  double limit = 0, began = 0;  // [s]
+  bool told = false;
+};
+
+int Database::waitForOthers(void* wait, int calls) {
+  Wait& w = *static_cast<Wait*>(wait);
+  const double now = seconds(ClockKind::wall);
+  if (calls == 0) w.began = now, w.told = false;
+  if (now - w.began >= w.limit) return 0;
+  if (!w.told && now - w.began >= toldAfter) {
+    w.told = true;
+    tell("waiting for another process that holds " + w.file.string() + ", for up to " + formatDuration(w.limit), false);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(calls < 10 ? 2 : 25));
+  return 1;
+}
+
+Database::Database(fs::path name, sqlite3* db) : file_(std::move(name)), db_(db) {}
+Database::~Database() = default;
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+
+std::chrono::milliseconds Database::setPatience(std::chrono::milliseconds patience) {
+  const double before = std::exchange(wait_->limit, 1e-3 * static_cast<double>(patience.count()));
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * before));
+}
 
 void Database::Close::operator()(sqlite3* db) const { sqlite3_close(db); }
 void Statement::Finalize::operator()(sqlite3_stmt* s) const { sqlite3_finalize(s); }
@@ -64,10 +110,15 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
+  // With its folder before it no name is a word of SQLite's: ":memory:" and "file:x.db" are files like others.
+  const fs::path plain = file_.is_relative() ? "." / file_ : file_;
+  const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : plain.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
   if (code != SQLITE_OK) fail(code, "open the database");
-  sqlite3_busy_timeout(db, static_cast<int>(patience.count()));
+  if (mode != Mode::temporary) keepTemporaryDataBeside(plain);
+  wait_.reset(new Wait{file_});
+  setPatience(patience);
+  sqlite3_busy_handler(db, waitForOthers, wait_.get());
   protect();
 }
 
@@ -118,6 +169,7 @@ void Database::fail(int code, const std::string& doing) const {
   text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
   if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty())
     text += "; " + help;
+  if ((code & 0xff) == SQLITE_BUSY) throw BusyError(text);
   throw StoreError(text);
 }
 
@@ -234,6 +286,25 @@ void Statement::addTo(Hasher& hasher, int column) const {
     case SQLITE_FLOAT: hasher.add("real").add(real(column)); return;
     case SQLITE_NULL: return;
     default: hasher.add("text").add(text(column));
+  }
+}
+
+void Statement::appendRow(std::string& bytes, const std::vector<std::uint64_t>& columns) const {
+  const auto append = [&](const auto& number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
+  sqlite3_stmt* const row = statement_.get();
+  for (int c = 0; c < static_cast<int>(columns.size()); ++c) {
+    const int type = sqlite3_column_type(row, c);
+    if (type == SQLITE_NULL) continue;
+    append(columns[static_cast<std::size_t>(c)] + static_cast<std::uint64_t>(type));
+    if (type == SQLITE_INTEGER) append(sqlite3_column_int64(row, c));
+    else if (type == SQLITE_FLOAT) append(sqlite3_column_double(row, c));
+    else {
+      const auto* text = static_cast<const char*>(sqlite3_column_blob(row, c));
+      const int size = sqlite3_column_bytes(row, c);
+      if (!text && size > 0) db_->fail(SQLITE_NOMEM, "read the database");
+      append(static_cast<std::uint64_t>(size));
+      if (size > 0) bytes.append(text, static_cast<std::size_t>(size));
+    }
   }
 }
 

@@ -26,9 +26,13 @@ class Database {
   enum class Mode { create, existing, temporary };
 
   /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits
-  /// `patience` for other writers, now and later. Mode::temporary: a database of its own, in memory and on
+  /// `patience` for other processes that hold the file, now and later, and says so on stderr after two seconds; then a
+  /// BusyError is thrown. SQLite's own temporary data lie in the file's folder from then on. Mode::temporary: a database of its own, in memory and on
   /// the disk where it is large, which is gone with the connection; `file` only names it in messages.
   Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
+  ~Database();
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
 
   /// A database in memory: an empty one, or with all that the bytes of a database's file hold. `name` only names it in
   /// messages. Throws StoreError if the bytes are no database.
@@ -41,18 +45,23 @@ class Database {
   std::int64_t integer(const std::string& sql);  // the first column of the first row
   const std::filesystem::path& file() const { return file_; }
   bool readOnly() const;
+  /// How long to wait for other processes. Returns how long it was before.
+  std::chrono::milliseconds setPatience(std::chrono::milliseconds patience);
 
   /// Throws the StoreError for what SQLite last reported. `doing`: "store the run".
   [[noreturn]] void fail(int code, const std::string& doing) const;
 
  private:
   friend class Statement;
-  Database(std::filesystem::path name, sqlite3* db) : file_(std::move(name)), db_(db) {}
+  Database(std::filesystem::path name, sqlite3* db);
   void protect();
   struct Close {
     void operator()(sqlite3* db) const;
   };
+  struct Wait;
+  static int waitForOthers(void* wait, int calls);
   std::filesystem::path file_;
+  std::unique_ptr<Wait> wait_;  // outlives the connection
   std::unique_ptr<sqlite3, Close> db_;
 };
 
@@ -123,6 +132,8 @@ class Statement {
   int columns() const;
   /// Adds a value with its type; nothing for NULL.
   void addTo(Hasher& hasher, int column) const;
+  /// Appends the number of each column that is not NULL, with the column's type and value. `columns`: a number for each.
+  void appendRow(std::string& bytes, const std::vector<std::uint64_t>& columns) const;
 
   /// Throws the StoreError for a value that cannot be right. `right`: "needs …".
   [[noreturn]] void refuse(int column, const std::string& right) const;

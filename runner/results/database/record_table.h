@@ -17,6 +17,7 @@ enum class TablePart {
   bullet,      // what Bullet made of its scene
   checkpoint,  // what it goes on from; gone when it has finished
   study,       // of the study that it belongs to
+  seal,        // digests of the rows of the others
 };
 
 inline bool isResult(TablePart part) {

@@ -11,6 +11,11 @@ struct StoreError : FileError {
   using FileError::FileError;
 };
 
+/// Another process held the file for longer than this one waits. Exit 6.
+struct BusyError : StoreError {
+  using StoreError::StoreError;
+};
+
 /// One scenario, seed and build gave two different results. The earlier result stays in the database. A check
 /// that differs, so exit 1; code that catches FileErrors alone reports it as exit 6.
 struct NondeterminismError : StoreError {

@@ -58,6 +58,8 @@ class Recorder {
   /// [byte] That samples and hashes take here.
   double bytes() const { return bytes_; }
   const RecordOptions& options() const { return options_; }
+  /// True if what has been recorded goes elsewhere, where it stays when the run fails.
+  bool hasSink() const { return static_cast<bool>(sink_); }
   /// Samples and hashes that are still here, with the texts of the states in them; nothing else yet.
   const RunResults& records() const { return results_; }
 

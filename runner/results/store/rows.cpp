@@ -116,9 +116,10 @@ void restartRun(Database& db, const std::string& id, const std::string& started)
 
 void endRun(Database& db, const std::string& id, const RunEnd& end) {
   Statement(db,
-            "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ?, failure = nullif(?, '') "
-            "WHERE run_id = ?")
-      .run(name(end.status), utcNow(), end.steps, end.cells, end.time, end.failure, id);
+            "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ?, failure = nullif(?, ''), "
+            "state_hash = ? WHERE run_id = ?")
+      .run(name(end.status), utcNow(), end.steps, end.cells, end.time, end.failure,
+           end.stateHash ? std::optional(end.stateHash->text()) : std::nullopt, id);
 }
 
 void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart)) {

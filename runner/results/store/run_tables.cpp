@@ -20,7 +20,7 @@ const std::vector<const SqlTable*>& runTables() {
       &sqlTable<ConnectionRecord>(), &sqlTable<DivisionRecord>(),  &sqlTable<TimeStepRecord>(),
       &sqlTable<SettlingRecord>(),   &sqlTable<ChainLink>(),       &sqlTable<CellHash>(),
       &sqlTable<CheckResult>(),      &sqlTable<BulletSampleRow>(), &sqlTable<CheckpointRow>(),
-      &sqlTable<FrameRow>()};
+      &sqlTable<FrameRow>(),         &sqlTable<SealedTable>()};
   return tables;
 }
 

@@ -7,6 +7,7 @@
 #include "connections/connections.h"
 #include "database/record_table.h"
 #include "store/records.h"
+#include "store/seal.h"
 
 namespace morula {
 

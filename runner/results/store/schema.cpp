@@ -15,8 +15,14 @@ namespace {
 
 /// Throws unless the file is empty or Morula's and of this version. True if it is empty.
 bool isEmpty(Database& db) {
-  const auto id = db.integer("PRAGMA application_id"), version = db.integer("PRAGMA user_version");
-  if (id == 0 && version == 0 && db.integer("SELECT count(*) FROM sqlite_schema") == 0) return true;
+  // One statement sees the file as it is at one moment; another process may be making it.
+  Statement s(
+      db,
+      "SELECT (SELECT application_id FROM pragma_application_id), (SELECT user_version FROM pragma_user_version), "
+      "(SELECT count(*) FROM sqlite_schema)");
+  s.next();
+  const auto id = s.integer(0), version = s.integer(1);
+  if (id == 0 && version == 0 && s.integer(2) == 0) return true;
   if (id != applicationId)
     throw StoreError(db.file().string() + ": a database, but not one of Morula's (application_id " +
                      std::to_string(id) + "); give another file");

@@ -7,7 +7,7 @@ namespace morula {
 /// "Mrla": tells Morula's databases from all others (SQLite's `PRAGMA application_id`, `file` shows it).
 inline constexpr int applicationId = 0x4d726c61;
 /// The version of the tables (`PRAGMA user_version`). Files of this version whose tables lack a column are of another, too.
-inline constexpr int schemaVersion = 8;
+inline constexpr int schemaVersion = 9;
 
 /// Settings of one connection: rollback journal, every commit on the disk, foreign keys checked.
 void configure(Database& db);

@@ -8,6 +8,8 @@
 #include "store/rows.h"
 #include "store/run_tables.h"
 #include "store/schema.h"
+#include "store/seal.h"
+#include "system/clock.h"
 
 namespace morula {
 namespace {
@@ -28,6 +30,11 @@ void copyRows(Database& from, Database& to, const SqlTable& table, const std::st
   Statement insert(to, table.insert());
   for (rows.start(id, after); rows.next();) insert.runWith(rows);
 }
+
+constexpr double secondsBetweenFlushes = 5;  // [s] of what a killed program may lose
+
+bool isOfEnd(TablePart part) { return part == TablePart::record || part == TablePart::end; }
+bool isOfRecord(TablePart part) { return part == TablePart::record; }
 
 void deleteRun(Database& db, const std::string& id) {
   Statement(db, "DELETE FROM run WHERE run_id = ?").run(id);  // and, by its foreign keys, all rows of the run
@@ -78,13 +85,16 @@ std::string Store::begin(const RunRecord& record) {
     if (earlier->status == RunStatus::done) return id;
     if (checkpointStep(id)) {
       restartRun(db_, id, attempt.started);
+      sealRun(db_, id, isOfEnd);
       transaction.commit();
       return id;
     }
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt.record, attempt.started, nullptr);
+  sealRun(db_, id);
   transaction.commit();
+  attempts_[id].storesOnTheWay = true;
   return id;
 }
 
@@ -96,18 +106,45 @@ void Store::record(const std::string& id, const RunResults& records) {
   recorded_->execute("BEGIN");
   insertRecords(*recorded_, id, records);
   recorded_->execute("COMMIT");
+  if (const auto attempt = attempts_.find(id); attempt != attempts_.end()) flush(id, attempt->second);
 }
 
-void Store::takeOver(const std::string& id, std::optional<std::uint64_t> after) {
-  if (!recorded_) return;
+void Store::flush(const std::string& id, Attempt& attempt) {
+  const double now = seconds(ClockKind::wall);
+  if (!attempt.storesOnTheWay || now - attempt.flushed < secondsBetweenFlushes) return;
+  const bool isFirst = attempt.flushed == 0;
+  attempt.flushed = now;
+  if (isFirst) return;  // a short run is stored once
+  const auto patience = db_.setPatience(std::chrono::milliseconds(0));
+  try {
+    Transaction transaction(db_);
+    takeOver(id, attempt.until);
+    extendSeal(db_, id, attempt.until);
+    transaction.commit();
+    const auto last = [&](const char* what) {
+      Statement s(*recorded_, std::string("SELECT max(") + what + " WHERE run_id = ?");
+      s.start(id).next();
+      return s.isNull(0) ? -1 : s.real(0);
+    };
+    attempt.until = {last("time) FROM sample"), static_cast<std::int64_t>(last("step) FROM step_hash"))};
+  } catch (const BusyError&) {}  // the next time, or at the end
+  db_.setPatience(patience);
+}
+
+RecordedUntil Store::recordedUntil(const std::string& id, std::uint64_t step) {
   // All rows but those of hashes go by their sample's time.
   Statement last(db_, "SELECT max(time) FROM sample WHERE run_id = ? AND step <= ?");
-  const double time = after && last.start(id, *after).next() && !last.isNull(0) ? last.real(0) : -1;
-  const std::int64_t step = after ? static_cast<std::int64_t>(*after) : -1;
+  const bool has = last.start(id, step).next() && !last.isNull(0);
+  return {has ? last.real(0) : -1, static_cast<std::int64_t>(step)};
+}
+
+void Store::takeOver(const std::string& id, const RecordedUntil& until) {
+  if (!recorded_) return;
   for (const SqlTable* t : runTables()) {
     if (t->info.part != TablePart::samples) continue;
-    if (std::string_view(t->info.key).starts_with("run_id, time")) copyRows(*recorded_, db_, *t, id, "time", time);
-    else copyRows(*recorded_, db_, *t, id, "step", step);
+    const char* column = recordColumn(*t);
+    if (column == std::string_view("time")) copyRows(*recorded_, db_, *t, id, column, until.time);
+    else copyRows(*recorded_, db_, *t, id, column, until.step);
   }
 }
 
@@ -131,11 +168,22 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
         deleteRows(db_, id);
         takeOver(id);
         insertResults(db_, id, results);
+        sealRun(db_, id, [](TablePart part) { return part != TablePart::checkpoint; });
+      } else {
+        sealRun(db_, id, isOfRecord);
       }
       return commit();
     }
     if (end.want != Want::nothing && checkpointStep(id)) {  // to be gone on from where there is more
       endRun(db_, id, end);
+      sealRun(db_, id, isOfRecord);
+      return commit();
+    }
+    if (attempt->second.until.time >= 0 || attempt->second.until.step >= 0) {
+      endRun(db_, id, end);
+      takeOver(id, attempt->second.until);
+      insertResults(db_, id, results);
+      sealRun(db_, id);
       return commit();
     }
     deleteRun(db_, id);
@@ -143,7 +191,21 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);
   takeOver(id);
   insertResults(db_, id, results);
+  sealRun(db_, id);
   commit();
+}
+
+Store Store::finishBeside(const std::string& id, const RunEnd& end, const RunResults& results) {
+  const auto attempt = attempts_.find(id);
+  MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
+  std::filesystem::path beside = file();
+  beside.replace_filename(file().stem().string() + "-" + id + ".db");
+  Store other = openForWriting(beside);
+  other.begin(attempt->second.record);
+  other.attempts_[id].started = attempt->second.started;
+  other.recorded_ = std::move(recorded_);
+  other.finish(id, end, results);
+  return other;
 }
 
 void Store::addChecks(const std::string& id, const std::vector<CheckResult>& checks) {
@@ -152,6 +214,7 @@ void Store::addChecks(const std::string& id, const std::vector<CheckResult>& che
   Statement forget(db_, "DELETE FROM check_result WHERE run_id = ? AND kind = ?");
   for (const CheckResult& check : checks) forget.run(id, check.kind);
   insertChecks(db_, id, checks);
+  sealRun(db_, id, [](TablePart part) { return part == TablePart::checks; });
   transaction.commit();
 }
 
@@ -160,6 +223,7 @@ void Store::putBulletSamples(const std::string& id, const std::string& baseline,
   if (!findEarlier(db_, id)) throw StoreError(db_.file().string() + ": no run " + id + " to add samples to");
   Statement(db_, "DELETE FROM bullet_sample WHERE run_id = ?").run(id);
   insertBulletSamples(db_, id, baseline, samples);
+  sealRun(db_, id, [](TablePart part) { return part == TablePart::bullet; });
   transaction.commit();
 }
 
@@ -177,6 +241,7 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   configure(copy);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
   copy.execute("DELETE FROM checkpoint; DELETE FROM checkpoint_frame");
+  sealRun(copy, id, [](TablePart part) { return part == TablePart::checkpoint; });
   copy.execute("VACUUM");
 }
 

@@ -20,6 +20,7 @@
 #include "database/database.h"
 #include "store/contents.h"
 #include "store/records.h"
+#include "store/seal.h"
 #include "store/table_difference.h"
 
 namespace morula {
@@ -49,7 +50,8 @@ class Store {
   std::string begin(const RunRecord& record);
 
   /// Takes samples and hashes of a run that goes on, in their order. They lie apart from the file, and get into it with
-  /// `finish` and `keepCheckpoint`, to which those that come later are given.
+  /// `finish` and `keepCheckpoint`, to which those that come later are given. Unless the file has a finished run or a
+  /// checkpoint of this id, they get into it every few seconds, too, so that a program that is killed leaves them.
   void record(const std::string& id, const RunResults& records);
 
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
@@ -69,6 +71,10 @@ class Store {
   /// (or this one failed). An attempt that was killed, or failed for want of something (Want), never replaces a finished
   /// run, for it says nothing against it; one that was killed keeps its checkpoint.
   void finish(const std::string& id, const RunEnd& end, const RunResults& results);
+
+  /// Stores the run as `finish` does in a new file beside this one, "FILE-ID.db", since another process holds this one
+  /// (BusyError). Returns the new file.
+  Store finishBeside(const std::string& id, const RunEnd& end, const RunResults& results);
 
   /// Replaces the run's check results of the kinds that occur in `checks`.
   void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
@@ -91,8 +97,8 @@ class Store {
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<SourceText> documents(const std::string& id);
 
-  /// Throws StoreError if the file is no whole database any more: rows may lack.
-  void requireIntact();
+  /// Throws StoreError if the rows of the run are not those that were stored: every table is held against its digest.
+  void requireIntact(const std::string& id);
   /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
@@ -124,9 +130,15 @@ class Store {
   struct Attempt {
     RunRecord record;
     std::string started;
+    bool storesOnTheWay = false;  // its records go into the file while it runs
+    RecordedUntil until = {};     // of those that did
+    double flushed = 0;           // [s] by the wall clock, when they did
   };
-  /// Of what `record` took, that of steps after `after`, into the file; all of it if there is none.
-  void takeOver(const std::string& id, std::optional<std::uint64_t> after = {});
+  void flush(const std::string& id, Attempt& attempt);
+  /// The last sample and hash that the file holds up to this step.
+  RecordedUntil recordedUntil(const std::string& id, std::uint64_t step);
+  /// Copies the records that `record` took after `until` into the file.
+  void takeOver(const std::string& id, const RecordedUntil& until = {});
   explicit Store(Database db) : db_(std::move(db)) {}
   Database db_;
   std::map<std::string, Attempt> attempts_;  // begun here and not finished, by id

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "store/rows.h"
 #include "store/run_tables.h"
+#include "store/seal.h"
 #include "store/store.h"
 
 namespace morula {
@@ -47,14 +48,20 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
   else if (status.text(0) == name(RunStatus::done)) return false;
   const auto kept = keptStep(db_, id, checkpoint);
   if (kept && *kept > checkpoint.step) return true;
+  attempt->second.storesOnTheWay = false;  // from now on the file has records up to the checkpoint, and no more
+  attempt->second.until = {};
   if (!kept) {
     deleteRows(db_, id);
     deleteRows(db_, id, [](TablePart part) { return part == TablePart::checkpoint; });
+    sealRun(db_, id);
   }
-  takeOver(id, kept);
+  const RecordedUntil until = kept ? recordedUntil(id, *kept) : RecordedUntil{};
+  takeOver(id, until);
   insertRecords(db_, id, records, kept);
   replaceCheckpoint(db_, id, checkpoint);
   addFrames(db_, id, frames);
+  extendSeal(db_, id, until);
+  sealRun(db_, id, [](TablePart part) { return part == TablePart::checkpoint || part == TablePart::record; });
   transaction.commit();
   return true;
 }
@@ -64,10 +71,12 @@ std::optional<ResumedRun> Store::resume(const RunRecord& record) {
   Transaction transaction(db_);
   auto kept = rowsOf<CheckpointRow>(db_, "", id);
   if (kept.empty()) return std::nullopt;
+  requireIntact(id);
   ResumedRun run{id, std::move(kept.front().of), {}};
   attempts_[id] = {record, find(id).started};
   for (FrameRow& frame : rowsOf<FrameRow>(db_, "", id)) run.frames.push_back(std::move(frame.content));
   restartRun(db_, id, attempts_[id].started);
+  sealRun(db_, id, [](TablePart part) { return part == TablePart::record || part == TablePart::end; });
   transaction.commit();
   return run;
 }

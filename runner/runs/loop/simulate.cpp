@@ -174,6 +174,14 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
     fail(settles(run.world) ? error.what() : diagnose(run.world.model, run.world.execution, error), error.want);
   } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
     fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy), Want::memory);
+  } catch (const InputError& error) { fail(error.what(), error.want); } catch (const FileError& error) {
+    if (!recorder.hasSink()) throw;
+    fail(error.what(), Want::files);
+    run.error = std::current_exception();
+  } catch (const std::exception& error) {
+    if (!recorder.hasSink()) throw;
+    fail(std::string("a bug of Morula's: ") + error.what(), Want::reason);
+    run.error = std::current_exception();
   }
   if (status == RunStatus::failed) run.end = endOf(run.world, status, failure, want);
   run.results = recorder.take(run.world, status == RunStatus::failed);

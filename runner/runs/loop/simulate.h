@@ -1,6 +1,7 @@
 #pragma once
 // The loop: step until the scene's end, a failure or a signal.
 #include <chrono>
+#include <exception>
 #include <functional>
 
 #include "scenario/scenario.h"
@@ -12,9 +13,11 @@ namespace morula {
 
 struct Simulation {
   World world;
-  RunEnd end;              // done, failed or killed
-  RunResults results;      // lineage, samples, step hashes, …
-  int signal = 0;          // the one that ended it
+  RunEnd end;          // done, failed or killed
+  RunResults results;  // lineage, samples, step hashes, …
+  int signal = 0;      // the one that ended it
+  std::exception_ptr error =
+      {};                  // ended it, and is neither the scene's nor a lack of memory: to be thrown once all is stored
   RunResults passed = {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
 };
 

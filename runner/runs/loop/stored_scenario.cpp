@@ -23,7 +23,7 @@ void refuseIf(const std::vector<ValueDifference>& changed, Store& store, const S
 }  // namespace
 
 void requireWholeRecord(Store& store, const StoredRun& run) {
-  store.requireIntact();
+  store.requireIntact(run.id);
   refuseIf(store.changedRecord(run.id), store, run);
   refuseIf(store.lostCells(run), store, run);
 }
@@ -44,7 +44,11 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
 }
 
 Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {
-  if (isDatabase(file)) return storedScenario(file, run);
+  if (isDatabase(file)) {
+    auto store = Store::openForReading(file);
+    requireWholeRecord(store, store.find(run));
+    return storedScenario(file, run);
+  }
   if (!run.empty()) throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
   return loadScenario(file, {}, allowOutside);
 }

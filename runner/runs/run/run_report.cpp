@@ -95,7 +95,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   text += describeAmbiguous(outcome.ambiguous, scenario.units);
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
   text += describeSanity(outcome, scenario);
-  text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
+  text += "  results  " + outcome.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
   for (const auto& file : outcome.pictures) {
     if (file.find("/sequence/") != file.npos) ++frames;
@@ -107,7 +107,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   return withNames(text, scenario.names.function());
 }
 
-Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
+Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
   const auto& end = outcome.end;
   Json json{{"run_id", outcome.id},
             {"scenario", scenario.scene.name},
@@ -119,7 +119,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"cells", end.cells},
             {"time", end.time},
             {"resumed_at", orNull(outcome.resumedAt)},
-            {"db", settings.database.string()},
+            {"db", outcome.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
             {"unsettled", outcome.unsettled},

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "check/beside_golden.h"
 #include "check/check_run.h"
 #include "check/remarks.h"
 #include "check/sanity.h"
+#include "database/store_error.h"
 #include "drawing/png_file.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
@@ -23,6 +25,7 @@
 #include "store/store.h"
 #include "system/console.h"
 #include "system/folder_lock.h"
+#include "system/json.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -36,6 +39,33 @@ std::string differences(const RunRecord& there, const RunRecord& here) {
   return text;
 }
 
+/// All values of a resolved scenario by their keys, "stop.cycles".
+Json valuesOf(const RunRecord& record) {
+  for (const SourceText& d : record.documents)
+    if (d.role == "resolved")
+      if (const Json json = tryParseJson(d.content); json.is_object()) return json.flatten();
+  return Json::object();
+}
+
+/// The keys that differ between two scenarios, with both values.
+std::string keysThatDiffer(const RunRecord& there, const RunRecord& here) {
+  const Json before = valuesOf(there), now = valuesOf(here);
+  std::set<std::string> keys;
+  for (const Json* values : {&before, &now})
+    for (const auto& [key, value] : values->items()) keys.insert(key);
+  const auto text = [](const Json& values, const std::string& key) {
+    return values.contains(key) ? jsonText(values[key]) : std::string("nothing");
+  };
+  std::string found;
+  for (const std::string& key : keys) {
+    if (text(before, key) == text(now, key)) continue;
+    std::string path = key.substr(1);
+    std::ranges::replace(path, '/', '.');
+    found += (found.empty() ? "" : "; ") + path + ": " + text(before, key) + " then, " + text(now, key) + " now";
+  }
+  return found;
+}
+
 /// Why there is nothing to go on from.
 std::string whyNot(Store& store, const RunRecord& record) {
   const std::string id = runId(record);
@@ -45,9 +75,14 @@ std::string whyNot(Store& store, const RunRecord& record) {
     if (run.id == id) return "run " + id + " left no checkpoint (--checkpoint-every makes them)";
     if (run.record.scenario == record.scenario && run.status != RunStatus::done) other = run;
   }
-  if (other)
+  if (other) {
+    RunRecord there = other->record;
+    there.documents = store.documents(other->id);
+    if (const std::string keys = keysThatDiffer(there, record); !keys.empty())
+      return "run " + other->id + " of " + record.scenario + " is of another scenario (" + keys + ")";
     return "run " + other->id + " of " + record.scenario +
            " is another one; what differs: " + differences(other->record, record);
+  }
   return "there is no unfinished run of " + record.scenario + " in " + store.file().string();
 }
 
@@ -166,7 +201,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
 
   const auto record = recordOf(scenario, settings.execution, settings.command);
   RunOutcome outcome;
-  outcome.id = runId(record);
+  outcome.id = runId(record), outcome.database = settings.database;
   RunResults passed;
   const bool hasGolden = checked && fileExists(goldenFile(scenario));
   Recorder recorder(recordingOf(scenario, checked && wantsHashes(scenario, hasGolden)), [&](const RunResults& records) {
@@ -179,16 +214,17 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (const auto step = store.checkpointStep(outcome.id); step && !settings.resume)
     tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step), settings.quiet);
 
+  const auto keep = [&](const World& w, const Recorder& r) {
+    try {
+      outcome.canBeResumed = store.keepCheckpoint(
+          outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)}, r.records(),
+          {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
+    } catch (const BusyError& error) { tell(std::string("no checkpoint was made: ") + error.what(), settings.quiet); }
+  };
   RunOptions options{.label = scenario.scene.name + " " + std::to_string(scenario.scene.seed),
                      .quiet = settings.quiet,
                      .watch = checks.watch(),
-                     .keep =
-                         [&](const World& w, const Recorder& r) {
-                           outcome.canBeResumed = store.keepCheckpoint(
-                               outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
-                               r.records(),
-                               {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
-                         },
+                     .keep = keep,
                      .keepEvery = settings.checkpointEvery};
   // With `watch` every step is shown; without it isolated cells may make many steps at once.
   if (scenario.record.pictures)
@@ -209,7 +245,14 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.sanity = std::move(ended.sanity);
   if (outcome.checks) run.results.checks = outcome.checks->results;
   run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
-  store.finish(outcome.id, run.end, run.results);
+  try {
+    store.finish(outcome.id, run.end, run.results);
+  } catch (const BusyError& error) {
+    store = store.finishBeside(outcome.id, run.end, run.results);
+    outcome.database = store.file();
+    tellError(fmt::format("{}; the run is stored in {}", error.what(), outcome.database.string()));
+  }
+  if (run.error) std::rethrow_exception(run.error);
   outcome.ambiguous = ambiguousDivisions(
       run.world.model, run.world.lineage.entries, [&](StateId state) { return run.world.biology->describe(state); },
       run.world.divisions);
@@ -226,8 +269,8 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
     besideBullet(scenario, settings, run, store, outcome);
   } catch (const NumericalError& error) {
     if (error.want == Want::nothing) throw;
-    throw NumericalError(
-        fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, settings.database.string()), error.want);
+    throw NumericalError(fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, outcome.database.string()),
+                         error.want);
   }
   return outcome;
 }

@@ -37,6 +37,7 @@ struct RunOutcome {
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::string unsettled;                  // [unsettledText]
   int signal = 0;                         // that ended it
+  std::filesystem::path database;         // that holds the run: another one than asked for where a process held that
 };
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
@@ -44,6 +45,6 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
 /// For people, on several lines.
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
 /// As the contract of `morula run --json` says.
-Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
+Json toJson(const RunOutcome& outcome, const Scenario& scenario);
 
 }  // namespace morula

@@ -8,6 +8,8 @@
 #include "database/store_error.h"
 #include "files/text.h"
 #include "store/schema.h"
+#include "store/seal.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 namespace {
@@ -154,6 +156,7 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
 
 void readStoredPlan(const std::filesystem::path& file, const std::function<void(const Json&)>& read) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
+  requireSealedStudy(db);
   Statement rows(db, "SELECT plan FROM study");
   try {
     if (rows.start().next()) return read(parseJson(rows.text(0)));
@@ -167,6 +170,10 @@ StudyResults readStudyResults(const std::filesystem::path& file) {
   if (db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") < 2)
     throw StoreError(file.string() +
                      ": a database of runs, but of no study; give the study.db that morula study merge makes");
+  requireSealedStudy(db);
+  requireAllSealed(db, [](TablePart part) {
+    return part == TablePart::record || part == TablePart::checks || part == TablePart::study;
+  });
   StudyResults results;
   Statement study(db, "SELECT name, summary, plan FROM study");
   if (!study.start().next()) damaged(db, "the table study is empty");

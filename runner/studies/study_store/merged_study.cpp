@@ -2,6 +2,7 @@
 
 #include "store/run_tables.h"
 #include "store/schema.h"
+#include "store/seal.h"
 
 namespace morula {
 namespace {
@@ -87,6 +88,7 @@ void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
     while (rows.next()) copy.insert.runWith(rows);
   }
   Statement(db_, "UPDATE run SET condition_id = ? WHERE run_id = ?").run(planned.condition, file.task().runId);
+  sealRun(db_, file.task().runId);
   TaskRow task = file.task();
   task.id = planned.id, task.number = planned.number, task.condition = planned.condition, task.seed = planned.seed;
   addMissing(task);
@@ -99,6 +101,7 @@ void MergedStudy::finish(const StudyTables& study, const std::string& buildId) {
   row.buildId = buildId;
   insertAll<StudyRow>(db_, {row});
   insertAll(db_, study.replicates);
+  sealStudy(db_);
   db_.execute("COMMIT");
   draft_.takePlace();
 }

@@ -1,6 +1,9 @@
 #include "study_store/study_tables.h"
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "database/store_error.h"
 #include "store/run_tables.h"
 
 namespace morula {
@@ -49,9 +52,32 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes, const s
       "as JSON; NULL: the scene has no such part\n"
       "  condition_id INTEGER PRIMARY KEY REFERENCES condition" +
       columnsOfTexts(keys) + "\n) STRICT");
-  for (const SqlTable* t :
-       {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &sqlTable<ReplicateRow>()})
+  for (const SqlTable* t : {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(),
+                            &sqlTable<ReplicateRow>(), &sqlTable<StudySeal>()})
     db.execute(t->create());
+}
+
+namespace {
+
+/// Tables whose rows belong to the study and to no run; those of how long runs took may differ, and decide nothing.
+const std::vector<std::string> ownTables{"study", "axis", "level", "condition", "condition_key", "replicate", "task"};
+
+}  // namespace
+
+void sealStudy(Database& db) {
+  Statement insert(db, sqlTable<StudySeal>().insert());
+  for (const std::string& table : ownTables) insert.run(StudySeal{table, digestRows(db, table, "")});
+}
+
+void requireSealedStudy(Database& db) {
+  const auto sealed = rowsOf<StudySeal>(db, "");
+  for (const std::string& table : ownTables) {
+    const auto stored = std::ranges::find(sealed, table, &StudySeal::table);
+    if (stored == sealed.end() || stored->digest != digestRows(db, table, ""))
+      throw StoreError(db.file().string() + ": rows of the study's table " + table +
+                       " were changed, added or lost since they were stored; restore the file from a copy, or make it "
+                       "again with morula study merge");
+  }
 }
 
 const std::vector<const SqlTable*>& allTables() {
@@ -69,9 +95,9 @@ const std::vector<const SqlTable*>& allTables() {
           {}};
   static const std::vector<const SqlTable*> tables = [] {
     std::vector<const SqlTable*> all = runTables();
-    all.insert(all.end(),
-               {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &condition, &key,
-                &sqlTable<ReplicateRow>(), &sqlTable<TaskRow>(), &sqlTable<ResultRow>(), &sqlTable<TimingRow>()});
+    all.insert(all.end(), {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &condition, &key,
+                           &sqlTable<ReplicateRow>(), &sqlTable<TaskRow>(), &sqlTable<ResultRow>(),
+                           &sqlTable<TimingRow>(), &sqlTable<StudySeal>()});
     return all;
   }();
   return tables;

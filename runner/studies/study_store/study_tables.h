@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "database/record_table.h"
+#include "database/row_digest.h"
 
 namespace morula {
 
@@ -196,6 +197,31 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes, const s
 
 /// All tables of a run and of a study.
 const std::vector<const SqlTable*>& allTables();
+
+/// A row of the table `study_digest`: the digest of all rows of a table of the study.
+struct StudySeal {
+  std::string table;
+  RowDigest digest;
+};
+template <>
+inline constexpr TableInfo tableInfo<StudySeal> = {
+    .name = "study_digest",
+    .part = TablePart::seal,
+    .key = "name",
+    .why = "of a study: every verb that reads it holds the study's own tables against these"};
+template <IsA<StudySeal> T>
+void listFields(T& sealed, auto&& field) {
+  auto& [table, digest] = sealed;
+  auto& [rows, sum] = digest;
+  field({"name"}, table);
+  field({"rows"}, rows);
+  field({"digest", "sum modulo 2^128 of the XXH3-128 of each row"}, sum);
+}
+
+/// Stores the digests of the study's own tables. Rows of runs have digests of their own [store/seal.h].
+void sealStudy(Database& db);
+/// Throws StoreError unless the rows of the study's own tables are those that were stored.
+void requireSealedStudy(Database& db);
 
 /// Over how the run ended and all rows of its results: what must be the same wherever the task is computed. Columns that
 /// are NULL do not count, so that a later version of the tables finds the same hash.

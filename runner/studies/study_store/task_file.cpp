@@ -5,6 +5,7 @@
 #include "files/read_file.h"
 #include "store/rows.h"
 #include "store/schema.h"
+#include "store/seal.h"
 
 namespace morula {
 namespace {
@@ -47,6 +48,7 @@ std::string taskFileBytes(TaskOutcome o) {
   insertResults(db, id, o.results);
   Statement value(db, sqlTable<ResultRow>().insert());
   for (const ResultRow& row : o.values) value.run(id, row);
+  sealRun(db, id);
   o.task.status = name(o.end.status);
   o.task.runId = id;
   o.task.resultHash = resultHash(db, id).text();
