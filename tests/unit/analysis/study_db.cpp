@@ -5,6 +5,7 @@
 #include "database/database.h"
 #include "store/rows.h"
 #include "store/schema.h"
+#include "store/seal.h"
 #include "study_store/study_tables.h"
 
 namespace morula {
@@ -76,6 +77,11 @@ void writeStudy(const MadeStudy& study, const std::filesystem::path& file) {
     while (a > 0 && ++levels[a - 1] == int(study.axes[a - 1].labels.size())) levels[--a] = 0;
     if (a == 0) break;
   }
+  std::vector<std::string> runs;
+  Statement ids(db, "SELECT run_id FROM run");
+  while (ids.next()) runs.push_back(ids.text(0));
+  for (const std::string& id : runs) sealRun(db, id);
+  sealStudy(db);
   transaction.commit();
 }
 

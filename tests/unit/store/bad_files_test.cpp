@@ -107,7 +107,7 @@ TEST_CASE("a file that another process is writing to") {
   Database other(file, Database::Mode::existing, 20ms);
   {
     Transaction transaction(other);
-    REQUIRE_THROWS_WITH(store.begin(exampleRecord()), ContainsSubstring("another process is writing to it"));
+    REQUIRE_THROWS_WITH(store.begin(exampleRecord()), ContainsSubstring("another process holds it"));
   }
   REQUIRE(store.runs().empty());
   store.begin(exampleRecord());  // and once it has finished, all is well
