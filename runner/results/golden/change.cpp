@@ -6,6 +6,7 @@
 
 #include "files/text.h"
 #include "golden/number_text.h"
+#include "golden/numbers.h"
 
 namespace morula {
 namespace {
@@ -103,7 +104,7 @@ using Values = std::map<ValueName, double>;
 Values endOf(const GoldenData& data) {
   Values values;
   for (const auto* value : all<GoldenValue>(data))
-    if (!value->name.time) values[value->name] = value->value;
+    if (!value->name.time && value->value) values[value->name] = *value->value;
   return values;
 }
 
@@ -172,6 +173,27 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   return text;
 }
 
+/// "contact: area, contact_duration of 12 rows", for each recorded table that differs.
+std::vector<std::string> recordChanges(const GoldenData& before, const GoldenData& after) {
+  const auto a = byKey(before, &GoldenColumn::name), b = byKey(after, &GoldenColumn::name);
+  std::map<std::string, std::string> tables;
+  if (a.empty() || b.empty()) return {};
+  for (const auto& [name, was] : a) {
+    const auto is = b.find(name);
+    if (is != b.end() && agree(GoldenItem(*was), GoldenItem(*is->second))) continue;
+    const std::string table = tableOf(name), rows = std::to_string(was->rows);
+    const std::string now = is == b.end() ? "0" : std::to_string(is->second->rows);
+    std::string& text = tables[table];
+    if (now != rows) text = rows + " → " + now + " rows";
+    else text += (text.empty() ? "other values in " : ", ") + name.substr(table.size() + 1);
+  }
+  for (const auto& [name, is] : b)
+    if (!a.contains(name)) tables.try_emplace(tableOf(name), "0 → " + std::to_string(is->rows) + " rows");
+  std::vector<std::string> texts;
+  for (const auto& [table, text] : tables) texts.push_back(table + ": " + text);
+  return texts;
+}
+
 std::string sentencePart(const ChangeLine& line) {
   if (line.heading == "changed") return line.text;
   if (line.heading == "lineage" && line.text == "the same") return "same lineage";
@@ -201,7 +223,11 @@ std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& a
 std::string changeInWords(const GoldenData& before, const GoldenData& after) {
   const std::string keys = keysInWords(before, after), movement = movementInWords(before, after);
   const auto lineage = lineageChanges(before, after);
-  if (keys.empty() && movement.empty() && lineage.empty()) return {};
+  if (keys.empty() && movement.empty() && lineage.empty()) {
+    // Otherwise nearly every table changes with the state.
+    const auto recorded = recordChanges(before, after);
+    return recorded.empty() ? "" : line("state", "the same") + lines("recorded", recorded, "tables");
+  }
   return keys + (lineage.empty() ? line("lineage", "the same") : lines("lineage", lineage, "cells")) + movement;
 }
 

@@ -20,7 +20,8 @@ std::string shareInWords(double share) {
 std::string oneLine(const CheckResult& r) {
   std::string line = r.check;
   if (r.tolerance != "exact") line += ": " + r.tolerance;
-  if (r.passed) line += " (" + r.expected + ')';
+  if (!wasCompared(r)) line += ": " + r.actual;
+  else if (r.passed) line += " (" + r.expected + ')';
   else line += ": " + r.failureClass + ", " + failedInWords(r);
   if (r.share) line += ", " + shareInWords(*r.share);
   if (r.share && *r.share > 0 && r.passed) {
@@ -75,6 +76,7 @@ std::string failedInWords(const CheckResult& failed) {
                                                         {"CHAOS", "a last place has grown"},
                                                         {"IMAGE", "the picture differs"},
                                                         {"COST", "the cost differs"},
+                                                        {"RECORD", "what is recorded differs, the state does not"},
                                                         {"NONDETERMINISM", "it gives different bits each time"}};
   const auto found = words.find(failed.failureClass);
   return found == words.end() ? failed.failureClass : found->second;
@@ -118,7 +120,7 @@ std::string describe(const CheckReport& report, bool differingOnly) {
     if (cause.size() > 1) text += "        from it follow: " + followingInWords(cause) + '\n';
   }
   for (const CheckResult& r : report.results)
-    if (r.passed && !(differingOnly && failed)) text += "  ok    " + oneLine(r) + '\n';
+    if (r.passed && !(differingOnly && failed)) text += (wasCompared(r) ? "  ok    " : "  --    ") + oneLine(r) + '\n';
   return text;
 }
 

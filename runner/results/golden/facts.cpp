@@ -22,13 +22,12 @@ class StateTexts {
 
 using Items = std::vector<GoldenItem>;
 
-/// What was not measured is 0 in a golden file.
 template <class Of>
 void addValues(Items& to, std::optional<double> time, const std::optional<CellPath>& cell, std::uint64_t step,
                const Measured<Of>& m) {
   const auto rows = sampledMeasures<Of>();
   for (std::size_t i = 0; i < rows.size(); ++i)
-    to.push_back(GoldenValue{{time, cell, rows[i].name}, step, m.values[i].value_or(0)});
+    to.push_back(GoldenValue{{time, cell, rows[i].name}, step, m.values[i]});
 }
 
 void addCounts(Items& to, const GoldenFacts& facts) {
@@ -116,6 +115,7 @@ GoldenData makeGoldenData(const GoldenFacts& facts) {
     if (facts.cells.size() <= goldenCellLimit)
       for (const CellMeasures& c : facts.cells) addValues(items, {}, c.path, facts.end.step, c);
   }
+  items.insert(items.end(), facts.tables.begin(), facts.tables.end());
   return {facts.scenario, facts.scenarioHash, facts.seed, std::move(items)};
 }
 

@@ -28,6 +28,7 @@ struct GoldenFacts {
   WorldMeasures end;
   std::vector<CellMeasures> cells;     // at the end
   std::vector<WorldMeasures> samples;  // on the way
+  std::vector<GoldenItem> tables;      // lines `column` and `row` of what was recorded [store/recorded_tables.h]
 };
 
 /// Beyond this many cells (ever born) the lineage is recorded as counts and digests per generation.

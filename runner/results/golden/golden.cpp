@@ -15,12 +15,13 @@
 namespace morula {
 namespace {
 
-constexpr std::string_view goldenHeader = "morula golden 1";
+std::string headerOf(int version) { return "morula golden " + std::to_string(version); }
 
 /// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
 std::string digestOf(const Golden& golden) {
   const GoldenData& data = golden.data;
   Hasher hasher;
+  if (golden.version > 1) hasher.field("version").add(golden.version);
   hasher.field("scenario").add(data.scenario);
   hasher.field("scenario_hash").add(data.scenarioHash);
   hasher.field("seed").add(data.seed);
@@ -174,7 +175,7 @@ double grownBy(const Golden& golden, std::uint64_t step) {
 
 std::string writeGolden(const Golden& golden) {
   const GoldenData& data = golden.data;
-  std::string text(goldenHeader);
+  std::string text = headerOf(golden.version);
   text += "\nscenario " + data.scenario + "\nseed " + std::to_string(data.seed) + "\nscenario_hash " +
           data.scenarioHash + "\naccepted_by " + golden.acceptedBy + "\nwhy " + golden.why + '\n';
   if (!golden.rules.empty()) text += '\n';
@@ -202,8 +203,9 @@ Golden readGolden(const std::string& text, const std::string& file) {
   Lines lines(text, golden.file);
   std::string_view line;
   if (!lines.next(line)) throw InputError(file + ":1: the file is empty; restore it from git");
-  if (line != goldenHeader)
-    lines.fail("the first line is not `" + std::string(goldenHeader) + "`; this is no golden file of this version");
+  for (golden.version = goldenVersion; golden.version > 0 && line != headerOf(golden.version);) --golden.version;
+  if (golden.version == 0)
+    lines.fail("the first line is not `" + headerOf(goldenVersion) + "`; this is no golden file of this version");
   data.scenario = header(lines, "scenario");
   const std::string seed = header(lines, "seed");
   if (const auto value = readNatural(seed)) data.seed = *value;

@@ -66,6 +66,9 @@ struct GoldenGrowth {
   std::uint64_t step = 0;
 };
 
+/// Of the format. Version 1 holds no recorded tables.
+inline constexpr int goldenVersion = 2;
+
 struct Golden {
   GoldenData data;
   std::string acceptedBy;  // who
@@ -75,6 +78,7 @@ struct Golden {
   std::vector<GoldenGrowth> growth = {};         // by size; empty: not measured
   std::vector<GoldenItem> stated = {};           // errors, and why there are none; empty: not measured
   std::vector<GoldenStatistic> statistics = {};  // at the end, beside the error of the path; empty: not measured
+  int version = goldenVersion;                   // of its file
 };
 
 /// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the
@@ -96,7 +100,7 @@ Golden readGoldenFile(const std::filesystem::path& file);
 std::string acceptedBits(const Golden& golden);
 
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
-/// counts, lineage, time_steps, bits, step_hashes, and values by tolerance rule.
+/// counts, lineage, time_steps, bits, step_hashes, values by tolerance rule, and recorded tables.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
 /// The report of a golden that belongs to no scenario, or is unusable for the reason given (edited, cut off, with merge
 /// markers): one failed check "golden" of class INPUT_CHANGED.

@@ -4,17 +4,10 @@
 #include <map>
 
 #include "golden/number_text.h"
+#include "golden/numbers.h"
 
 namespace morula {
 namespace {
-
-/// The last rule that matches; null if none does.
-const ToleranceRule* ruleFor(const std::vector<ToleranceRule>& rules, const GoldenValue& value) {
-  const ToleranceRule* holds = nullptr;
-  for (const ToleranceRule& rule : rules)
-    if (rule.matches(goldenText(value.name), value.step)) holds = &rule;
-  return holds;
-}
 
 std::map<std::string, const GoldenItem*> byName(const GoldenData& data) {
   std::map<std::string, const GoldenItem*> items;
@@ -41,20 +34,21 @@ GoldenData keepValuesWithinTolerance(GoldenData observed, const Golden& old) {
     auto* value = std::get_if<GoldenValue>(&item);
     const auto found = value ? before.find(value->name) : before.end();
     if (found == before.end() || found->second->step != value->step) continue;
-    const ToleranceRule* rule = ruleFor(old.rules, *value);
-    if (rule && rule->tolerance.passes(found->second->value, value->value)) value->value = found->second->value;
+    const std::optional<double> was = found->second->value;
+    if (!was || !value->value) continue;
+    const ToleranceRule* rule = ruleFor(old.rules, {goldenText(value->name), value->step, *value->value});
+    if (rule && rule->tolerance.passes(*was, *value->value)) value->value = was;
   }
   return observed;
 }
 
 std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std::string>& notes) {
   std::vector<ToleranceRule> limited;
-  const auto values = all<GoldenValue>(golden.data);
+  const std::vector<GoldenNumber> numbers = numbersIn(golden.data);
   for (ToleranceRule rule : golden.rules) {
     const auto horizon = horizonOf(golden, rule.tolerance.size());
     const auto matchesOne = [&] {
-      return std::any_of(values.begin(), values.end(),
-                         [&](const GoldenValue* value) { return rule.matches(goldenText(value->name), value->step); });
+      return std::ranges::any_of(numbers, [&](const GoldenNumber& n) { return rule.matches(n.name, n.step); });
     };
     const bool isLoose = rule.tolerance.kind != Tolerance::Kind::exact;
     if (isLoose && horizon && (!rule.untilStep || *rule.untilStep >= *horizon)) {
@@ -73,9 +67,9 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
 
 std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& golden) {
   std::map<std::string, std::size_t> count;  // by the rule that is looser
-  for (const auto* value : all<GoldenValue>(golden.data)) {
-    const ToleranceRule *was = ruleFor(before.rules, *value), *is = ruleFor(golden.rules, *value);
-    const auto allowed = [&](const ToleranceRule* rule) { return rule ? rule->tolerance.allowed(value->value) : 0; };
+  for (const GoldenNumber& number : numbersIn(golden.data)) {
+    const ToleranceRule *was = ruleFor(before.rules, number), *is = ruleFor(golden.rules, number);
+    const auto allowed = [&](const ToleranceRule* rule) { return rule ? rule->tolerance.allowed(number.value) : 0; };
     if (allowed(is) > allowed(was))
       ++count["`" + is->text() + "`, before " + (was ? "`" + was->text() + "`" : "exact")];
   }
@@ -87,7 +81,7 @@ std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& 
 
 std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed) {
   const auto before = byName(golden.data), after = byName(observed);
-  std::vector<std::string> removed, added, lineage, bits, values, others;
+  std::vector<std::string> removed, added, lineage, bits, values, tables, others;
   for (const GoldenItem& item : golden.data.items) {
     const auto now = after.find(idOf(item));
     if (now == after.end()) {
@@ -99,6 +93,7 @@ std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed)
     (check == "lineage"                          ? lineage
      : check == "bits" || check == "step_hashes" ? bits
      : check == "values"                         ? values
+     : check == "tables"                         ? tables
                                                  : others)
         .push_back(write(item) + "  →  " + write(*now->second));
   }
@@ -106,7 +101,7 @@ std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed)
     if (!before.contains(idOf(item))) added.push_back(write(item));
   return section("removed", removed) + section("new", added) + section("changed in the lineage", lineage) +
          section("changed bits", bits) + section("changed values", values) +
-         section("changed of pictures, counts and costs", others);
+         section("changed in recorded tables", tables) + section("changed of pictures, counts and costs", others);
 }
 
 }  // namespace morula

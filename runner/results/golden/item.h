@@ -104,7 +104,26 @@ struct GoldenValue {
   static constexpr const char *form = "value name step value", *check = "values";
   ValueName name;
   std::uint64_t step = 0;
-  double value = 0;
+  std::optional<double> value;  // absent: not measured; format 1 has 0 in its place
+  int line = 0;
+};
+
+/// One column of a recorded table, all rows of it: "contact/area". One for each column, so that a difference names it, and a
+/// measure that joins a table changes no other line.
+struct GoldenColumn {
+  static constexpr const char *form = "column name rows hash", *check = "tables";
+  std::string name;
+  std::uint64_t rows = 0;
+  Hash hash;  // over each value and its row's key, in any order of the rows [store/recorded_tables.h]
+  int line = 0;
+};
+
+/// One row of a recorded table that has few: "contact/0.25/A/B".
+struct GoldenRow {
+  static constexpr const char *form = "row name step values", *check = "tables";
+  std::string name;  // of the table, and the row's key
+  std::uint64_t step = 0;
+  RestOfLine values;  // "area=0.5 contact_duration=-", without blanks in a value; - is NULL, not measured
   int line = 0;
 };
 
@@ -129,7 +148,7 @@ struct GoldenUnstated {
 
 /// The kinds in their order in the file; those stated first.
 using GoldenItem = std::variant<GoldenError, GoldenUnstated, GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep,
-                                GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue>;
+                                GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue, GoldenColumn, GoldenRow>;
 
 // Each value has one text, so that equal text is equal bits and the other way round.
 std::string goldenText(std::uint64_t value);

@@ -46,7 +46,8 @@ MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execut
 OrganismPicture spheresOf(const Golden& golden, const Scenario& scenario) {
   std::map<CellPath, std::map<std::string, double>> values;  // of the end
   for (const auto* value : all<GoldenValue>(golden.data))
-    if (!value->name.time && value->name.cell) values[*value->name.cell][value->name.measure] = value->value;
+    if (!value->name.time && value->name.cell && value->value)
+      values[*value->name.cell][value->name.measure] = *value->value;
   Palette palette(scenario);
   OrganismPicture picture;
   const Mesh ball = makeIcosphere(3);

@@ -87,6 +87,9 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
       for (const auto& sample : part->samples) facts.samples.push_back(sample.world);
     facts.chain.insert(facts.chain.end(), part->chain.begin(), part->chain.end());
   }
+  RecordedTables tables = run.passedTables;
+  tables.addAll(run.results, run.end.steps);
+  facts.tables = tables.items();
   if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
     facts.images.push_back(withPicture ? imageOf(run, scenario) : GoldenImage{"organism", GoldenImage::undrawn, {}});
   GoldenData data = observeGolden(run.world, std::move(facts));

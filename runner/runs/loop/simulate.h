@@ -6,6 +6,7 @@
 
 #include "scenario/scenario.h"
 #include "simulation/world.h"
+#include "store/recorded_tables.h"
 #include "store/recorder.h"
 #include "system/console.h"
 
@@ -13,12 +14,15 @@ namespace morula {
 
 struct Simulation {
   World world;
-  RunEnd end;          // done, failed or killed
-  RunResults results;  // lineage, samples, step hashes, …
-  int signal = 0;      // the one that ended it
-  std::exception_ptr error =
-      {};                  // ended it, and is neither the scene's nor a lack of memory: to be thrown once all is stored
-  RunResults passed = {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
+  RunEnd end;              // done, failed or killed
+  RunResults results;      // lineage, samples, step hashes, …
+  int signal = 0;          // the one that ended it
+  // Ended the run, and is neither the scene's nor a lack of memory: thrown once all is stored.
+  std::exception_ptr error = {};
+  // Records that went elsewhere meanwhile, if a golden asks: hashes, samples without cells, and all of them as a golden holds
+  // them.
+  RunResults passed = {};
+  RecordedTables passedTables = {};
 };
 
 /// Builds the scenario's world. InputErrors name the scenario's file.

@@ -86,7 +86,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     std::size_t looked = 0;
     for (const CheckResult& r : outcome.checks->results) {
       if (wasSkipped(r)) text += "  bullet   " + r.actual + "\n";
-      else if (!wasCompared(r)) text += "  picture  " + r.actual + "\n";
+      else if (!wasCompared(r)) text += (r.check == "images" ? "  picture  " : "  golden   ") + r.actual + "\n";
       else ++looked;
     }
     if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));

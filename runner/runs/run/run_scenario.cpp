@@ -127,7 +127,8 @@ std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Wo
 }
 
 /// Keeps, of the records that go to the database during the run, those that a golden also has.
-void keepForGolden(const RunResults& records, RunResults& kept) {
+void keepForGolden(const RunResults& records, RunResults& kept, RecordedTables& tables) {
+  tables.addRecords(records);
   for (const Sample& s : records.samples) kept.samples.push_back({s.world, {}, {}});
   kept.chain.insert(kept.chain.end(), records.chain.begin(), records.chain.end());
 }
@@ -203,10 +204,11 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   RunOutcome outcome;
   outcome.id = runId(record), outcome.database = settings.database;
   RunResults passed;
+  RecordedTables passedTables;
   const bool hasGolden = checked && fileExists(goldenFile(scenario));
   Recorder recorder(recordingOf(scenario, checked && wantsHashes(scenario, hasGolden)), [&](const RunResults& records) {
     store.record(outcome.id, records);
-    if (hasGolden) keepForGolden(records, passed);
+    if (hasGolden) keepForGolden(records, passed, passedTables);
   });
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
@@ -234,7 +236,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
     };
   CheckedRun ended = checks.of(simulate(std::move(world), std::move(recorder), options, outcome.resumedAt.has_value()));
   Simulation& run = ended.run;
-  run.passed = std::move(passed);
+  run.passed = std::move(passed), run.passedTables = std::move(passedTables);
 
   outcome.end = run.end;
   outcome.canBeResumed = (outcome.canBeResumed || outcome.resumedAt) &&
