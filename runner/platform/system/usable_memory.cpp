@@ -51,7 +51,7 @@ std::terminate_handler otherwise = nullptr;
   try {
     if (std::current_exception()) throw;
   } catch (const std::bad_alloc&) {
-    constexpr std::string_view text = "morula: there is no more memory, and no way on without\n";
+    constexpr std::string_view text = "morula: out of memory; the program ends\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
     std::set_terminate([] { ::_exit(endCode); });  // that may find no memory either
     try {
