@@ -203,6 +203,7 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
   else if (ends) grid.columns = {"the end"};
   for (const std::size_t n : moments.cells) grid.columns.push_back(counted(n, "cell"));
   const Units units = unitsOf(results, study);
+  if (!units.length.empty()) grid.lengthUnit = units.length, grid.perLength = units.perLength;
   for (const double t : times) grid.columns.push_back("time " + shownTime(units, t));
   std::map<std::size_t, std::vector<TakenTile>> known;  // by task: conditions may share runs
   std::vector<TakenTile> all;
