@@ -1,6 +1,7 @@
 #pragma once
 // Times that come back at equal intervals: 0, every, 2·every, …
 #include <cstdint>
+#include <optional>
 
 namespace morula {
 
@@ -17,5 +18,24 @@ inline std::uint64_t firstMultipleAfter(double time, double every) {
   for (int i = 0; i < 5 && static_cast<double>(n) * every <= time; ++i) ++n;
   return n;
 }
+
+/// What is due at 0, every, 2·every, …; nothing is ever due without an interval.
+class Schedule {
+ public:
+  explicit Schedule(std::optional<double> every) : every_(every) {}
+  /// The time from which on something is due; absent without an interval.
+  std::optional<double> next() const {
+    return every_ ? std::optional(static_cast<double>(number_) * *every_) : std::nullopt;
+  }
+  bool isDue(double time) const { return every_ && time >= *next(); }
+  /// What was due at `time` or before has been done; the next multiple after `time` is the next that is due.
+  void pass(double time) {
+    if (every_) number_ = firstMultipleAfter(time, *every_);
+  }
+
+ private:
+  std::optional<double> every_;
+  std::uint64_t number_ = 0;
+};
 
 }  // namespace morula

@@ -24,7 +24,7 @@ struct FieldInfo {
   const char* name;            // of the column, and of the member in JSON
   const char* meaning = "";    // for people, on one line; "": the name says it
   const char* unit = "";       // "time"; "": a pure number, or none
-  const char* oneOf = "";      // of a text: all that it may be, separated by blanks; "": anything
+  const char* oneOf = "";      // of a text: all that it may be, each behind one blank but the first; "": anything
   const char* refersTo = "";   // of a key: the table that it is the key of
   bool anyCharacters = false;  // of a text: may have line breaks and control characters
 };

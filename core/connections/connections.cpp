@@ -41,7 +41,7 @@ void connect(Connections& c, const CellPath& a, const CellPath& b, double time) 
   c.active.insert(c.active.begin() + at, c.history.size() - 1);
 }
 
-void release(Connections& c, const CellPath& a, const CellPath& b, double time, const char* cause) {
+void release(Connections& c, const CellPath& a, const CellPath& b, double time, ReleaseCause cause) {
   if (!areConnected(c, a, b)) return;
   const auto at = place(c, ordered(a, b)) - c.active.begin();
   ConnectionRecord& record = c.history[c.active[at]];
@@ -50,7 +50,7 @@ void release(Connections& c, const CellPath& a, const CellPath& b, double time, 
   c.active.erase(c.active.begin() + at);
 }
 
-void releaseAll(Connections& c, const CellPath& cell, double time, const char* cause) {
+void releaseAll(Connections& c, const CellPath& cell, double time, ReleaseCause cause) {
   for (const CellPath& other : partners(c, cell)) release(c, cell, other, time, cause);
 }
 

@@ -9,13 +9,23 @@
 
 namespace morula {
 
-/// Why a connection ended; "": it holds.
-constexpr std::array<const char*, 7> releaseCauses = {"", "divided", "died", "distance", "gene", "tension", "age"};
+/// Why a connection ended.
+enum class ReleaseCause { none, divided, died, distance, gene, tension, age };
+template <>
+inline constexpr auto choices<ReleaseCause> = std::to_array<Choice<ReleaseCause>>({
+    {ReleaseCause::none, "", "the connection holds"},
+    {ReleaseCause::divided, "divided", "one of the cells divided"},
+    {ReleaseCause::died, "died", "one of the cells died"},
+    {ReleaseCause::distance, "distance", "the cells are too far apart"},
+    {ReleaseCause::gene, "gene", "a gene releases it"},
+    {ReleaseCause::tension, "tension", "its spring is stretched too much"},
+    {ReleaseCause::age, "age", "it has held for its time"},
+});
 
 struct ConnectionRecord {
   CellPath a, b;                   // a < b
   double made = 0, released = -1;  // [time]; released < 0: it still holds
-  const char* cause = "";          // one of releaseCauses
+  ReleaseCause cause = ReleaseCause::none;
 };
 
 /// Of addConnectionForces; kept, so that a steady step allocates nothing.
@@ -38,9 +48,9 @@ bool areConnected(const Connections& connections, const CellPath& a, const CellP
 /// Does nothing if they are connected already, nor if one of them has ConnectionParameters::most connections.
 void connect(Connections& connections, const CellPath& a, const CellPath& b, double time);
 /// Does nothing if they are not connected.
-void release(Connections& connections, const CellPath& a, const CellPath& b, double time, const char* cause);
+void release(Connections& connections, const CellPath& a, const CellPath& b, double time, ReleaseCause cause);
 /// All connections of a cell that dies.
-void releaseAll(Connections& connections, const CellPath& cell, double time, const char* cause);
+void releaseAll(Connections& connections, const CellPath& cell, double time, ReleaseCause cause);
 /// The other ends of a cell's connections, by path.
 std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
 

@@ -77,14 +77,6 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-/// [time] Of the cycles that a scene knows.
-double longestCycle(const CycleParameters& cycle) {
-  double longest = cycle.length;
-  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
-    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
-  return longest;
-}
-
 /// Throws NumericalError if a run that only stop.cells can end has taken mostCyclesForCells of its longest cycles without
 /// reaching that number: its cells may have stopped dividing, and then it would never end.
 void requireCellsInTime(const World& world) {
@@ -99,6 +91,13 @@ void requireCellsInTime(const World& world) {
 }
 
 }  // namespace
+
+double longestCycle(const CycleParameters& cycle) {
+  double longest = cycle.length;
+  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
+    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
+  return longest;
+}
 
 double paceOf(const World& world, const CellPath& path) {
   const double sd = world.model.variation.cycle;

@@ -116,7 +116,7 @@ void checkConnections(const std::vector<ConnectionRecord>& history, const std::v
   const auto lives = [&](const CellPath& path) { return std::ranges::binary_search(living, path); };
   for (const auto& [a, b, made, released, cause] : history) {
     const bool holds = released < 0;
-    demand(a < b && cause && (!holds || (lives(a) && lives(b) && active.insert({a, b}).second)),
+    demand(a < b && (!holds || (lives(a) && lives(b) && active.insert({a, b}).second)),
            "a connection of '" + a.text() + "' and '" + b.text() + "'");
   }
 }

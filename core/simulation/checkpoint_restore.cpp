@@ -164,9 +164,10 @@ class StateReader {
     if (column[row] > 0) value = column[row];
   }
   void take(const Texts& column, std::size_t row, CellPath& path) { path = CellPath::parse(column[row]); }
-  void take(const Texts& column, std::size_t row, const char*& cause) {  // null: an unknown one
-    const auto known = std::find(releaseCauses.begin(), releaseCauses.end(), column[row]);
-    cause = known == releaseCauses.end() ? nullptr : *known;
+  void take(const Texts& column, std::size_t row, ReleaseCause& cause) {
+    const auto known = valueNamed<ReleaseCause>(column[row]);
+    demand(known.has_value(), "a connection of an unknown cause of its end");
+    cause = *known;
   }
   void take(const Numbers& column, std::size_t row, StateNumbers<StateId> state) {
     demand(column[row] < states_.size(), "a cell has no state");

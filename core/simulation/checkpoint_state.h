@@ -34,7 +34,7 @@ struct OnFile<CellPath> {
   using Column = Texts;
 };
 template <>
-struct OnFile<const char*> : OnFile<CellPath> {};
+struct OnFile<ReleaseCause> : OnFile<CellPath> {};
 template <class T>
 using ColumnOf = typename OnFile<std::remove_const_t<T>>::Column;
 

@@ -36,7 +36,7 @@ void connectNeighbours(World& world, const Observation& now, const std::vector<C
     const auto& [a, b] = std::pair{connections.history[i].a, connections.history[i].b};
     const int cellA = cellNumber(world.cells, a), cellB = cellNumber(world.cells, b);
     if ((cycled(cellA) || cycled(cellB)) && wish(cellA) + wish(cellB) < 0)
-      release(connections, a, b, world.clock.time, "gene");
+      release(connections, a, b, world.clock.time, ReleaseCause::gene);
   }
   for (const ContactArea& touch : now.contacts())
     if ((cycled(touch.a) || cycled(touch.b)) && shallConnect(connections.parameters, wish(touch.a) + wish(touch.b),
@@ -55,13 +55,13 @@ void releaseConnections(World& world) {
     const auto [a, b, made, released, none] = c.history[c.active[k]];
     const int slotA = bodies.slots[cellNumber(world.cells, a)], slotB = bodies.slots[cellNumber(world.cells, b)];
     const double distance = norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB));
-    const char* cause = "";
+    auto cause = ReleaseCause::none;
     if (releaseDistance && distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
-      cause = "distance";
+      cause = ReleaseCause::distance;
     else if (releaseTension && springTension(*c.parameters.spring, bodies, slotA, slotB, distance) > *releaseTension)
-      cause = "tension";
-    else if (releaseAge && world.clock.time - made >= *releaseAge) cause = "age";
-    if (*cause) release(c, a, b, world.clock.time, cause);
+      cause = ReleaseCause::tension;
+    else if (releaseAge && world.clock.time - made >= *releaseAge) cause = ReleaseCause::age;
+    if (cause != ReleaseCause::none) release(c, a, b, world.clock.time, cause);
   }
 }
 

@@ -73,7 +73,7 @@ void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, 
                         const Centres&... centres) {
   const CellPath a = mother.daughter(false), b = mother.daughter(true);
   for (const CellPath& other : partners(c, mother)) {
-    release(c, mother, other, time, "divided");
+    release(c, mother, other, time, ReleaseCause::divided);
     const Heirs heirs = heirsOf(c.parameters.onDivision, mother, other, cut, centres...);
     if (heirs.a) connect(c, a, other, time);
     if (heirs.b) connect(c, b, other, time);
@@ -130,7 +130,7 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
                          world.bodies->slots[number >= 0 ? number : cellNumber(world.cells, path.mother())]);
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
-    if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
+    if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, ReleaseCause::died);
   std::size_t division = 0;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::divides)

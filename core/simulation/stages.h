@@ -70,6 +70,9 @@ void sortByAdhesion(World& world);
 /// the clock's time before this step.
 void runCellCycles(World& world, double before, double until);
 
+/// [time] The longest cycle that a cell of a scene may have, without what the seed varies.
+double longestCycle(const CycleParameters& cycle);
+
 /// [1] A cell's cycle lengths over those of its state: 1 ± variation.cycle.
 double paceOf(const World& world, const CellPath& path);
 

@@ -290,10 +290,7 @@ double timeStepLimit(const World& world) {
 
 void refuseEndlessPace(const Scene& scene) {
   const ShortestCycle shortest = shortestCycle(scene);
-  double longest = scene.cycle.length;
-  for (const auto* lengths : {&scene.cycle.perSubstance, &scene.cycle.atBirth})
-    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
-  const double until = std::max(longest, plannedEnd(scene).value_or(0));
+  const double until = std::max(longestCycle(scene.cycle), plannedEnd(scene).value_or(0));
   if (until <= mostCycles * shortest.length) return;
   throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " + exactText(until) +
                    ", which is the run's end or another cycle: more than " + numberText(mostCycles) +

@@ -108,6 +108,7 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
             blocks = (static_cast<int>(end - begin) + rows - 1) / rows;
   Instruments bar;
   bar.scaleBar = framing.has_value(), bar.colourBar = grid.colourBar;
+  bar.lengthUnit = grid.lengthUnit, bar.perLength = grid.perLength;
   const int width = blocks * sheet.block, body = heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
   const Bands bands = bandsAround(body, words, width, textSize);
   Drawing drawing(width, body + bands.top + bands.bottom);

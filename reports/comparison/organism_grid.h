@@ -23,6 +23,8 @@ struct OrganismGrid {
   std::vector<OrganismTile> tiles;             // row by row
   std::vector<LegendEntry> legend;             // once, below all
   std::optional<ColourBar> colourBar{};        // likewise
+  std::string lengthUnit = "[length]";         // that the scale bar's number is in
+  double perLength = 1;                        // so many of it are one length; > 0
 };
 
 inline constexpr std::size_t mostGridRows = 40, mostGridColumns = 12;

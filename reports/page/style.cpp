@@ -46,7 +46,8 @@ th, td { text-align: left; vertical-align: top; padding: .25rem .7rem .25rem 0; 
 thead th { color: var(--quiet); font-weight: normal; white-space: nowrap; }
 tbody th { font-weight: normal; }
 td { overflow-wrap: break-word; max-width: 34rem; } .long, td code { overflow-wrap: anywhere; }
-.long { display: inline-block; min-width: 10rem; }
+.long { display: inline-block; min-width: 10rem; } td code { display: inline-block; min-width: 8rem; }
+td.number { white-space: nowrap; overflow-wrap: normal; }
 tr.differs td { background: var(--warn-back); }
 pre { margin: .4rem 0; padding: .6rem .7rem; overflow: auto; max-height: 26rem; background: var(--paper); border: 1px solid var(--line);
   border-radius: 5px; font: .8rem/1.45 "DejaVu Sans Mono", monospace; white-space: pre-wrap; overflow-wrap: anywhere; }
@@ -132,7 +133,8 @@ button, select, input { font: inherit; color: inherit; }
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
-  .wide, .large { overflow: visible; } td, tbody th { overflow-wrap: anywhere; } thead th { white-space: normal; }
+  .wide, .large { overflow: visible; } td, tbody th { overflow-wrap: anywhere; } thead th { white-space: normal; } table { font-size: 8pt; }
+  td.number { overflow-wrap: normal; } td code { min-width: 0; }
   .long { min-width: 0; } .compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }

@@ -175,6 +175,46 @@ TEST_CASE("what is asked for in a wrong way") {  // of what a run with surfaces 
   refuses(stored.exported("vtk", ""), 6, "is there already");
 }
 
+TEST_CASE("a tree without comments is asked for of newick alone") {
+  const StoredRun stored(genes);
+  CHECK(stored.exported("newick", "plain.nwk", {"--no-comments"}).code == 0);
+  CHECK(stored.exported("newick", "full.nwk").code == 0);
+  const std::string plain = readWhole(stored.folder / "plain.nwk"), full = readWhole(stored.folder / "full.nwk");
+  CHECK(plain.find('[') == std::string::npos);
+  CHECK(full.find("[&&NHX:path=") != std::string::npos);
+  for (const std::string format : {"npz", "csv"}) {
+    const auto refused = stored.exported(format, "out", {"--no-comments"});
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("--no-comments: only --format newick has comments; leave it out"));
+  }
+}
+
+TEST_CASE("tables tell the egg from no mother without quotes") {
+  const StoredRun stored(genes);
+  REQUIRE(stored.exported("csv", "cells.csv", {"--table", "cells"}).code == 0);
+  const std::string table = readWhole(stored.folder / "cells.csv");
+  CHECK_THAT(table, ContainsSubstring(",egg,,0,") && ContainsSubstring(",A,egg,"));
+  CHECK(table.find("\"\"") == std::string::npos);
+}
+
+TEST_CASE("a crate without a licence says that strict readers refuse it") {
+  const StoredRun stored(genes);
+  const Words words{"export", stored.database, "--ro-crate"};
+  CHECK_THAT(succeeds(joined(words, {stored.folder / "without"})).err, ContainsSubstring("--license CC-BY-4.0"));
+  CHECK(succeeds(joined(words, {stored.folder / "quiet", "--quiet"})).err.empty());
+  CHECK(succeeds(joined(words, {stored.folder / "with", "--license", "CC-BY-4.0"})).err.empty());
+}
+
+TEST_CASE("a series of surfaces goes on after the last cell has died") {
+  const StoredRun stored(
+      "morula: 1\nname: gone\ndna: |\n  START: a0\n  g1(die|a0)\nstop: {time: 1.5}\n"
+      "physics: {mesh: {icosphere: 0}, drag: 2}\nrecord: {every: 0.5}\n");
+  CHECK(stored.exported("ply", "series").code == 0);
+  CHECK(stored.files("series") == Words{"0000.ply", "0001.ply", "0002.ply", "cells.csv", "states.csv", "times.csv"});
+  CHECK_THAT(readWhole(stored.folder / "series/0002.ply"), ContainsSubstring("element vertex 0\n"));
+  CHECK(stored.exported("ply", "end.ply").code == 2);
+}
+
 TEST_CASE("replay holds kept surfaces against the run made again") {
   StoredRun stored(bodies + "record: {meshes: 1}\n");
   CHECK(launch({"replay", stored.database}).code == 0);

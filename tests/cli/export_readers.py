@@ -17,6 +17,7 @@ from Bio import Phylo
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkIOGeometry import vtkGLTFReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -65,6 +66,7 @@ paths = [c[0] for c in cells]
 states = sorted({s for (s,) in rows("SELECT state FROM cell WHERE run_id = ?1 UNION SELECT state FROM cell_sample WHERE run_id = ?1", run)})
 names = {c[1] for c in cells}
 label = {c[0]: c[1] or ("/" if c[0] in names else "") + (c[0] or "egg") for c in cells}
+csv_paths = [p or "egg" for p in paths]  # as tables for other programs have them
 colours = {"a1": "#e41a1c", "a3": "#377eb8", "a4": "#4daf4a", "a5": "#ff7f00"}
 times = [t for (t,) in rows("SELECT DISTINCT time FROM mesh_sample WHERE run_id = ? ORDER BY time", run)]
 end = rows("SELECT time FROM run WHERE run_id = ?", run)[0][0]
@@ -78,14 +80,17 @@ def colour_of(state):
     return tuple(bytes.fromhex(known[0][1:])) if len(known) == 1 else None
 
 
-def comparable(row):
-    """Numbers as numbers: there are several texts for each, and all that are exact are right."""
-    def value(v):
+def comparable(row, columns):
+    """Numbers as numbers: there are several texts for each, and all that are exact are right. The egg's path, which is empty
+    in the database, is `egg` in tables."""
+    def value(v, column):
+        if column in ("path", "parent", "a", "b") and v == "":
+            return "egg"
         try:
             return float(v)
         except (TypeError, ValueError):
             return "" if v is None else v
-    return [value(v) for v in row]
+    return [value(v, column) for v, column in zip(row, columns)]
 
 
 def check_csv():
@@ -102,15 +107,20 @@ def check_csv():
             same(read[0], [c[0] for c in query.description], f"columns of {file}")
             stored = query.fetchall()
             same(len(read) - 1, len(stored), f"rows of {file}")
-            same(sorted(map(comparable, read[1:]), key=str), sorted(map(comparable, stored), key=str), f"rows of {file}")
+            expect(not any(field == "" for row in read[1:] for field, column in zip(row, read[0]) if column in ("path", "a", "b")),
+                   f"no path of {file} looks like a missing value")
+            given = [[None if v == "" else v for v in row] for row in read[1:]]
+            same(sorted((comparable(r, read[0]) for r in given), key=str), sorted((comparable(r, read[0]) for r in stored), key=str),
+                 f"rows of {file}")
     with open(path("tables", "cells.csv"), newline="") as stream:
         raw = stream.read()
-    expect(f'{run},"",,0' in raw, "the egg's path is an empty text, its mother nothing")
+    expect(f"{run},egg,,0" in raw, "the egg has a path, and no mother")
+    same({r["path"] for r in csv.DictReader(raw.splitlines()) if r["parent"] == "egg" and r["run_id"] == run}, {"A", "B"}, "daughters of the egg")
     with open(path("cells.csv"), newline="") as stream:
         same(stream.read(), raw, "one table alone")
     with open(path("tables", "measures_cell.csv"), newline="") as stream:
         wide = list(csv.DictReader(stream))
-    same({(r["run_id"], float(r["time"]), r["path"], float(r["generation"])) for r in wide},
+    same({(r["run_id"], float(r["time"]), r["path"].replace("egg", ""), float(r["generation"])) for r in wide},
          set(rows("SELECT run_id, time, a, value FROM measure WHERE run_id = ? AND name = 'generation'", run)), "generations")
     expect(os.path.exists(path("tables", "measures_world.csv")) and os.path.exists(path("tables", "measures_pair.csv")),
            "a table for each scope")
@@ -129,6 +139,12 @@ def check_newick():
         expect(f"fate={of[4]}" in clade.comment and f"path={of[0] or 'egg'}:" in clade.comment, f"comment {clade.comment}")
     same({t.name for t in tree.get_terminals()}, {label[c[0]] for c in cells if c[4] != "divided"}, "leaves")
     same(sorted(os.listdir(path("both.newick"))), sorted(r + ".nwk" for r in runs), "a tree a run")
+    with open(path("plain.newick")) as stream:
+        plain = stream.read()
+    expect("[" not in plain and ":" in plain, "a tree without comments")
+    bare = Phylo.read(path("plain.newick"), "newick")
+    same([(c.name, c.branch_length, c.comment) for c in bare.find_clades()], [(c.name, c.branch_length, None) for c in clades],
+         "the tree is the same without comments")
     for r in runs:
         read = Phylo.read(path("both.newick", r + ".nwk"), "newick")
         same(read.count_terminals(), rows("SELECT count(*) FROM cell WHERE run_id = ? AND fate <> 'divided'", r)[0][0], "leaves")
@@ -149,7 +165,7 @@ def check_vtk():
     listed = [(float(d.get("timestep")), d.get("file")) for d in collection]
     same([t for t, _ in listed], times, "times of the collection")
     with open(path("kept.vtk", "cells.csv"), newline="") as stream:
-        same([r["path"] for r in csv.DictReader(stream)], paths, "the table of cells")
+        same([r["path"] for r in csv.DictReader(stream)], csv_paths, "the table of cells")
     with open(path("kept.vtk", "states.csv"), newline="") as stream:
         read_states = list(csv.DictReader(stream))
     for time, file in listed:
@@ -253,10 +269,12 @@ def check_glb(file):
             same((accessor["min"], accessor["max"]), (array.min(0).tolist(), array.max(0).tolist()), "bounds")
         return array
 
-    same(document["scenes"][0]["nodes"], list(range(len(document["nodes"]))), "all nodes are in the scene")
+    *nodes, root = document["nodes"]
+    same(document["scenes"][0]["nodes"], [len(nodes)], "the scene is its root")
+    same(root["children"], list(range(len(nodes))), "all nodes of cells are in the scene")
     measured = rows("SELECT path, state, volume FROM cell_sample WHERE run_id = ? AND time = 2 ORDER BY path", run)
-    same(len(document["nodes"]), len(measured), "a node a cell")
-    for node, (cell, state, vol) in zip(document["nodes"], measured):
+    same(len(nodes), len(measured), "a node a cell")
+    for node, (cell, state, vol) in zip(nodes, measured):
         same((node["name"], node["extras"]["path"], node["extras"]["state"], node["extras"]["volume"]), (label[cell], cell, state, vol), "node")
         mesh = document["meshes"][node["mesh"]]
         (primitive,) = mesh["primitives"]
@@ -275,6 +293,45 @@ def check_glb(file):
             expect(max(abs(a - b) for a, b in zip(linear, material["pbrMetallicRoughness"]["baseColorFactor"])) < 1e-6, "colour")
     same(len({m["name"] for m in document["materials"]}), len(document["materials"]), "a material a state")
     return binary
+
+
+def check_upright():
+    """As VTK shows the file: z of the simulation points upwards, which is y in glTF."""
+    reader = vtkGLTFReader()
+    reader.SetFileName(path("kept.glb"))
+    reader.Update()
+    shown, box = reader.GetOutput(), [0.0] * 6
+    shown.GetBounds(box)
+    points = numpy.concatenate([kept_surface(2, cell)[0] for (cell,) in rows("SELECT path FROM cell_sample WHERE run_id = ? AND time = 2", run)])
+    x, y, z = points.T
+    upright = numpy.array([x, z, -y])
+    wanted = numpy.array([upright.min(1), upright.max(1)]).T.ravel()
+    expect(numpy.abs(box - wanted).max() < 1e-6, f"the organism stands upright: {box}, {wanted.tolist()}")
+    sizes = numpy.ptp(points, axis=0)
+    expect(abs(sizes[1] - sizes[2]) > 0.01, f"the organism is not as deep as it is high, so that it matters: {sizes}")
+
+
+def check_after_death():
+    """Series go on to the end of the run after the last cell has died."""
+    gone = sqlite3.connect(os.path.join(folder, "gone.db"))
+    every = [t for (t,) in gone.execute("SELECT time FROM sample ORDER BY time")]
+    counts = [c for (c,) in gone.execute("SELECT cells FROM sample ORDER BY time")]
+    expect(counts[0] == 1 and counts[-1] == 0, f"the only cell dies before the end: {counts}")
+    for name, ending in (("gone-ply", ".ply"), ("gone-gltf", ".glb"), ("gone-vtk", ".vtp")):
+        same(len(glob.glob(path(name, "*" + ending))), len(every), f"a file a time: {name}")
+    with open(path("gone-ply", "times.csv"), newline="") as stream:
+        same([float(r["time"]) for r in csv.DictReader(stream)], every, "times")
+    collection = xml.etree.ElementTree.parse(path("gone-vtk", "surfaces.pvd")).getroot().find("Collection")
+    same([float(d.get("timestep")) for d in collection], every, "times of the collection")
+    for i, cells_then in enumerate(counts):
+        expect((read_ply(path("gone-ply", f"{i:04}.ply")).GetNumberOfPoints() > 0) == (cells_then > 0), "points of a ply file")
+        expect((read_vtp(path("gone-vtk", f"surfaces_{i:04}.vtp")).GetNumberOfPoints() > 0) == (cells_then > 0), "points of a vtp file")
+    with open(path("gone-gltf", f"{len(every) - 1:04}.glb"), "rb") as stream:
+        data = stream.read()
+    magic, _, length, json_length, _ = struct.unpack_from("<4sIII4s", data)
+    same((magic, length, json_length), (b"glTF", len(data), len(data) - 20), "a file without cells has no second chunk")
+    document = json.loads(data[20:])
+    expect("buffers" not in document and "children" not in document["nodes"][0], "no list is empty")
 
 
 def check_npz():
@@ -322,5 +379,7 @@ check_newick()
 check_vtk()
 check_ply()
 same(check_glb("kept.glb"), check_glb("again.glb"), "a run made again has the surfaces that it would have kept")
+check_upright()
+check_after_death()
 check_npz()
 print(f"{len(cells)} cells, {len(times)} times of surfaces: csv, newick, vtk, ply, gltf and npz as read by others")

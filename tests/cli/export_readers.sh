@@ -51,6 +51,16 @@ connections: {}
 record: {every: 0.5, meshes: 1, measures: [sister_contact, generation, contact_share]}
 YAML
 sed 's/name: kept/name: again/; s/ meshes: 1,//' "$work/kept.yaml" >"$work/again.yaml"
+cat >"$work/gone.yaml" <<'YAML'
+morula: 1
+name: gone
+dna: |
+  START: a0
+  g1(die|a0)
+stop: {time: 1.5}
+physics: {mesh: {icosphere: 0}, drag: 2}
+record: {every: 0.25, meshes: 0.25}
+YAML
 run() { "$morula" run --quiet --no-pictures --db "$work/$1.db" "$work/$1.yaml" "${@:2}" >/dev/null; }
 export_as() { # DATABASE FORMAT PATH OPTIONS...
   "$morula" export "$work/$1.db" --format "$2" -o "$work/$3" "${@:4}" >>"$work/files" 2>>"$work/messages" || {
@@ -61,11 +71,14 @@ export_as() { # DATABASE FORMAT PATH OPTIONS...
 run kept
 run again
 for format in newick vtk npz; do export_as kept $format "kept.$format"; done
+export_as kept newick plain.newick --no-comments
 export_as kept csv tables
 export_as kept ply kept.ply
 export_as kept ply kept.series
 export_as kept gltf kept.glb --time 2
 export_as kept csv cells.csv --table cells
+run gone
+for format in ply gltf vtk; do export_as gone $format "gone-$format"; done
 [ ! -s "$work/messages" ] || { cat "$work/messages"; echo "a run that kept its surfaces says nothing"; exit 1; }
 export_as again ply again.ply
 export_as again npz again.npz

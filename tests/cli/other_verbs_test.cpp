@@ -89,6 +89,34 @@ TEST_CASE("lineage draws the tree as its file's ending says, from the scenario a
   }
 }
 
+TEST_CASE("lineage --quiet that draws the tree does not print it, too") {
+  const TemporaryFolder folder;
+  CHECK(succeeds({"lineage", uniqueFour, "--quiet", "-o", folder / "tree.svg"}).out.empty());
+  CHECK_THAT(readWhole(folder / "tree.svg"), ContainsSubstring("<svg"));
+  CHECK_THAT(succeeds({"lineage", uniqueFour, "--quiet"}).out, ContainsSubstring("egg  divided"));
+  CHECK(jsonOf({"lineage", uniqueFour, "--quiet", "-o", folder / "again.svg"})["pictures"].size() == 1);
+}
+
+TEST_CASE("a scene that settles is told that it is sampled at its events only") {
+  const TemporaryFolder folder;
+  const auto warningsOf = [&](const std::string& integrator, const std::string& every) {
+    writeWhole(folder / "scene.yaml",
+               "morula: 1\nname: settled\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.5}\n"
+               "physics: {mesh: {icosphere: 0}, integrator: " +
+                   integrator +
+                   "}\n"
+                   "record: {every: " +
+                   every + "}\n");
+    return jsonOf({"validate", folder / "scene.yaml"})["scenarios"][0]["warnings"];
+  };
+  const auto warnings = warningsOf("fire", "0.25");
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0].get<std::string>(),
+             ContainsSubstring("scene.yaml:8:17: record.every: 0.25 is shorter than every cell cycle"));
+  CHECK(warningsOf("fire", "1").empty());
+  CHECK(warningsOf("velocity-verlet", "0.25").empty());
+}
+
 TEST_CASE("render draws a scenario and a stored run alike") {
   const TemporaryFolder folder;
   REQUIRE(launch({"run", uniqueFour, "--db", folder / "four.db", "--no-pictures"}).code == 0);

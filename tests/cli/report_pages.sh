@@ -17,6 +17,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 ln -s "$morula" morula
+export MORULA_CALLED_AS=./morula # as the start script says
 
 cat >small.yaml <<'YAML'
 morula: 1

@@ -53,7 +53,7 @@ TEST_CASE("A page of a run: verdict first, where it comes from, and the same byt
   CHECK_THAT(page, ContainsSubstring("two &lt;b&gt;cells&lt;/b&gt;"));
   CHECK_THAT(page, ContainsSubstring("The run is done: 2 cells at time 1.5 after"));
   CHECK_THAT(page, ContainsSubstring("download=\"lineage.nwk\""));
-  CHECK_THAT(page, ContainsSubstring("./morula replay"));
+  CHECK_THAT(page, ContainsSubstring("<code>morula replay"));
 }
 
 TEST_CASE("Nothing is run again when no shapes are asked for, and little room is kept to") {
@@ -107,7 +107,7 @@ TEST_CASE("A check leaves a page of what differs") {
   CHECK_THAT(page, ContainsSubstring("1 of 1 scenario differs"));
   CHECK_THAT(page, ContainsSubstring("stop.time: 1.5 → 1.6"));
   CHECK_THAT(page, ContainsSubstring("same lineage") || ContainsSubstring("lineage: "));
-  CHECK_THAT(page, ContainsSubstring("./morula explain"));
+  CHECK_THAT(page, ContainsSubstring("<code>morula explain"));
   succeeds({"report", folder / "out", "-o", folder / "again.html"});
 }
 

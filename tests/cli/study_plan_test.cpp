@@ -96,7 +96,7 @@ TEST_CASE("A study is not taken for a scenario, and verbs below study have their
   const TemporaryFolder folder;
   const std::string study = starterIn(folder);
   refuses({"run", study}, 3, "the file is a study");
-  CHECK_THAT(succeeds({"study", "plan", "--help"}).out, ContainsSubstring("Usage: study plan [OPTIONS] study"));
+  CHECK_THAT(succeeds({"study", "plan", "--help"}).out, ContainsSubstring("Usage: morula study plan [OPTIONS] study"));
   CHECK(launch({"study", "--help"}).out.find("plan") != std::string::npos);
 }
 

@@ -41,4 +41,8 @@ TEST_CASE("people see a scenario's units in texts and pages, programs the scene'
   const std::string page = readWhole(folder / "page.html");
   CHECK_THAT(page, ContainsSubstring("2 cells at time 6 min after"));
   CHECK_THAT(page, ContainsSubstring("Volume [µm³]"));
+  launch({"run", folder / "units.yaml", "--set", "physics.drag=1", "--db", folder / "drag.db", "--no-pictures",
+          "--quiet"});
+  succeeds({"report", folder / "units.db", folder / "drag.db", "--frames", "0", "-o", folder / "both.html"});
+  CHECK_THAT(readWhole(folder / "both.html"), ContainsSubstring("<td>6 min</td>"));  // in the table of runs
 }

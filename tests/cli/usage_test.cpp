@@ -15,6 +15,20 @@ TEST_CASE("help and version are data") {
   CHECK_THAT(succeeds({"run", "--help"}).out, ContainsSubstring("--set"));
 }
 
+TEST_CASE("help names the program as it is typed") {
+  CHECK_THAT(succeeds({"run", "--help"}).out, ContainsSubstring("Usage: morula run [OPTIONS] scenario"));
+  CHECK_THAT(succeeds({"study", "plan", "--help"}).out, ContainsSubstring("Usage: morula study plan [OPTIONS]"));
+}
+
+TEST_CASE("behind -- all words are files") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "--lineage.yaml", readWhole(uniqueFour));
+  CHECK(launch({"validate", "--quiet", "--", uniqueFour}).code == 0);
+  CHECK(launch({"validate", "--", folder / "--lineage.yaml", uniqueFour}).code == 0);
+  refuses({"validate", "--", "--json"}, 6, "'--json' cannot be read");
+  refuses({"validate", "--nonsense", "--", uniqueFour}, 2, "'--nonsense' is not expected");
+}
+
 TEST_CASE("a chart or tree is refused under a name that it cannot have, before anything is measured") {
   for (const std::string ending : {".mp4", ".jpg", ".svgz", "."})
     for (const Words& words : {Words{"bench"},

@@ -55,7 +55,7 @@ export class Explorer {
     else this.panes.style.gridTemplateColumns = "minmax(0, 1fr)";
     this.panes.append(treePane);
     if (anyBodies) this.makeViews();
-    this.tree = new Tree(treePane, this.firstRun(), this.state, this.colouring);
+    this.tree = new Tree(treePane, this.firstRun(), this.state, this.colouring, this.data);
     this.info = new Info(infoBox, data, this.state);
     this.clock = new Clock(clockBox, data, this.state);
     this.fitButton(tools.box);

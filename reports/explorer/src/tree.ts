@@ -1,6 +1,6 @@
 // The lineage tree: time to the right, one line a cell, its daughter A above and B below.
 import type { Colouring } from "./colours";
-import { isWithin, type Cell, type Run } from "./data";
+import { isWithin, shownText, type Cell, type Data, type Run } from "./data";
 import type { State } from "./state";
 import { drawn } from "./tools";
 
@@ -25,7 +25,7 @@ export class Tree {
   private leaves = 0;
   private whole = true; // fits the pane; otherwise every row can be read
 
-  constructor(private readonly pane: HTMLElement, private run: Run, private readonly state: State, private readonly colouring: Colouring) {
+  constructor(private readonly pane: HTMLElement, private run: Run, private readonly state: State, private readonly colouring: Colouring, private readonly data: Pick<Data, "units">) {
     pane.addEventListener("click", (e) => { const path = this.pathAt(e); if (path !== null) this.onPick(path); });
     pane.addEventListener("pointermove", (e) => this.onHover(this.pathAt(e), e.clientX, e.clientY));
     pane.addEventListener("pointerleave", () => this.onHover(null, 0, 0));
@@ -69,10 +69,12 @@ export class Tree {
     const y = (cell: Cell) => topRoom + row * (this.rows.get(cell)! + 0.5);
     const svg = drawn("svg", { width: w, height, viewBox: `0 0 ${w} ${height}`, role: "tree", "aria-label": `Lineage of ${this.run.title}: ${this.run.cells.length} cells. Arrow keys: mother to the left, daughter to the right, sister up and down` });
     const axis = drawn("g", { class: "axis", "aria-hidden": "true" });
-    for (const t of ticks(end, Math.max(2, Math.round(w / 90)))) {
-      axis.append(drawn("line", { x1: this.place(t), x2: this.place(t), y1: topRoom - 6, y2: height }));
-      const text = drawn("text", { x: this.place(t) + 2, y: 11 });
-      text.textContent = String(t);
+    const [unit, perTime] = this.data.units.time ?? ["", 1], marks = ticks(perTime * end, Math.max(2, Math.round(w / 90)));
+    for (const t of marks) {
+      const x = this.place(t / perTime);
+      axis.append(drawn("line", { x1: x, x2: x, y1: topRoom - 6, y2: height }));
+      const text = drawn("text", { x: x + 2, y: 11 });
+      text.textContent = unit && t === 0 ? `0 ${unit}` : String(t);
       axis.append(text);
     }
     svg.append(axis);
@@ -82,7 +84,7 @@ export class Tree {
       const called = cell.label + (cell.name && cell.path ? ` (${cell.path})` : "");
       const node = drawn("g", {
         "data-path": cell.path, role: "treeitem", tabindex: -1, "aria-level": cell.path.length + 1, "aria-selected": "false",
-        "aria-label": `${called}, born at ${Number(cell.born.toPrecision(4))}, ${cell.fate === "alive" ? "alive at the end" : `${cell.fate} at ${Number(cell.ended.toPrecision(4))}`}`,
+        "aria-label": `${called}, born at ${shownText(this.data, "time", cell.born)}, ${cell.fate === "alive" ? "alive at the end" : `${cell.fate} at ${shownText(this.data, "time", cell.ended)}`}`,
       });
       const x1 = this.place(cell.born), x2 = Math.max(this.place(cell.ended), x1 + 1), at = y(cell);
       if (cell.daughters.length > 1) node.append(drawn("path", { class: "fork", d: `M${x2} ${y(cell.daughters[0])}V${y(cell.daughters[cell.daughters.length - 1])}` }));

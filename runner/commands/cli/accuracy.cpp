@@ -196,11 +196,10 @@ int act(const AccuracyWords& words) {
 
 void addAccuracy(CLI::App& app, Action& action) {
   Verb verb(app, action, "accuracy",
-            "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
-            "and error");
+            "Compare integrators, time steps, meshes, precisions and cell models on a scene, by speed and error");
   auto& words = verb.does<AccuracyWords>(act);
   verb.needs("scenario", words.scenarios, "FILE",
-             "A scenario file; several with --into-golden; of --stated golden files");
+             "A scenario file; several with --into-golden; golden files with --stated");
   verb.takes("--until", words.options.until, "T", number(scenario::positive),
              "Compare up to this time; default: before chaos sets in");
   verb.takes("--target", words.target, "ERROR", number(scenario::positive),
@@ -210,18 +209,19 @@ void addAccuracy(CLI::App& app, Action& action) {
              "Only these beside the scenario's own, as rk4,explicit-euler");
   verb.takes("--level", words.options.levels, "N,...", natural(0, 4),
              "Other icospheres, as 1,3; default: the next coarser one");
-  verb.takes("--bullet", words.options.bullet, "Beside Bullet's soft bodies, where the scene can be put to them");
+  verb.takes("--bullet", words.options.bullet,
+             "Also compare with Bullet's soft bodies, if Bullet can compute the scene");
   verb.takes("--into-golden", words.intoGolden,
              "Write the error of the scenario as it is into its golden file; nothing else is tried");
   verb.takes("--stated", words.stated,
              "Print what these golden files state, as golden/ERRORS.md does, and compute nothing");
   verb.takes("--budget", words.options.budget, "SECONDS", number(scenario::positive),
-             "CPU time that runs on finer meshes may take, and those of --target to their ends");
+             "Max CPU time of the runs on finer meshes, and of those of --target to their ends");
   verb.takes("--only", words.only, "No other meshes, precision, contact law or cell model than the scenario's");
   verb.takes("--quick", words.quick, "A first look: 32 steps of the scenario, few others beside it, once each");
   verb.takes("--halvings", words.options.halvings, "N", natural(1, 10),
-             "Of the longest time step, twice the scenario's smallest");
-  verb.takes("--rounds", words.options.rounds, "N", natural(1, 100), "Runs of each, for the CPU time");
+             "How often the longest time step is halved; it is twice the scenario's smallest");
+  verb.takes("--rounds", words.options.rounds, "N", natural(1, 100), "Runs of each setting, to measure the CPU time");
   verb.takes("--out", words.out, "FOLDER", "Folder for results");
   verb.takes("-o,--output", words.picture, "FILE", pictureName("accuracy", true),
              "The chart, a .png, .svg or .pdf; default: the scenario's name in the folder");

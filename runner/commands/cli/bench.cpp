@@ -145,15 +145,17 @@ int act(const BenchWords& words) {
 void addBench(CLI::App& app, Action& action) {
   Verb verb(app, action, "bench", "Measure what each stage costs, beside the machine's limits and Bullet");
   auto& words = verb.does<BenchWords>(act);
-  verb.takes("--cells", words.options.cells, "N,...", natural(1, 65536), "Packed scenes of so many cells, as 64,128");
-  verb.takes("--vertices", words.options.levels, "N,...", readLevel, "Of each cell: 42, 162, 642");
-  verb.takes("--isa", words.options.isas, "NAME,...", parseIsa, "Only these of scalar, narrow, avx2 and avx512");
-  verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024), "Numbers of threads; default 1,2");
-  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>, "Only these: " + namesOf<Stage>());
-  verb.takes("--quick", words.quick, "Few scenes, few rounds");
-  verb.takes("--full", words.full, "Up to 4096 cells");
+  verb.takes("--cells", words.options.cells, "N,...", natural(1, 65536),
+             "Numbers of cells of the packed scenes, as 64,128");
+  verb.takes("--vertices", words.options.levels, "N,...", readLevel, "Vertices of each cell: 42, 162 or 642");
+  verb.takes("--isa", words.options.isas, "NAME,...", parseIsa,
+             "Only these instruction sets: scalar, narrow, avx2, avx512");
+  verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024), "Numbers of threads; default: 1,2");
+  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>, "Only these stages: " + namesOf<Stage>());
+  verb.takes("--quick", words.quick, "Measure few scenes in few rounds");
+  verb.takes("--full", words.full, "Scenes of up to 4096 cells");
   verb.oneOf({"--quick", "--full"});
-  verb.takes("--no-bullet", words.noBullet, "Without Bullet, which is slow");
+  verb.takes("--no-bullet", words.noBullet, "Do not measure Bullet, which is slow");
   verb.takes("--out", words.out, "FOLDER", "Folder for results");
   verb.takes("-o,--output", words.picture, "FILE", pictureName("bench", true),
              "The chart, a .png, .svg or .pdf; default: bench.png in the folder");

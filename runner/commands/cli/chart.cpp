@@ -95,10 +95,11 @@ void addChart(CLI::App& app, Action& action) {
              "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, 'shell_share of "
              "AAA*'; contacts: who touches whom; divisions: which way cells divided");
   addRunChoice(verb, options.run);
-  verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "Of contacts: when; default: at the end");
+  verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
+             "Time of the contacts that are drawn; default: the end");
   verb.takes("--size", options.size, "WxH", pictureSize(200, 8192), "Width and height in pixels");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("chart", true),
-             "A .svg, .pdf or .png; default: the scenario's name and WHAT, as .svg");
+             "File to write: .svg, .pdf or .png; default: the scenario's name and WHAT, as .svg");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.output);

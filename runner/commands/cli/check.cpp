@@ -211,9 +211,9 @@ void addCheck(CLI::App& app, Action& action) {
              "Write junit.xml, report.json, summary.md and the page report.html there");
   verb.takes<std::vector<Engine>>(
       "--beside", options.beside, "ENGINES", parseEngines,
-      "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
+      "Also compute the scenarios with these engines, and print a table of the same checks: thesis "
       "(its contact law), bullet, b1, b2, b3");
-  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000), "CPU time of each of their runs");
+  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000), "Max CPU time of each run of --beside");
   verb.onlyWith({"--cpu-limit"}, {"--beside"});
   add(verb, options.input);
   add(verb, options.execution);

@@ -44,7 +44,7 @@ void addExplain(CLI::App& app, Action& action) {
   verb.oneOf({"--with", "--db"});
   verb.onlyWith({"--run"}, {"--db"});
   verb.takes("--every", options.every, "STEPS", natural(1, 1'000'000'000),
-             "Look at every so many steps first; 1 finds also what heals");
+             "Compare every so many steps first; 1 also finds differences that vanish again");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.output);

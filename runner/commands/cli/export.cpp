@@ -103,6 +103,11 @@ int act(const ExportOptions& options) {
   crate.agent = options.agent, crate.license = options.license;
   writeCrate(crate, draft.path());
   draft.takePlace();
+  if (options.license.empty())
+    tell(
+        "the crate names no licence, which RO-Crate 1.1 demands and strict readers refuse; --license names one, as in "
+        "--license CC-BY-4.0",
+        options.output.quiet);
   printEither(options.output, {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
               fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
   return fine;
@@ -120,18 +125,19 @@ void addExport(CLI::App& app, Action& action) {
   verb.takes("--format", options.request.format, "NAME", formatCalled, formatList());
   verb.takes("-o,--output", options.path, "PATH",
              "With --format: the file or folder, which must be new; of several runs a folder with one for each");
-  verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative),
-             "With surfaces: of this time alone");
-  verb.takes("--table", options.request.table, "NAME", "With --format csv: only this one, as cells or samples");
+  verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative), "Only the surfaces of this time");
+  verb.takes("--table", options.request.table, "NAME", "With --format csv: only this table, as cells or samples");
+  verb.takes("--no-comments", options.request.noComments,
+             "With --format newick: leave out path, fate and state ([&&NHX...]), which some programs cannot read");
   verb.takes("--list", options.list, "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
   verb.takes("--ro-crate", options.crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
   verb.takes("--pictures", options.pictures, "FOLDER",
-             "Where the run's pictures lie; default: beside a database of one run");
+             "Folder of the run's pictures for --ro-crate; default: beside a database of one run");
   verb.takes("--agent", options.agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
   verb.takes("--license", options.license, "LICENCE", licenseUri,
              "The results' licence: an SPDX identifier, as CC-BY-4.0, or a URI");
   verb.oneOf({"--format", "--ro-crate", "--list"});
-  verb.onlyWith({"--output", "--time", "--table"}, {"--format"});
+  verb.onlyWith({"--output", "--time", "--table", "--no-comments"}, {"--format"});
   verb.onlyWith({"--pictures", "--agent", "--license"}, {"--ro-crate"});
   verb.onlyWith({"--run"}, {"--format", "--ro-crate", "--list"});
   add(verb, options.execution);

@@ -63,19 +63,19 @@ int act(const InitOptions& options) {
 void addInit(CLI::App& app, Action& action) {
   Verb verb(app, action, "init", "Write a commented scenario, study or DNA to begin with");
   auto& options = verb.does<InitOptions>(act);
-  verb.takes("file", options.file, "FILE", "Where to; default: standard output");
-  verb.takes("-o,--output", options.output, "FILE", "The same");
+  verb.takes("file", options.file, "FILE", "File to write; default: standard output");
+  verb.takes("-o,--output", options.output, "FILE", "File to write, as FILE");
   verb.takes("--dna", options.dna, "NAME", readDnaKind,
-             "DNA instead of a scenario; full-tree: every cell divides, all leaves differ");
+             "Write DNA instead of a scenario; full-tree: every cell divides, all leaves differ");
   verb.takes("--levels", options.levels, "N", natural(1, 16),
              "Divisions from the egg to the leaves of the full tree, 1 to 16");
-  verb.takes("--study", options.study, "NAME", "A study of this name instead of a scenario");
+  verb.takes("--study", options.study, "NAME", "Write a study of this name instead of a scenario");
   verb.takes("--base", options.base, "FILE", "The scenario that the study varies, from the study's folder");
   verb.oneOf({"file", "--output"});
   verb.oneOf({"--dna", "--study"});
   verb.onlyWith({"--levels"}, {"--dna"});
   verb.onlyWith({"--base"}, {"--study"});
-  verb.takes("--force", options.force, "Write over a file that is there");
+  verb.takes("--force", options.force, "Replace an existing file");
 }
 
 }  // namespace morula::cli

@@ -200,6 +200,7 @@ int act(const LineageOptions& options) {
   auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
   if (!options.cell.empty()) return tellLife(tree, options);
   if (!options.picture.empty()) draw(tree, options);
+  if (!options.picture.empty() && options.output.quiet && !options.output.json) return fine;
   auto& cells = tree.results.lineage;
   // By path: a mother stands before her daughters, and a subtree is one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -225,12 +226,13 @@ void addLineage(CLI::App& app, Action& action) {
   auto& options = verb.does<LineageOptions>(act);
   verb.needs("file", options.file, "FILE", "A scenario or a database");
   addRunChoice(verb, options.run);
-  verb.takes("--cell", options.cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
+  verb.takes("--cell", options.cell, "CELL", "Only the life of this cell, given by its name or path: AAB, egg");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("lineage", true),
-             "Also draw it: a .png, .svg or .pdf");
-  verb.takes("--colour", options.colour, "WHAT", parseColouring,
-             "Of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
-             "as volume; default: substance");
+             "Also draw it: a .png, .svg or .pdf; with --quiet it is not printed");
+  verb.takes(
+      "--colour", options.colour, "WHAT", parseColouring,
+      "Colour of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
+      "as volume; default: substance");
   verb.takes("--labels", options.labels, "Name all leaves, however many there are");
   verb.takes("--size", options.size, "WxH", pictureSize(64, 16384),
              "Width and height in pixels; default: what suits the number of leaves");

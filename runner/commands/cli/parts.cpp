@@ -86,9 +86,10 @@ void addParts(CLI::App& app, Action& action) {
   add(verb, options.input);
   add(verb, options.scene);
   add(verb, options.execution);
-  verb.takes("--rehearsal", options.rehearsal, "N", number(scenario::positive),
-             "Run the beginning for so many steps times vertices, by default 8e6: fewer are quicker and predict less");
-  verb.takes("--no-pictures", options.noPictures, "As of a run with --no-pictures");
+  verb.takes(
+      "--rehearsal", options.rehearsal, "N", number(scenario::positive),
+      "Run the beginning for so many steps times vertices, by default 8e6; fewer are quicker, and the prediction is worse");
+  verb.takes("--no-pictures", options.noPictures, "Predict a run with --no-pictures");
   add(verb, options.output);
 }
 

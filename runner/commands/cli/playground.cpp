@@ -35,7 +35,7 @@ void addPlayground(CLI::App& app, Action& action) {
   auto& options = verb.does<PlaygroundOptions>(act);
   verb.takes("-o,--output", options.output, "FILE", readPageName, "The page, a .html");
   verb.takes("--scenarios", options.scenarios, "FOLDER",
-             "Those to begin with; default: the folder scenarios here, or else those of the installation");
+             "Scenarios that the page offers; default: the folder scenarios here, or else those of the installation");
   add(verb, options.messages);
 }
 

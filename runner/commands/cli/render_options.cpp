@@ -105,36 +105,39 @@ void add(Verb& verb, RenderOptions& options) {
   PictureWishes& wishes = options.wishes;
   verb.needs("file", options.file, "FILE", "A scenario or a database");
   addRunChoice(verb, options.run);
-  verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "When; default: at the end");
+  verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "Time to draw; default: the end");
   verb.takes("--style", options.style, "NAME", parseChoice<PictureStyle>, namesOf<PictureStyle>());
-  verb.takes("--view", wishes.camera, "VIEW", parseView,
-             "front, back, left, right, top, bottom, iso, or azimuth and elevation in degrees: 30,20; "
-             "default: from the front, a little from the right and above");
+  verb.takes(
+      "--view", wishes.camera, "VIEW", parseView,
+      "From where to look: front, back, left, right, top, bottom, iso, or azimuth and elevation in degrees: 30,20; "
+      "default: from the front, a little from the right and above");
   verb.takes("--size", options.size, "N|WxH", pictureSize(64, 8192),
              "Width and height in pixels: 900 or 1920x1080; default: 900");
   verb.takes("--supersample", wishes.samples, "N", natural(1, 4),
              "Samples along a pixel's side, 1 to 4: smoother edges");
-  verb.takes("--colour", wishes.colouring, "WHAT", parseColouring,
-             "substance, clone, clone:N (founders N divisions below the egg), generation, or a measure of "
-             "cells, such as volume; default: substance");
+  verb.takes(
+      "--colour", wishes.colouring, "WHAT", parseColouring,
+      "Colour cells by substance, clone, clone:N (founders N divisions below the egg), generation, or a measure of "
+      "cells, such as volume; default: substance");
   verb.takes("--opacity", wishes.opacities, "[SUBSTANCE=]NUMBER,...", readOpacity,
-             "0 to 1: see through all cells, or through some");
-  verb.takes("--clip", wishes.clip, "X,Y,Z,OFFSET", readClip, "Cut away what has X·x + Y·y + Z·z > OFFSET");
-  verb.takes("--labels", wishes.labels, "WHAT", parseChoice<Labels>, "name or path: written at the cells");
-  verb.takes("--forces", options.forces, "KIND,...", readForces, "Arrows: " + namesOf<ForceKind>() + "; all");
-  verb.takes("--normals", wishes.normals, "A line out of each vertex");
-  verb.takes("--connections", wishes.connections, "A line between the middles of connected cells");
+             "Opacity of all cells, or of cells with a substance: 0 to 1");
+  verb.takes("--clip", wishes.clip, "X,Y,Z,OFFSET", readClip, "Cut away the part in which X·x + Y·y + Z·z > OFFSET");
+  verb.takes("--labels", wishes.labels, "WHAT", parseChoice<Labels>, "Write this at the cells: name or path");
+  verb.takes("--forces", options.forces, "KIND,...", readForces,
+             "Draw arrows for these forces: " + namesOf<ForceKind>() + "; or all");
+  verb.takes("--normals", wishes.normals, "Draw the normal of each vertex");
+  verb.takes("--connections", wishes.connections, "Draw a line between the centres of connected cells");
   verb.takes("--axes", wishes.axes, "Show which way x, y and z point");
-  verb.takes("--scale-bar", wishes.scaleBar, "Show a length");
-  verb.takes("--transparent", wishes.transparent, "No paper behind the cells");
+  verb.takes("--scale-bar", wishes.scaleBar, "Show a scale bar");
+  verb.takes("--transparent", wishes.transparent, "Leave the background transparent");
   verb.takes("--turntable", options.turntable, "N", natural(2, 10'000), "N pictures from all around");
   verb.takes("--frames", options.frames, "N", natural(2, 10'000),
              "N pictures, evenly from the start to the end, or to --time");
   verb.oneOf({"--turntable", "--frames"});
   verb.takes("--fps", options.perSecond, "N", number({.low = 0.1, .high = 1000}),
-             "Of a film: pictures in a second; default: 25");
+             "Pictures per second of a film; default: 25");
   verb.takes("--beside", options.beside, "FILE",
-             "Another scenario or database: both side by side, and how far their surfaces are apart");
+             "Draw another scenario or database beside it, and how far their surfaces are apart");
   verb.excludes("--beside", {"--style both", "--forces", "--turntable", "--frames"},
                 "it shows one moment of solid cells");
   verb.excludes(
@@ -142,9 +145,10 @@ void add(Verb& verb, RenderOptions& options) {
       {"--view", "--supersample", "--colour", "--opacity", "--clip", "--labels", "--forces", "--normals",
        "--connections", "--axes", "--scale-bar", "--transparent", "--turntable", "--frames", "--fps", "--beside"},
       "the one is a tree, the other is of cells in space (morula lineage -o has labels and colours of trees)");
-  verb.takes("-o,--output", options.output, "FILE",
-             "The .png, of several pictures numbered, or .mp4, .webm, .gif; of a lineage also .svg or .pdf; "
-             "default: the scenario's name");
+  verb.takes(
+      "-o,--output", options.output, "FILE",
+      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; a lineage also as .svg or .pdf; "
+      "default: the scenario's name");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.messages);

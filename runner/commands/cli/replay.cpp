@@ -76,12 +76,12 @@ int act(const ReplayOptions& options) {
 }  // namespace
 
 void addReplay(CLI::App& app, Action& action) {
-  Verb verb(app, action, "replay", "Run a stored run again and say what differs, conditions and bits");
+  Verb verb(app, action, "replay", "Run a stored run again and say what differs in its conditions and its bits");
   auto& options = verb.does<ReplayOptions>(act);
   verb.needs("what", options.what, "FILE|ID", "A database, or a run's id with --db");
   addRunChoice(verb, options.run);
   verb.takes("--db", options.database, "FILE", "The database, if a run's id is given");
-  verb.takes("--db-out", options.databaseOut, "FILE", "Store the replayed run there; default: nowhere");
+  verb.takes("--db-out", options.databaseOut, "FILE", "Store the replayed run in this file; default: nowhere");
   add(verb, options.execution);
   verb.showDefault("--threads", "as then");
   add(verb, options.output);

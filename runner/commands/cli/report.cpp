@@ -67,17 +67,17 @@ void addReport(CLI::App& app, Action& action) {
   verb.takes("--run", options.question.run, "ID",
              "Only this run of the database, of a study also 'CONDITION, seed N'; default: all");
   verb.takes("--explore", options.question.explored, "N", natural(1, 1000),
-             "Of a study: so many runs to be chosen among in three dimensions, where they fit, from the conditions "
-             "that differ most on");
+             "Number of a study's runs that the explorer offers, if they fit into the page; the conditions that "
+             "differ most come first");
   verb.showDefault("--explore", "24");
   verb.takes("--frames", options.question.frames, "N", natural(0, 10'000),
-             "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
+             "Number of shapes of each run, evenly over its time; 0: none, and nothing is run again");
   verb.takes("--size-limit", options.limit, "SIZE", readSize,
-             "Bytes of the page; frames that do not fit are left out, which the page says");
+             "Max size of the page; frames that do not fit are left out, and the page says so");
   verb.showDefault("--size-limit", "10M");
-  verb.takes("--no-bullet", options.noBullet, "Bullet is not run beside ours for scenarios with check.bullet");
+  verb.takes("--no-bullet", options.noBullet, "Do not run Bullet beside Morula for scenarios with check.bullet");
   verb.takes("--rerun", options.question.rerun,
-             "The page holds the simulator, too: whoever reads it can make its run again there");
+             "Put the simulator into the page, so that its readers can make the run again");
   add(verb, options.execution);
   add(verb, options.messages);
 }

@@ -93,7 +93,7 @@ void addValidate(CLI::App& app, Action& action) {
   addMemoryLimit(verb, options.execution);
   verb.takes("--resolved", options.resolved, "Print every parameter, defaults and changes included, as JSON");
   verb.takes("--scene", options.sceneFile, "FILE",
-             "Write the scene for programs that have the simulator alone: morula.h, run again in pages");
+             "Write the scene in the text format of the library (morula.h) and of pages that run again");
   add(verb, options.output);
 }
 

@@ -25,7 +25,7 @@ void add(Verb& verb, SceneOptions& options) {
 }
 
 void add(Verb& verb, ExecutionOptions& options) {
-  verb.takes("--threads", options.threads, "N", natural(1, 1024), "Compute with so many threads; changes no result");
+  verb.takes("--threads", options.threads, "N", natural(1, 1024), "Number of threads; changes no result");
   verb.takes("--isa", options.isa, "NAME", parseIsa, "Compute with scalar, narrow, avx2 or avx512; changes no result");
   verb.takes("--search", options.search, "NAME", parseChoice<ContactSearch>,
              "Find contacts by " + namesOf<ContactSearch>() + "; changes no result");
@@ -34,7 +34,7 @@ void add(Verb& verb, ExecutionOptions& options) {
 
 void addMemoryLimit(Verb& verb, ExecutionOptions& options) {
   verb.takes("--memory-limit", options.memoryLimit, "SIZE", readSize,
-             "Refuse or end a run that would take more, as 8G; otherwise nine tenths of what is free");
+             "Refuse or end a run that needs more memory than this, as 8G; default: nine tenths of what is free");
 }
 
 void addRunChoice(Verb& verb, std::string& run) {

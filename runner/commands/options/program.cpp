@@ -64,7 +64,8 @@ void checkVerb(const CLI::App& app, const std::string& word) {
 
 /// What the verb did not expect, with the option that was probably meant.
 void checkLeftovers(const CLI::App& verb) {
-  const auto leftovers = verb.remaining();
+  auto leftovers = verb.remaining();
+  std::erase(leftovers, "--");  // CLI11 took what follows it as files, and left the mark itself
   if (leftovers.empty()) return;
   const auto word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> options;
@@ -80,7 +81,7 @@ void checkLeftovers(const CLI::App& verb) {
 std::string sentenceOf(const CLI::ParseError& error, const CLI::App& verb) {
   const std::string text = error.what(), option = text.substr(0, text.find(':'));
   if (text.find(" required but received ") != text.npos) return option + ": given more than once; keep one";
-  if (text.ends_with(" missing")) return option + ": is the last word; needs a value";
+  if (text.ends_with(" missing")) return option + ": needs a value";
   if (dynamic_cast<const CLI::RequiredError*>(&error))
     return text + "; morula " + titleOf(verb) + " --help tells what it takes";
   return text;
@@ -114,8 +115,7 @@ Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    print((chosen.empty() ? &app : chosen.front())->help());
+    print(app.help());  // the help of the innermost verb that was chosen
     return [] { return fine; };
   } catch (const CLI::CallForVersion&) {
     print(versionText() + "\n");

@@ -194,16 +194,16 @@ void addRun(CLI::App& app, Action& action) {
   add(verb, options.input);
   add(verb, options.scene);
   verb.takes<std::vector<std::uint64_t>>("--seeds", options.seeds, "FIRST..LAST", readSeeds,
-                                         "One run for each seed of a range: 1..50");
+                                         "Run once for each seed of a range: 1..50");
   verb.takes("--db", options.database, "FILE", "Store in this file; default: run.db beside the pictures");
   verb.takes("--out", options.out, "FOLDER", "Folder for results, one folder in it per run");
-  verb.takes("--no-pictures", options.noPictures, "Draw nothing, not even what the golden holds");
+  verb.takes("--no-pictures", options.noPictures, "Draw nothing, not even the picture that the golden file holds");
   verb.takes("--no-check", options.noCheck, "Do not compare with the golden file");
   verb.takes("--checkpoint-every", options.checkpointEvery, "STEPS", natural(1, 1'000'000'000'000),
              "Keep a checkpoint every so many steps; one is always kept at Ctrl-C");
   verb.showDefault("--checkpoint-every", "");
-  verb.takes("--resume", options.resume, "Go on from the last checkpoint of the same run");
-  verb.takes("--dry-run", options.dryRun, "Read and check everything, run nothing, write nothing");
+  verb.takes("--resume", options.resume, "Continue from the last checkpoint of the same run");
+  verb.takes("--dry-run", options.dryRun, "Read and check the scenarios; run nothing and write nothing");
   verb.oneOf({"--seed", "--seeds"});
   verb.oneOf({"--resume", "--dry-run"});
   add(verb, options.execution);

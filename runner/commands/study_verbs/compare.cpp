@@ -87,7 +87,7 @@ int act(const CompareCommand& command) {
   if (!command.intoGolden.empty()) writeIntoGoldens(comparison.results, command.options, file, command.intoGolden);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
-    writePicture(drawSmallMultiples(stripsOf(comparison)), command.picture);
+    writePicture(drawSmallMultiples(stripsOf(comparison, unitsOf(comparison.results, file))), command.picture);
     pictures.push_back(command.picture);
   }
   if (!command.organisms.empty()) {
@@ -128,7 +128,7 @@ std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
 /// To the program or to `study`: the same verb.
 void addCompare(CLI::App& above, Action& action) {
   Verb verb(above, action, "compare",
-            "Hold the conditions of a study against each other: what differs, and how surely; or two pictures");
+            "Compare the conditions of a study, with confidence intervals; or compare two pictures");
   auto& command = verb.does<CompareCommand>(act);
   verb.needs("what", command.what, "FILE",
              "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG pictures, "
@@ -147,13 +147,15 @@ void addCompare(CLI::App& above, Action& action) {
   verb.takes("--pictures", command.organisms, "FILE", pictureName("compare", false),
              "Also draw the organisms, a row a condition and a column a moment, of one seed, by running them "
              "again; --moments 1 takes the pictures that the study keeps: a .png; of several pages numbered");
-  verb.takes("--colour", command.moments.colouring, "WHAT", parseColouring,
-             "Of these cells, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
-             "default: substance");
+  verb.takes(
+      "--colour", command.moments.colouring, "WHAT", parseColouring,
+      "Colour of cells in --pictures, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
+      "default: substance");
   verb.takes("--moments", command.moments.count, "N", natural(1, mostGridColumns),
-             "So many moments, evenly from the start to the end; 1: the end of each; default: 5");
-  verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "These times");
-  verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000), "When first so many cells live");
+             "Number of moments, evenly from the start to the end; 1: the end of each; default: 5");
+  verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "Draw these times");
+  verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),
+             "Draw the moments at which so many cells first live");
   verb.oneOf({"--moments", "--at-times", "--at-cells"});
   verb.onlyWith({"--moments", "--at-times", "--at-cells", "--colour"}, {"--pictures"});
   verb.takes("--tidy", command.tidy, "ROWS", parseChoice<TidyRows>,

@@ -73,7 +73,7 @@ int act(const CheckCommand& command) {
 
 void addStudyCheck(CLI::App& study, Action& action) {
   Verb verb(study, action, "check",
-            "Hold the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
+            "Check the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
             "5: runs are missing");
   auto& command = verb.does<CheckCommand>(act);
   verb.needs("study", command.study, "FILE",

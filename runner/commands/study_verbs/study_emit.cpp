@@ -47,12 +47,13 @@ int act(const EmitCommand& command) {
 }  // namespace
 
 void addStudyEmit(CLI::App& study, Action& action) {
-  Verb verb(study, action, "emit", "Write what Slurm, Snakemake or GNU parallel runs the study with; prints its path");
+  Verb verb(study, action, "emit",
+            "Write the file with which Slurm, Snakemake or GNU parallel runs the study; print its path");
   auto& command = verb.does<EmitCommand>(act);
   verb.needs("site", command.emit.site, "SITE", parseChoice<Site>, namesOf<Site>());
   add(verb, command.of);
   verb.takes("-o,--output", command.output, "FILE",
-             "Where to; default: study.sbatch, Snakefile or parallel.sh in the study's folder");
+             "File to write; default: study.sbatch, Snakefile or parallel.sh in the study's folder");
   verb.takes("--force", command.force, "Replace the file that -o names");
   verb.onlyWith({"--force"}, {"--output"});
   verb.takes("--jobs", command.emit.shares, "N", natural(1, 1'000'000),

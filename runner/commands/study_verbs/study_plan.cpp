@@ -43,7 +43,7 @@ void addStudyPlan(CLI::App& study, Action& action) {
   auto& command = verb.does<PlanCommand>(act);
   verb.needs("study", command.study, "FILE", "A study file");
   addStudyFolder(verb, command.out);
-  verb.takes("--dry-run", command.dryRun, "Tell it, and write nothing");
+  verb.takes("--dry-run", command.dryRun, "Tell the plan, and write nothing");
   verb.takes("--no-predict", command.noPredict, "Do not predict what the runs cost");
   add(verb, command.input);
   add(verb, command.output);

@@ -117,7 +117,7 @@ void addStudyRun(CLI::App& study, Action& action) {
   Verb verb(study, action, "run", "Compute what has no result yet; a whole study is then merged");
   auto& command = verb.does<RunCommand>(act);
   add(verb, command.of);
-  verb.takes("--jobs", command.jobs, "N", natural(1, 1024), "So many runs at a time");
+  verb.takes("--jobs", command.jobs, "N", natural(1, 1024), "Number of runs at a time");
   verb.takes("--shard", command.shard, "N/OF", parseShard,
              "Only every OF-th run from the N-th on, for one machine of several: 3/40");
   verb.takes("--task", command.tasks, "ID", "Only this run; may repeat");
@@ -130,7 +130,7 @@ void addStudyRun(CLI::App& study, Action& action) {
              "result already stay");
   verb.oneOf({"--resume", "--update"});
   verb.takes("--retry-failed", command.retryFailed,
-             "Compute those once more whose result is a failure, or whose picture is missing");
+             "Compute runs once more whose result is a failure, or whose picture is missing");
   verb.takes("--no-predict", command.noPredict, "Do not predict what a new study's runs cost");
   verb.takes("--dry-run", command.dryRun, "Tell what would be computed, and write nothing");
   add(verb, command.execution);

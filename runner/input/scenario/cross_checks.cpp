@@ -296,6 +296,25 @@ void checkBodies(const SceneCheck& check) {
 
 }  // namespace
 
+std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root) {
+  const auto& mechanics = scenario.scene.mechanics;
+  if (!mechanics || !kindOf(mechanics->physics.integrator).settles) return {};
+  const CycleParameters& cycle = scenario.scene.cycle;
+  double shortest = cycle.length;
+  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
+    for (const auto& [substance, length] : *lengths) shortest = std::min(shortest, length);
+  const RecordParameters& record = scenario.record;
+  std::vector<std::string> warnings;
+  for (const auto& [key, every] : {std::pair("record.every", record.every), std::pair("record.meshes", record.meshes),
+                                   std::pair("record.pictures", record.pictures)})
+    if (every && *every < shortest)
+      warnings.push_back(placeText(scenario.file, placeOf(root, key)) + ": " + key + ": " + exactText(*every) +
+                         " is shorter than every cell cycle, but with physics.integrator: fire there is nothing to "
+                         "see between cell cycles: each of these times is seen at the first cell cycle at or after it, "
+                         "and times that share one are seen once");
+  return warnings;
+}
+
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   const SceneCheck check{scenario, reading, root};
   const RecordParameters& record = scenario.record;

@@ -78,13 +78,12 @@ std::vector<Parameter> parameters() {
            "A settling ends when the tractions left are this small beside the pressure in cells (root mean squares)",
            PHYSICS(settle.tolerance)),
       natural("physics.settle.evaluations", {1, 1'000'000'000},
-              "Of the forces, at most, in one settling; a settling that reaches it is told",
-              PHYSICS(settle.evaluations)),
+              "Max force evaluations per settling; reaching it is reported", PHYSICS(settle.evaluations)),
       real("physics.settle.together", "time", notNegative,
            "Events that follow each other by no more share one settling", PHYSICS(settle.together)),
       optionalNatural("physics.settle.sample", {1, 1'000'000'000}, "none",
-                      "Of so many settlings one is measured: how far from rest it ends (table settling). It "
-                      "changes no result",
+                      "Measure every N-th settling: how far from rest it ends (table settling). It changes no "
+                      "result",
                       PHYSICS(settle.sample)),
       of("Of the numbers that physics computes with", choice("physics.precision", PHYSICS(precision))),
       real("physics.drag", "1/time", notNegative, "The medium slows every vertex: acceleration −drag·v", PHYSICS(drag)),
@@ -126,8 +125,8 @@ std::vector<Parameter> parameters() {
       real("physics.shape-matching.damping", "1/time", notNegative,
            "κ, of all motion but the cell's flight and spin; 2√k: no swinging", PHYSICS(shapeMatching.damping)),
 
-      real("physics.growth.rate", "1/time", positive, "Relative change of mass and k_p; lengths follow with a third",
-           PHYSICS(growth->rate)),
+      real("physics.growth.rate", "1/time", positive,
+           "Relative change of mass and k_p; lengths grow at a third of this rate", PHYSICS(growth->rate)),
       later(optionalReal("physics.growth.until", "", positive, "", "growth goes on",
                          "Volume at rest over the egg's at which a cell stops growing", PHYSICS(growth->until))),
 
@@ -135,7 +134,7 @@ std::vector<Parameter> parameters() {
       shellEllipsoid(),
       shellMesh(),
       shellFill(),
-      later(beside(of("What of a cell with a mesh stays inside a sphere or an ellipsoid",
+      later(beside(of("Which part of a meshed cell the shell, a sphere or an ellipsoid, keeps inside",
                       choice("physics.shell.holds", PHYSICS(shell->holds))))),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",

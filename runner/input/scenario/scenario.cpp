@@ -66,7 +66,8 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   problems.throwIfAny();
 
   result.warnings = result.scene.dna.warnings;
-  for (std::string& warning : sizeWarnings(result, root)) result.warnings.push_back(std::move(warning));
+  for (const auto& warningsOf : {sizeWarnings, intervalWarnings})
+    for (std::string& warning : warningsOf(result, root)) result.warnings.push_back(std::move(warning));
   notePlaces(root, "", result);
   resolveAgain(result);
   return result;

@@ -28,6 +28,8 @@ void checkSenses(const SceneCheck& check);
 void checkDivisionSize(const SceneCheck& check);
 /// A size that nothing can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
+/// Warnings of intervals in `record` that are shorter than the steps of a scene that settles.
+std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root);
 
 /// Connections that nothing could make, or with two forces.
 void checkConnections(const SceneCheck& check);

@@ -102,7 +102,7 @@ std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root
   for (const StartCell& cell : scenario.scene.cells) largest = std::max(largest, cell.scale * cell.scale * cell.scale);
   const double most = std::max(largest, scenario.scene.mechanics->physics.growth->until.value_or(INFINITY));
   if (!canHold(scenario, substance::grow))
-    warn("no gene produces 'grow', so cells come to no size; write a gene such as g9(grow|a0)");
+    warn("no gene produces 'grow', so no cell reaches the size for its division; write a gene such as g9(grow|a0)");
   else if (size->size > most)
     warn("cells grow until " + exactText(most) + ", so none ever divides at " + exactText(size->size) +
          "; raise physics.growth.until");

@@ -84,7 +84,7 @@ class Experiment {
     else if (h.parted)
       remark(
           fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors up to {} "
-                      "are made of that too",
+                      "include this growth",
                       numberText(h.end), mostAmplification, numberText(end)));
     usual_ = settingOf(scenario_, longest_);
     report_.usual = seriesName(usual_, usual_);

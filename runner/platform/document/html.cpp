@@ -45,6 +45,15 @@ std::string cellHtml(const Words& words) {
   return isLong ? element("span", ofClass("long"), htmlOf(words)) : htmlOf(words);
 }
 
+/// The attributes of a table's cell: a number must not be broken into lines.
+std::string cellAttributes(const Words& words) {
+  constexpr std::size_t longest = 16;
+  const std::string text = words.text();
+  const bool isNumber = text.size() <= longest && text.find_first_of("0123456789") != text.npos &&
+                        text.find_first_not_of("0123456789.,+-/e%") == text.npos;
+  return isNumber ? ofClass("number") : "";
+}
+
 std::string figure(const Picture& p) {
   return "<figure><img src=\"" + dataUri(p.type, p.bytes) + "\" alt=\"" + safe(p.what) + "\"><figcaption>" +
          safe(p.caption) + "</figcaption></figure>\n";
@@ -110,7 +119,7 @@ struct AsHtml {
       for (std::size_t i = 0; i < row.size(); ++i)
         if (i >= table.columns.size() || table.columns[i].isShown)
           cells += cells.empty() ? element("th", " scope=\"row\"", htmlOf(row[i].words))
-                                 : element("td", "", cellHtml(row[i].words));
+                                 : element("td", cellAttributes(row[i].words), cellHtml(row[i].words));
       body += element("tr", "", cells) + "\n";
     }
     const std::string caption = safe(table.caption);

@@ -1,6 +1,9 @@
 #include "system/installation.h"
 
+#include <cstdlib>
+
 #include "files/folders.h"
+#include "files/text.h"
 #include "system/child_process.h"
 
 namespace morula {
@@ -24,6 +27,9 @@ std::optional<fs::path> installation() {
   return isFolder(share) ? std::optional(share) : std::nullopt;
 }
 
-std::string programWord() { return installation() ? "morula" : "./morula"; }
+std::string programWord() {
+  const char* called = std::getenv("MORULA_CALLED_AS");
+  return called && *called && !installation() ? shellWord(called) : "morula";
+}
 
 }  // namespace morula

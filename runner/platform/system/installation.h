@@ -12,7 +12,8 @@ std::optional<std::filesystem::path> sharedFile(const std::string& name);
 /// share/morula of the installation that the program belongs to; absent in a build folder.
 std::optional<std::filesystem::path> installation();
 
-/// What people type to start it: "./morula" in its sources, "morula" where it is installed.
+/// What people type to start the program: the name by which its start script in the sources was called, such as "./morula"
+/// (the script says so in MORULA_CALLED_AS), else "morula".
 std::string programWord();
 
 }  // namespace morula

@@ -24,16 +24,22 @@ std::string fieldOf(const TableValue& value) {
   return real && !std::isnan(*real) ? exactText(*real) : "";
 }
 
-/// As it stands. Seeds from 2⁶³ on, which SQLite's signed integers hold as negative ones, become what they are.
+bool holdsPaths(const std::string& column) {
+  return column == "path" || column == "parent" || column == "a" || column == "b";
+}
+
+/// The rows of a table. Paths are written as csvPath gives them. Seeds from 2⁶³ on, which SQLite's signed integers hold as
+/// negative ones, become what they are.
 std::string plainTable(Store& store, const std::string& table, const std::string& id,
                        const std::vector<std::string>& columns) {
   CsvTable csv(columns);
-  const auto place = static_cast<std::size_t>(std::ranges::find(columns, "seed") - columns.begin());
   store.eachRow(table, id, [&](const TableRow& row) {
-    const auto* seed = place < row.size() ? std::get_if<std::int64_t>(&row[place]) : nullptr;
-    if (!seed || *seed >= 0) return csv.add(row);
     TableRow whole = row;
-    whole[place] = std::to_string(static_cast<std::uint64_t>(*seed));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (auto* text = std::get_if<std::string>(&whole[i]); text && holdsPaths(columns[i])) *text = csvPath(*text);
+      const auto* number = std::get_if<std::int64_t>(&whole[i]);
+      if (number && *number < 0 && columns[i] == "seed") whole[i] = std::to_string(static_cast<std::uint64_t>(*number));
+    }
     csv.add(whole);
   });
   return csv.text();
@@ -60,8 +66,8 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
   const auto write = [&] {
     for (const auto& [cells, values] : rows) {
       TableRow row{now.first, now.second};
-      if (keys > 2) row.push_back(cells.first);
-      if (keys > 3) row.push_back(cells.second);
+      if (keys > 2) row.push_back(csvPath(cells.first));
+      if (keys > 3) row.push_back(csvPath(cells.second));
       for (const std::string& n : names) {
         const auto found = values.find(n);
         row.push_back(found == values.end() ? TableValue() : found->second);
@@ -82,6 +88,8 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
 }
 
 }  // namespace
+
+std::string csvPath(const std::string& path) { return path.empty() ? "egg" : path; }
 
 void CsvTable::add(const TableRow& row) {
   for (const TableValue& value : row) text_ += (&value == &row.front() ? "" : ",") + fieldOf(value);

@@ -1,7 +1,8 @@
 #pragma once
 // Tables as comma-separated values, by RFC 4180: UTF-8, lines end in CR LF, a header line, quotes where a text needs them.
-// What is not there (NULL, not a number) is an empty field; an empty text is "". Numbers are the shortest that read back as
-// the same. And the tables of a database for spreadsheets and statistics: runs, cells, samples, …, each as one file.
+// What is not there (NULL, not a number) is an empty field; an empty text is "". A cell's path is `egg` where it is empty, so
+// that programs that do not tell "" from an empty field read the egg, and not a missing value. Numbers are the shortest that
+// read back as the same. And the tables of a database for spreadsheets and statistics: runs, cells, samples, …, each as one file.
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "store/store.h"
 
 namespace morula {
+
+/// A cell's path as tables for other programs have it: "egg" in place of the empty one.
+std::string csvPath(const std::string& path);
 
 class CsvTable {
  public:

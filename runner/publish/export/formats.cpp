@@ -34,7 +34,7 @@ std::string cellTable(const ExportedRun& run) {
   std::int64_t number = 0;
   for (const LineageEntry& cell : run.results.lineage) {
     const TableValue ended = cell.fate == Fate::alive ? TableValue() : cell.ended;
-    csv.add({number++, cell.path.text(), run.nameOf(cell), cell.born, ended, name(cell.fate),
+    csv.add({number++, csvPath(cell.path.text()), run.nameOf(cell), cell.born, ended, name(cell.fate),
              std::int64_t{run.stateNumber(cell.state)}});
   }
   return csv.text();
@@ -104,23 +104,27 @@ struct Format {
   const char* ending;  // of its file; "": a folder
   Wanted wanted;
   bool mayBeSeries;  // a folder with a file a time, where the name has not the ending
-  Files (*files)(const ExportedRun&, const fs::path&);
+  Files (*files)(const ExportedRun&, const fs::path&, const ExportRequest&);
 };
 
 constexpr const char* csv = "csv";
 const Format formats[] = {
     {"newick", "the tree of cells, with branch lengths", ".nwk", Wanted::tree, false,
-     [](const ExportedRun& run, const fs::path& path) {
-       return Files{{path, newickTree(run)}};
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest& request) {
+       return Files{{path, newickTree(run, !request.noComments)}};
      }},
     {"vtk", "surfaces over time with fields (.vtp and .pvd, for ParaView), a folder", "", Wanted::surfaces, false,
-     vtkFiles},
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest&) { return vtkFiles(run, path); }},
     {"ply", "surfaces of one time (FILE.ply), or a folder with a file a time", ".ply", Wanted::surfaces, true,
-     [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".ply", plyFile); }},
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest&) {
+       return oneOrSeries(run, path, ".ply", plyFile);
+     }},
     {"gltf", "surfaces of one time (FILE.glb), or a folder with a file a time", ".glb", Wanted::surfaces, true,
-     [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".glb", glbFile); }},
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest&) {
+       return oneOrSeries(run, path, ".glb", glbFile);
+     }},
     {"npz", "cells, samples, contacts and surfaces as arrays for NumPy", ".npz", Wanted::samples, false,
-     [](const ExportedRun& run, const fs::path& path) {
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest&) {
        return Files{{path, npzFile(run)}};
      }},
 };
@@ -179,6 +183,7 @@ Files tableFiles(Store& store, const ExportRequest& request, const std::string& 
 }
 
 Exported exportTables(Store& store, const ExportRequest& request) {
+  if (request.noComments) throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   for (const StoredRun& run : store.runs())
@@ -199,6 +204,8 @@ std::string whyNot(const StoredRun& run, const Format& format) {
 }
 
 Exported exportEach(Store& store, const ExportRequest& request, const Format& format) {
+  if (request.noComments && std::string_view(format.name) != "newick")
+    throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time && format.wanted == Wanted::tree)
     throw UsageError(std::string("--time: ") + format.name + " has no times of its own; leave it out");
   std::vector<StoredRun> runs;
@@ -227,7 +234,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
       all.signal = exported.signal;
       return all;
     }
-    all.runs.push_back({run.id, to.write(format.files(exported, path))});
+    all.runs.push_back({run.id, to.write(format.files(exported, path, request))});
   }
   if (all.runs.empty())
     throw FileError("'" + store.file().string() + "': none of its runs has what --format " + format.name + " needs");

@@ -16,6 +16,7 @@ struct ExportRequest {
   std::string run;               // id or its beginning; "": all runs of the database
   std::optional<double> time;    // [time] of surfaces
   std::string table;             // csv into one file: which table
+  bool noComments = false;       // newick without its comments
   Execution execution;           // of runs that are made again
   bool quiet = false;
 };

@@ -36,24 +36,25 @@ class GltfWriter {
     document_["asset"] = {{"version", "2.0"}, {"generator", "Morula " + run.run.record.build.version}};
     document_["scene"] = 0;
     for (const CellSurface& s : sample.surfaces) addCell(s);
-    Json nodes = Json::array();
-    for (std::size_t i = 0; i < sample.surfaces.size(); ++i) nodes.push_back(i);
+    const std::size_t root = addRoot(sample.surfaces.size());
     document_["scenes"].push_back({{"name", run.run.record.scenario + ", time " + exactText(sample.world.time)},
-                                   {"nodes", nodes},
+                                   {"nodes", {root}},
                                    {"extras", {{"run_id", run.run.id}, {"time", sample.world.time}}}});
-    document_["buffers"].push_back({{"byteLength", bytes_.size()}});
+    if (!bytes_.empty()) document_["buffers"].push_back({{"byteLength", bytes_.size()}});  // none may be empty
   }
 
   std::string file() const {
     std::string json = jsonText(document_);
     json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();  // the second chunk with its header
     std::string file;
     put32(file, std::uint32_t{0x46546C67});  // "glTF"
     put32(file, std::uint32_t{2});
-    put32(file, static_cast<std::uint32_t>(28 + json.size() + bytes_.size()));
+    put32(file, static_cast<std::uint32_t>(20 + json.size() + binary));
     put32(file, static_cast<std::uint32_t>(json.size()));
     put32(file, std::uint32_t{0x4E4F534A});  // "JSON"
     file += json;
+    if (binary == 0) return file;
     put32(file, static_cast<std::uint32_t>(bytes_.size()));
     put32(file, std::uint32_t{0x004E4942});  // "BIN"
     return file + bytes_;
@@ -138,6 +139,15 @@ class GltfWriter {
                                    {{"path", s.path.text()},
                                     {"state", run_.results.stateTexts.at(measures->state)},
                                     {"volume", orNull((*measures)["volume"])}}}});
+  }
+
+  /// Adds the parent of the first `cells` nodes and returns its number. The y axis points upwards in glTF, the z axis in
+  /// Morula: the parent's matrix, column by column, takes (x, y, z) to (x, z, -y) exactly.
+  std::size_t addRoot(std::size_t cells) {
+    Json root{{"name", run_.run.record.scenario}, {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}}};
+    for (std::size_t i = 0; i < cells; ++i) root["children"].push_back(i);
+    document_["nodes"].push_back(std::move(root));
+    return cells;
   }
 
   const ExportedRun& run_;

@@ -31,7 +31,7 @@ std::string commentValue(std::string_view text) {
 
 class NewickWriter {
  public:
-  explicit NewickWriter(const ExportedRun& run) : run_(run) {}
+  NewickWriter(const ExportedRun& run, bool comments) : run_(run), comments_(comments) {}
 
   /// The cell with all that descend from it. No deeper than CellPath::maxDepth.
   std::string subtree(const LineageEntry& cell) const {
@@ -42,19 +42,21 @@ class NewickWriter {
           text += (text.empty() ? "(" : ",") + subtree(run_.results.lineage[static_cast<std::size_t>(daughter)]);
     if (!text.empty()) text += ')';
     const double end = cell.fate == Fate::alive ? run_.run.time : cell.ended;
-    return text + label(run_.nameOf(cell)) + ':' + exactText(end - cell.born) +
-           "[&&NHX:path=" + (cell.path.isEgg() ? "egg" : cell.path.text()) + ":fate=" + name(cell.fate) +
+    text += label(run_.nameOf(cell)) + ':' + exactText(end - cell.born);
+    if (!comments_) return text;
+    return text + "[&&NHX:path=" + (cell.path.isEgg() ? "egg" : cell.path.text()) + ":fate=" + name(cell.fate) +
            ":state=" + commentValue(run_.results.stateTexts.at(cell.state)) + ']';
   }
 
  private:
   const ExportedRun& run_;
+  bool comments_;
 };
 
 }  // namespace
 
-std::string newickTree(const ExportedRun& run) {
-  const NewickWriter writer(run);
+std::string newickTree(const ExportedRun& run, bool comments) {
+  const NewickWriter writer(run, comments);
   std::vector<std::string> roots;
   for (const LineageEntry& cell : run.results.lineage)
     if (cell.path.isEgg() || run.cellNumber(cell.path.mother()) < 0) roots.push_back(writer.subtree(cell));

@@ -157,9 +157,12 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
     const auto found = std::ranges::find_if(samples, [&](const Sample& s) { return s.world.time >= time; });
     if (found != samples.end()) samples = {std::move(*found)};
   }
+  const bool oneTime = request.time || request.atEnd;
+  const bool any = std::ranges::any_of(samples, [](const Sample& s) { return !s.surfaces.empty(); });
+  // After the last cell has died a series goes on without surfaces.
   if (bodies && (request.wanted == Wanted::surfaces || request.time))
-    std::erase_if(samples, [](const Sample& s) { return s.surfaces.empty(); });
-  if (request.wanted == Wanted::surfaces && samples.empty())
+    std::erase_if(samples, [&](const Sample& s) { return s.surfaces.empty() && (oneTime || !s.cells.empty()); });
+  if (request.wanted == Wanted::surfaces && !any)
     throw UsageError(fmt::format("--format: run {} of {} has no living cell {}, and so no surfaces", run.id,
                                  run.record.scenario, request.time ? "then" : "at its end"));
   std::ranges::sort(out.results.lineage, {}, &LineageEntry::path);

@@ -22,7 +22,7 @@ namespace {
 std::string builtPart(const std::string& name) {
   if (const auto file = sharedFile(name)) return readFile(*file);
   throw FileError("playground: " + name + " is not there; " +
-                  (installation() ? "the installation does not have it" : "./morula wasm builds it"));
+                  (installation() ? "the installation does not have it" : "`./morula wasm` in the sources builds it"));
 }
 
 /// {name, summary, text, files: [[role, path, content]…]} of all that can be read.

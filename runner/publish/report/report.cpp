@@ -195,15 +195,16 @@ void findExplorer(ReportQuestion& question) {
   const auto file = sharedFile(question.rerun ? "explorer/rerun.js" : "explorer/explorer.js");
   if (file) question.program = readFile(*file);
   else
-    question.whyNone = installation() ? "the installation does not have it"
-                                      : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
+    question.whyNone =
+        installation() ? "the installation does not have it"
+                       : "`./morula report` in the sources builds it where Node.js and npm are (Debian: nodejs, npm)";
   if (!question.rerun) return;
   if (!file) throw FileError("report --rerun: the explorer of pages that run again is missing; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
   if (!module)
-    throw FileError(
-        std::string("report --rerun: the simulator for pages is not built; ") +
-        (installation() ? "the installation does not have it" : "./morula wasm builds it (Debian: emscripten)"));
+    throw FileError(std::string("report --rerun: the simulator for pages is not built; ") +
+                    (installation() ? "the installation does not have it"
+                                    : "`./morula wasm` in the sources builds it (Debian: emscripten)"));
   question.module = readFile(*module);
 }
 

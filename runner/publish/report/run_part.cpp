@@ -130,7 +130,8 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
   for (const RunFacts* run : runs) {
     const RunFacts& r = *run;
     const auto failed = std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
-    table.rows.push_back({titleOf(r), name(r.run.status), r.run.cells, number(r.run.time, 6),
+    table.rows.push_back({titleOf(r), name(r.run.status), r.run.cells,
+                          Cell(r.run.time, shownTime(r.scenario.units, r.run.time, 6)),
                           r.checks.empty() ? "none"
                           : failed ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
                                    : "all " + std::to_string(std::ranges::count_if(r.checks, wasCompared)) + " passed",

@@ -30,8 +30,8 @@ Database openStudy(const std::string& file) {
 }
 
 /// A chart a measure, each as wide as a telephone; what shapes and colours mean once.
-Document stripsDocument(const StudyComparison& c) {
-  SmallMultiples all = stripsOf(c);
+Document stripsDocument(const StudyComparison& c, const Units& units) {
+  SmallMultiples all = stripsOf(c, units);
   Document document, charts;
   document.note(all.words.caption);
   // Shapes as letters, so that colours are told apart in grey, too.
@@ -170,8 +170,10 @@ PagePart studyPart(const std::string& database) {
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "What the study finds", std::move(findings), {programWord() + " study compare " + file}});
-  part.sections.push_back(
-      {"strips", "Every value", stripsDocument(c), {programWord() + " study compare " + file + " -o strips.svg"}});
+  part.sections.push_back({"strips",
+                           "Every value",
+                           stripsDocument(c, unitsOf(c.results, database)),
+                           {programWord() + " study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(c);
   Downloads downloads;
   for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},

@@ -20,8 +20,12 @@ SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeN
   SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning};
   // Value by value: to look into an IN of several SQLite makes a table anew for each row, which takes as long as storing the row.
   std::string checks;
-  for (const std::string& word : wordsOf(field.oneOf))
+  const std::string names = field.oneOf;  // a name may be empty, as the first in " divided died"
+  for (std::size_t begin = 0, end = 0; !names.empty() && end != names.npos; begin = end + 1) {
+    end = names.find(' ', begin);
+    const std::string word = names.substr(begin, end == names.npos ? end : end - begin);
     checks += (checks.empty() ? "" : " OR ") + name + " = '" + word + "'";
+  }
   if (!checks.empty()) column.type += " CHECK (" + checks + ")";
   if (*field.refersTo) column.type += std::string(" REFERENCES ") + field.refersTo + " ON DELETE CASCADE";
   if (*field.unit) column.meaning += std::string(column.meaning.empty() ? "" : " ") + "[" + field.unit + "]";

@@ -68,7 +68,7 @@ SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeN
 template <class E>
 std::string namesToChoose() {
   std::string names;
-  for (const auto& row : choices<E>) names += (names.empty() ? "" : " ") + std::string(row.name);
+  for (const auto& row : choices<E>) names += (&row == &choices<E>.front() ? "" : " ") + std::string(row.name);
   return names;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/multiples.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
 
@@ -47,25 +46,18 @@ std::uint64_t Recorder::stepsUntilDue(const World& world) const {
   if (options_.hashEvery) steps = *options_.hashEvery - clock.step % *options_.hashEvery;
   if (!world.bodies) return steps;
   const auto at = [&](double time) { steps = std::min(steps, stepsUntil(clock, time)); };
-  if (options_.every) at(static_cast<double>(next_) * *options_.every);
-  if (options_.meshes) at(static_cast<double>(nextMeshes_) * *options_.meshes);
+  if (options_.every) at(*every_.next());
+  if (options_.meshes) at(*meshes_.next());
   if (nextAt_ < options_.meshesAt.size()) at(options_.meshesAt[nextAt_]);
   return steps;
 }
 
-bool Recorder::isDue(double time) const {
-  return options_.every ? time >= static_cast<double>(next_) * *options_.every : next_ == 0;
-}
-
-void Recorder::expectNext(double time) { next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1; }
-
 bool Recorder::surfacesAreDue(double time) const {
-  return (options_.meshes && time >= static_cast<double>(nextMeshes_) * *options_.meshes) ||
-         (nextAt_ < options_.meshesAt.size() && time >= options_.meshesAt[nextAt_]);
+  return meshes_.isDue(time) || (nextAt_ < options_.meshesAt.size() && time >= options_.meshesAt[nextAt_]);
 }
 
 void Recorder::expectNextSurfaces(double time) {
-  if (options_.meshes) nextMeshes_ = firstMultipleAfter(time, *options_.meshes);
+  meshes_.pass(time);
   while (nextAt_ < options_.meshesAt.size() && time >= options_.meshesAt[nextAt_]) ++nextAt_;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/multiples.h"
 #include "store/records.h"
 
 namespace morula {
@@ -37,7 +38,11 @@ class Recorder {
   /// one it stays here until `take`.
   /// `enough` [byte]: it goes when it is so much.
   explicit Recorder(RecordOptions options = {}, RecordSink sink = {}, double enough = 1 << 20)
-      : options_(std::move(options)), sink_(std::move(sink)), enough_(enough) {}
+      : options_(std::move(options)),
+        sink_(std::move(sink)),
+        enough_(enough),
+        every_(options_.every),
+        meshes_(options_.meshes) {}
 
   /// Call once after makeWorld and once after every step. Costs two comparisons unless something is due; a
   /// sample is taken at the first step at or after its time and carries the time of that step.
@@ -79,8 +84,8 @@ class Recorder {
   void pour();
   void add(Sample sample);
   void add(ChainLink link);
-  bool isDue(double time) const;
-  void expectNext(double time);
+  bool isDue(double time) const { return options_.every ? every_.isDue(time) : isAtStart_; }
+  void expectNext(double time) { every_.pass(time), isAtStart_ = false; }
   bool surfacesAreDue(double time) const;
   void expectNextSurfaces(double time);
   /// True if `cells` is a number to look for, or more, for the first time.
@@ -91,12 +96,11 @@ class Recorder {
   RecordOptions options_;
   RecordSink sink_;
   double enough_;
-  std::uint64_t next_ = 0;        // number of the next due sample: due at time next_·every; without `every` only
-                                  // number 0 is ever due
-  std::uint64_t nextMeshes_ = 0;  // the same of `meshes`
-  std::size_t nextAt_ = 0;        // of meshesAt
-  std::size_t reached_ = 0;       // of atCells
-  std::size_t divisions_ = 0;     // that have been seen
+  Schedule every_, meshes_;    // when samples, and samples with surfaces, are due
+  bool isAtStart_ = true;      // no sample has been taken
+  std::size_t nextAt_ = 0;     // of meshesAt
+  std::size_t reached_ = 0;    // of atCells
+  std::size_t divisions_ = 0;  // that have been seen
   bool sampled_ = false;
   double bytes_ = 0;
   RunResults results_;

@@ -1,16 +1,6 @@
 #include "store/run_tables.h"
 
-#include <mutex>
-#include <set>
-
 namespace morula {
-
-const char* lasting(const std::string& text) {
-  static std::mutex mutex;
-  static std::set<std::string> texts;
-  const std::lock_guard lock(mutex);
-  return texts.insert(text).first->c_str();
-}
 
 const std::vector<const SqlTable*>& runTables() {
   static const std::vector<const SqlTable*> tables{

@@ -198,8 +198,6 @@ inline constexpr TableInfo tableInfo<ConnectionRecord> = {
     .key = "run_id, number",
     .csv = "connections",
     .why = "every connection that was ever made, in a scene with connections"};
-/// A copy of the text that lives as long as the program.
-const char* lasting(const std::string& text);
 template <IsA<ConnectionRecord> T>
 void listFields(T& connection, auto&& field) {
   auto& [a, b, made, released, cause] = connection;
@@ -207,9 +205,7 @@ void listFields(T& connection, auto&& field) {
   field({"b"}, b);
   field({"made", "", "time"}, made);
   field({"released", "NULL while it holds", "time"}, NullIf{released < 0, released});
-  field({"cause", "of the release: '', divided, died, distance, gene"},
-        TextOf{[&] { return std::string(connection.cause); },
-               [&](const auto& text) { connection.cause = lasting(text); }});
+  field({"cause", "why it was released; '' while it holds"}, cause);
 }
 
 template <>

@@ -75,7 +75,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   if (!checked) leaveOut(c, "check_result", "the run was not checked");
   if (elsewhere > 0)
     c.notCompared.push_back(
-        fmt::format("check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
+        fmt::format("check_result: {} of kind golden or bullet, which depend on data that is not stored", elsewhere));
   for (const TableContents& t : stored.contents(runTables(), before.id))
     if (t.table == "bullet_sample" && t.rows > 0) c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }

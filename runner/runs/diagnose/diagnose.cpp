@@ -262,7 +262,8 @@ std::string describe(const FailureFindings& found, const Kept& from, const BodyF
     return text + (failure.timeStep > 0 ? "; " + failure.remedy : ": use it");
   }
   if (found.cutShort)
-    return text + (text.empty() ? "" : "; ") + "no more was tried, for it takes too long; " + failure.remedy;
+    return text + (text.empty() ? "" : "; ") + "no more was tried: the limit of the diagnosis was reached; " +
+           failure.remedy;
   return text + (text.empty() ? "nothing could be tried; " : "; ") + failure.remedy;
 }
 

@@ -23,8 +23,8 @@ constexpr std::uint64_t mostStepsAtOnce = 64;
 
 /// The number of steps until the recorder or a hook needs the world.
 std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunOptions& hooks) {
-  if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
+  if (hooks.watch) steps = std::min(steps, hooks.stepsUntilWatch ? hooks.stepsUntilWatch(world) : 1);
   if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
   return steps;
 }

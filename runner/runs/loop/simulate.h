@@ -56,6 +56,8 @@ struct RunOptions {
   RecordSink sink = {};
   /// Sees the world at the start and after every step.
   std::function<void(const World&)> watch = {};
+  /// The number of steps after which `watch` needs to see the world again, at least 1; without it, every step.
+  std::function<std::uint64_t(const World&)> stepsUntilWatch = {};
   /// Keeps what the run can be resumed from: every so many steps (0: never), and when a signal ends the run.
   std::function<void(const World&, const Recorder&)> keep = {};
   std::uint64_t keepEvery = 0;

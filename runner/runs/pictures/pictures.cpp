@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <set>
 
 #include "base/error.h"
-#include "base/multiples.h"
 #include "document/words.h"
 #include "drawing/png_file.h"
 #include "files/folders.h"
@@ -150,11 +150,16 @@ ComparisonImages imagesBesideBullet(const World& world, const std::vector<std::v
 }
 
 void FrameCollector::observe(const World& world) {
-  if (!every_ || !world.bodies) return;
-  const bool due = world.clock.time >= static_cast<double>(next_) * *every_;
+  if (!isOn_ || !world.bodies) return;
+  const bool due = due_.isDue(world.clock.time);
   if (!reaches(world.cells.path.size()) && !due) return;
   frames_.push_back(pictureOf(world, scenario_));
-  if (due) expectNext(world.clock.time);
+  if (due) due_.pass(world.clock.time);
+}
+
+std::uint64_t FrameCollector::stepsUntilDue(const World& world) const {
+  // The number of cells changes only with the last of several steps that are made at once.
+  return world.bodies && isOn_ ? stepsUntil(world.clock, *due_.next()) : std::numeric_limits<std::uint64_t>::max();
 }
 
 bool FrameCollector::reaches(std::size_t cells) {
@@ -164,15 +169,13 @@ bool FrameCollector::reaches(std::size_t cells) {
   return reached_ > before;
 }
 
-void FrameCollector::expectNext(double time) { next_ = firstMultipleAfter(time, *every_); }
-
 void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
-  if (!every_ || !world.bodies) return;
+  if (!isOn_ || !world.bodies) return;
   for (const std::string& bytes : kept) {
     frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
     reaches(frames_.back().cells.size());
   }
-  expectNext(world.clock.time);
+  due_.pass(world.clock.time);
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/multiples.h"
 #include "comparison/comparison.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
@@ -49,19 +50,21 @@ ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::ve
 /// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
 class FrameCollector {
  public:
-  FrameCollector(const Scenario& scenario, std::optional<double> every) : scenario_(scenario), every_(every) {}
+  FrameCollector(const Scenario& scenario, std::optional<double> every)
+      : scenario_(scenario), isOn_(every.has_value()), due_(every) {}
   void observe(const World& world);
+  /// The number of steps, at least 1, after which `observe` may have something to do.
+  std::uint64_t stepsUntilDue(const World& world) const;
   /// Goes on with the frames that were kept (frame_file.h) when the world was stopped.
   void resume(const World& world, const std::vector<std::string>& kept);
   std::vector<OrganismPicture>& frames() { return frames_; }
 
  private:
-  void expectNext(double time);
   bool reaches(std::size_t cells);
 
   const Scenario& scenario_;
-  std::optional<double> every_;
-  std::uint64_t next_ = 0;   // number of the next due frame: due at time next_·every
+  bool isOn_;  // frames are kept
+  Schedule due_;
   std::size_t reached_ = 0;  // of record.atCells
   std::vector<OrganismPicture> frames_;
 };

@@ -228,12 +228,14 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
                      .watch = checks.watch(),
                      .keep = keep,
                      .keepEvery = settings.checkpointEvery};
-  // With `watch` every step is shown; without it isolated cells may make many steps at once.
-  if (scenario.record.pictures)
+  if (settings.draw && scenario.record.pictures) {
+    // Checks see every step. Frames alone leave isolated cells to make many steps at once.
+    if (!options.watch) options.stepsUntilWatch = [&frames](const World& w) { return frames.stepsUntilDue(w); };
     options.watch = [&frames, others = options.watch](const World& w) {
       frames.observe(w);
       if (others) others(w);
     };
+  }
   CheckedRun ended = checks.of(simulate(std::move(world), std::move(recorder), options, outcome.resumedAt.has_value()));
   Simulation& run = ended.run;
   run.passed = std::move(passed), run.passedTables = std::move(passedTables);

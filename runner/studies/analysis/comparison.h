@@ -11,6 +11,7 @@
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
 #include "statistics/means.h"
+#include "values/units.h"
 
 namespace morula {
 
@@ -132,7 +133,8 @@ std::string toCsv(const StudyComparison& comparison);
 
 /// A panel a measure: all values of each condition, their mean and its interval; then, where there are time courses, a panel a
 /// measure of the means over time. The first axis that is compared is told by colour and shape, the others by words.
-SmallMultiples stripsOf(const StudyComparison& comparison);
+/// `units`: in which numbers are shown.
+SmallMultiples stripsOf(const StudyComparison& comparison, const Units& units = {});
 
 /// Replaces the lines `statistic` of the scenarios' goldens: of each measure the difference of the first level of the axis that is
 /// compared, the scenario's own settings, from each other level. `study`: the merged database, and `results` what it holds; of

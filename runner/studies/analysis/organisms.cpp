@@ -59,8 +59,8 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
   };
   const auto watch = [&](const World& world) {
     while (tiles.size() < wanted && isReached(world))
-      take(world,
-           counted(world.cells.path.size(), "cell") + (cells.empty() ? "" : ", time " + numberText(world.clock.time)));
+      take(world, counted(world.cells.path.size(), "cell") +
+                      (cells.empty() ? "" : ", time " + shownTime(scenario.units, world.clock.time)));
   };
   const auto run = simulate(scenario, Execution{}, {.quiet = quiet, .watch = watch});
   if (run.signal) throw Interrupted{run.signal};
@@ -71,7 +71,7 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
                                   " when the study was made, and now comes to " + hash +
                                   "; was it made by another build?",
                               task.runId, task.stateHash, hash);
-  const std::string time = numberText(run.end.time);
+  const std::string time = shownTime(scenario.units, run.end.time);
   if (tiles.size() < wanted) take(run.world, counted(run.end.cells, "cell") + " at the end, time " + time);
   while (tiles.size() < wanted) tiles.push_back({{{}, true, "ended at time " + time}});
   return tiles;
@@ -151,6 +151,20 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments) 
   return {};
 }
 
+Units unitsOf(const StudyResults& results, const std::filesystem::path& study) {
+  const auto axis = std::ranges::find(results.axes, "base", &ResultAxis::name);
+  std::map<std::size_t, Units> ofBases;
+  for (const ResultCondition& condition : results.conditions) {
+    const std::size_t base =
+        axis == results.axes.end() ? 0 : condition.levels[static_cast<std::size_t>(axis - results.axes.begin())];
+    if (ofBases.contains(base)) continue;
+    const auto task = std::ranges::find_if(condition.tasks, [&](std::size_t t) { return results.isDone(t); });
+    if (task != condition.tasks.end()) ofBases[base] = storedScenario(study.string(), results.tasks[*task].runId).units;
+  }
+  const std::vector<std::pair<std::size_t, Units>> all(ofBases.begin(), ofBases.end());
+  return unitsOfAll(all, [](const auto& one) { return one.second; });
+}
+
 std::optional<StoredPictures> storedPictures(const StudyResults& results, const std::filesystem::path& study) {
   const StudyFolder folder(study.parent_path());
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
@@ -188,7 +202,9 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
   if (spread) grid.columns = results.axes.back().labels;
   else if (ends) grid.columns = {"the end"};
   for (const std::size_t n : moments.cells) grid.columns.push_back(counted(n, "cell"));
-  for (const double t : times) grid.columns.push_back("time " + numberText(t));
+  const Units units = unitsOf(results, study);
+  if (!units.length.empty()) grid.lengthUnit = units.length, grid.perLength = units.perLength;
+  for (const double t : times) grid.columns.push_back("time " + shownTime(units, t));
   std::map<std::size_t, std::vector<TakenTile>> known;  // by task: conditions may share runs
   std::vector<TakenTile> all;
   std::optional<Scenario> first;

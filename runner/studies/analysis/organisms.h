@@ -8,6 +8,7 @@
 
 #include "analysis/study_results.h"
 #include "drawing/drawing.h"
+#include "values/units.h"
 #include "views/cell_colours.h"
 
 namespace morula {
@@ -32,6 +33,10 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
 
 /// Why drawOrganisms refuses these conditions and moments; "" if it does not.
 std::string whyTooMany(const StudyResults& results, const GridMoments& moments);
+
+/// The units in which people see the study's lengths and times: those of its scenarios, or the scenes' own where scenarios
+/// differ or no run has finished. `study`: the merged database.
+Units unitsOf(const StudyResults& results, const std::filesystem::path& study);
 
 struct StoredPictures {
   std::size_t seed = 0;  // its number in the study

@@ -34,9 +34,11 @@ std::string labelOf(const StudyComparison& c, std::size_t condition) {
   return join(labels);
 }
 
-Panel stripsOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{titleOfMeasure(c.measureName(measure)), {}, {}};
-  panel.counts = true;
+Panel stripsOf(const StudyComparison& c, std::size_t measure, const Units& units) {
+  const std::string& name = c.measureName(measure);
+  const double factor = shownUnit(units, unitOfMeasure(name)).factor;
+  Panel panel{titleOfMeasure(name, units), {}, {}};
+  panel.counts = factor == 1;
   std::map<std::string, std::vector<Strip>> byLabel;
   std::vector<std::string> order;  // of labels
   for (const ConditionSummary& s : c.conditions) {
@@ -44,8 +46,10 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure) {
     for (const double v : s.values) panel.counts = panel.counts && v == std::floor(v);
     const std::string label = labelOf(c, s.condition);
     const std::size_t level = colourLevel(c, s.condition);
-    Strip strip{label, seriesColour(level), s.values, s.mean, {}, seriesMarker(level)};
-    if (s.interval) strip.interval = {s.interval->low, s.interval->high};
+    std::vector<double> values = s.values;
+    for (double& value : values) value *= factor;
+    Strip strip{label, seriesColour(level), std::move(values), factor * s.mean, {}, seriesMarker(level)};
+    if (s.interval) strip.interval = {factor * s.interval->low, factor * s.interval->high};
     if (!byLabel.contains(label)) order.push_back(label);
     byLabel[label].push_back(std::move(strip));
   }
@@ -54,14 +58,16 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure) {
   return panel;
 }
 
-Panel coursesOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{titleOfMeasure(c.measureName(measure)) + " over time", {}, {}, "time"};
+Panel coursesOf(const StudyComparison& c, std::size_t measure, const Units& units) {
+  const std::string& name = c.measureName(measure);
+  const double factor = shownUnit(units, unitOfMeasure(name)).factor, perTime = shownUnit(units, "time").factor;
+  Panel panel{titleOfMeasure(name, units) + " over time", {}, {}, timeLabel(units)};
   for (const TimeCourse& course : c.courses) {
     if (course.measure != measure) continue;
     PanelLine line{seriesColour(colourLevel(c, course.condition)), {}};
     for (const auto& p : course.points) {
-      line.points.push_back({p.time, p.mean});
-      if (p.interval) line.intervals.push_back({p.interval->low, p.interval->high});
+      line.points.push_back({perTime * p.time, factor * p.mean});
+      if (p.interval) line.intervals.push_back({factor * p.interval->low, factor * p.interval->high});
     }
     if (line.intervals.size() != line.points.size()) line.intervals.clear();
     panel.lines.push_back(std::move(line));
@@ -71,7 +77,7 @@ Panel coursesOf(const StudyComparison& c, std::size_t measure) {
 
 }  // namespace
 
-SmallMultiples stripsOf(const StudyComparison& c) {
+SmallMultiples stripsOf(const StudyComparison& c, const Units& units) {
   SmallMultiples chart;
   chart.words.title = c.results.name;
   chart.words.caption =
@@ -80,10 +86,10 @@ SmallMultiples stripsOf(const StudyComparison& c) {
     for (std::size_t l = 0; l < c.results.axes[*axis].labels.size(); ++l)
       chart.words.legend.push_back(
           {seriesColour(l), c.results.axes[*axis].name + ": " + c.results.axes[*axis].labels[l], seriesMarker(l)});
-  for (const std::size_t m : c.measures) chart.panels.push_back(stripsOf(c, m));
+  for (const std::size_t m : c.measures) chart.panels.push_back(stripsOf(c, m, units));
   for (const std::size_t m : c.measures)
     if (std::ranges::any_of(c.courses, [&](const TimeCourse& course) { return course.measure == m; }))
-      chart.panels.push_back(coursesOf(c, m));
+      chart.panels.push_back(coursesOf(c, m, units));
   return chart;
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("What is released pulls no more; forces add to those that are there") 
   Scene s({{}, {2, 0, 0}, {0, 3, 0}});
   connect(s.connections, paths[0], paths[1], 0);
   connect(s.connections, paths[0], paths[2], 0);
-  release(s.connections, paths[0], paths[1], 1, "gene");
+  release(s.connections, paths[0], paths[1], 1, ReleaseCause::gene);
   addConnectionForces(s.connections, paths, s.lab.bodies);
   addConnectionForces(s.connections, paths, s.lab.bodies);
   CHECK(norm(s.lab.forceOn(0) - Vector{0, 0.4, 0}) < 1e-13);

@@ -29,18 +29,18 @@ TEST_CASE("A connection holds both ways round and is recorded once, the smaller 
   CHECK(c.history[0].b == cell("B"));
   CHECK(c.history[0].made == 1.5);
   CHECK(c.history[0].released < 0);
-  CHECK(std::string(c.history[0].cause) == "");
+  CHECK(c.history[0].cause == ReleaseCause::none);
 }
 
 TEST_CASE("A released connection stays on record, with time and cause; a new one is a new record") {
   Connections c;
   connect(c, cell("A"), cell("B"), 1);
-  release(c, cell("B"), cell("A"), 2, "gene");
+  release(c, cell("B"), cell("A"), 2, ReleaseCause::gene);
   CHECK_FALSE(areConnected(c, cell("A"), cell("B")));
-  release(c, cell("A"), cell("B"), 3, "died");  // of what does not hold: nothing
+  release(c, cell("A"), cell("B"), 3, ReleaseCause::died);  // of what does not hold: nothing
   REQUIRE(c.history.size() == 1);
   CHECK(c.history[0].released == 2);
-  CHECK(std::string(c.history[0].cause) == "gene");
+  CHECK(c.history[0].cause == ReleaseCause::gene);
   connect(c, cell("A"), cell("B"), 4);
   REQUIRE(c.history.size() == 2);
   CHECK(c.history[1].made == 4);
@@ -54,12 +54,12 @@ TEST_CASE("Partners come in order of their paths, and a cell that dies loses the
   CHECK(partnersOf(c, "AB") == std::vector<std::string>{"A", "BAA", "BAB", "BB"});
   CHECK(partnersOf(c, "BAA") == std::vector<std::string>{"AB"});
   CHECK(partnersOf(c, "BBB").empty());
-  releaseAll(c, cell("AB"), 7, "died");
+  releaseAll(c, cell("AB"), 7, ReleaseCause::died);
   CHECK(partnersOf(c, "AB").empty());
   CHECK(partnersOf(c, "A") == std::vector<std::string>{"BB"});
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(c.history[i].released == 7);
-    CHECK(std::string(c.history[i].cause) == "died");
+    CHECK(c.history[i].cause == ReleaseCause::died);
   }
 }
 

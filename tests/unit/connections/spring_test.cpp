@@ -77,7 +77,7 @@ TEST_CASE("No cell gets more connections than it may have, and room is made by a
   CHECK_FALSE(areConnected(c, cell("BA"), cell("BB")));
   connect(c, cell("AA"), cell("BB"), 0);  // holds already
   CHECK(c.history.size() == 3);
-  release(c, cell("AA"), cell("BA"), 1, "age");
+  release(c, cell("AA"), cell("BA"), 1, ReleaseCause::age);
   connect(c, cell("AA"), cell("A"), 2);
   CHECK(areConnected(c, cell("AA"), cell("A")));
 }

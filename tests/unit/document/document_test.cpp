@@ -41,7 +41,7 @@ TEST_CASE("A column that is declared once stands in every form, under its name t
   CHECK(markdownOf(table) == "| Cell | Volume | Pressure |\n|---|---|---|\n| AB | 4.19 | |\n| P1 | 12.5 | 0.25 |\n");
   CHECK_THAT(html(Document().add(table)),
              ContainsSubstring("<th scope=\"col\">Volume</th>") &&
-                 ContainsSubstring("<tr><th scope=\"row\">AB</th><td>4.19</td><td></td></tr>"));
+                 ContainsSubstring("<tr><th scope=\"row\">AB</th><td class=\"number\">4.19</td><td></td></tr>"));
 }
 
 TEST_CASE("Letters count, not bytes, and a column of words stands at the left") {

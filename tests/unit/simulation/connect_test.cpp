@@ -36,7 +36,7 @@ TEST_CASE("The plane decides: a connection goes to the daughter on the other cel
   // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
-  CHECK(std::string(world.connections->history[0].cause) == "divided");
+  CHECK(world.connections->history[0].cause == ReleaseCause::divided);
   CHECK(world.connections->history[0].released == world.lineage.entries[1].ended);
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("What both keep is released where the cells are too far apart, and the
   CHECK(left.count("BA-BB") == 1);
   CHECK(left.count("AA-BB") == 0);
   int byDistance = 0;
-  for (const ConnectionRecord& r : world.connections->history) byDistance += std::string(r.cause) == "distance";
+  for (const ConnectionRecord& r : world.connections->history) byDistance += r.cause == ReleaseCause::distance;
   CHECK(byDistance >= 1);
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("By gene: a release ends what division made") {
   CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
   runTo(world, 2.02);
   CHECK(pairsOf(world) == none);
-  CHECK(std::string(world.connections->history[0].cause) == "gene");
+  CHECK(world.connections->history[0].cause == ReleaseCause::gene);
 }
 
 TEST_CASE("A cell that dies is released from all") {
@@ -156,7 +156,7 @@ TEST_CASE("A cell that dies is released from all") {
                             2.02);
   CHECK(pathsOf(world) == std::vector<std::string>{"B"});
   CHECK(pairsOf(world) == none);
-  CHECK(std::string(world.connections->history[0].cause) == "died");
+  CHECK(world.connections->history[0].cause == ReleaseCause::died);
   CHECK(world.connections->history[0].released == Approx(2).margin(0.02));
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("A change of any field changes the hash, and no two changes give the s
       {"a cell is gone", [](World& w) { w.cells.path.pop_back(); }},
       {"a connection's time", [](World& w) { nudge(w.connections->history[0].made); }},
       {"a connection's end", [](World& w) { nudge(w.connections->history[0].released); }},
-      {"its cause", [](World& w) { w.connections->history[0].cause = "another"; }},
+      {"its cause", [](World& w) { w.connections->history[0].cause = ReleaseCause::gene; }},
       {"its cell", [](World& w) { w.connections->history[0].a = CellPath::parse("BBBB"); }},
       {"its other cell", [](World& w) { w.connections->history[0].b = CellPath::parse("BBBB"); }},
       {"a connection is gone", [](World& w) { w.connections->history.pop_back(); }},
@@ -108,7 +108,8 @@ TEST_CASE("A change shows in the part where it was made, and in no other") {
   CHECK(cellsThatChange([](World& w) { nudge(w.bodies->velocity[w.bodies->at(1, 7)]); }, false, false, false) ==
         Cells{1});
   CHECK(cellsThatChange([](World& w) { w.cells.state[0] = w.cells.state[1]; }, false, false, false) == Cells{0});
-  CHECK(cellsThatChange([](World& w) { w.connections->history[0].cause = "x"; }, false, true, false) == Cells{});
+  CHECK(cellsThatChange([](World& w) { w.connections->history[0].cause = ReleaseCause::age; }, false, true, false) ==
+        Cells{});
   CHECK(cellsThatChange([](World& w) { nudge(w.lineage.entries[2].born); }, false, false, true) == Cells{});
 }
 

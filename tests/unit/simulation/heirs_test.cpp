@@ -97,20 +97,20 @@ TEST_CASE("A connection ends by age and by tension, and the cause is on record")
     connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
     const double end = 0.2;
     runTo(world, end);
-    return std::pair{std::string(world.connections->history[0].cause), world.connections->history[0].released};
+    return std::pair{world.connections->history[0].cause, world.connections->history[0].released};
   };
   ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane);
-  CHECK(causeAfter(p, 2.5).first == "");
+  CHECK(causeAfter(p, 2.5).first == ReleaseCause::none);
   p.releaseAge = 0.1;
-  CHECK(causeAfter(p, 2.5).first == "age");
+  CHECK(causeAfter(p, 2.5).first == ReleaseCause::age);
   CHECK(causeAfter(p, 2.5).second == Approx(0.1).margin(0.01));
   p.strength.reset();
   p.releaseAge.reset();
   p.spring = ConnectionSpring{2, 1};
   p.releaseTension = 1;  // radii are near 0.95: at rest at 1.9
-  CHECK(causeAfter(p, 2.2).first == "");
-  CHECK(causeAfter(p, 2.6).first == "tension");
-  CHECK(causeAfter(p, 1.2).first == "");  // pushed
+  CHECK(causeAfter(p, 2.2).first == ReleaseCause::none);
+  CHECK(causeAfter(p, 2.6).first == ReleaseCause::tension);
+  CHECK(causeAfter(p, 1.2).first == ReleaseCause::none);  // pushed
 }
 
 TEST_CASE("A cell may have so many connections that the sisters' own is left out, which comes last") {

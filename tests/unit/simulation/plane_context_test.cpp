@@ -53,7 +53,7 @@ TEST_CASE("a cell knows whom it is connected to, by path") {
   CHECK(held[0] == &now.cell(1));
   CHECK(held[1] == &now.cell(2));
   CHECK(now.cell(2).connected().size() == 1);
-  release(*world.connections, path(1), path(0), 1, "gene");
+  release(*world.connections, path(1), path(0), 1, ReleaseCause::gene);
   CHECK(Observation(world).cell(1).connected().empty());
   CHECK(Observation(makeWorld(quiet())).cell(0).connected().empty());
 }

@@ -64,8 +64,8 @@ inline RunResults exampleResults() {
   contact.b = CellPath::parse("B");
   contact["area"] = 0.7;
   r.samples = {start, later};
-  r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, "died"},
-                   {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ""}};
+  r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, ReleaseCause::died},
+                   {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ReleaseCause::none}};
   r.timeSteps = {{0, 0, 0.00048828125}, {1.0 / 3, 683, 0.000244140625}};
   r.divisions = {{{}, 1.0 / 3, 683, {0.6, -0.8, 1e-17}, 0.58, 1.0000000000000002},
                  {CellPath::parse("A"), 0.1 + 0.2, 700, {0, 0, 1}, 0.5, {}}};

@@ -114,7 +114,7 @@ TEST_CASE("every table comes back") {
     REQUIRE(out.connections[i].b == in.connections[i].b);
     REQUIRE(sameBits(out.connections[i].made, in.connections[i].made));
     REQUIRE(sameBits(out.connections[i].released, in.connections[i].released));
-    REQUIRE(std::string(out.connections[i].cause) == in.connections[i].cause);
+    REQUIRE(out.connections[i].cause == in.connections[i].cause);
   }
   REQUIRE(out.timeSteps == in.timeSteps);
   REQUIRE(out.divisions == in.divisions);
