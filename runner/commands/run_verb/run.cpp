@@ -147,9 +147,7 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
 
 int exitCodeOf(const RunOutcome& outcome) {
   if (outcome.end.status == RunStatus::killed) return signalled + outcome.signal;
-  if (outcome.end.status == RunStatus::failed) return numerical;
-  if (outcome.checks && !outcome.checks->passed()) return differs;
-  return outcome.isSane().value_or(true) ? fine : differs;
+  return exitCodeOfRun(outcome.state());
 }
 
 int act(const RunOptions& options) {
