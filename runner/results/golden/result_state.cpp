@@ -103,6 +103,16 @@ std::string StateCounts::text() const {
   return join(parts);
 }
 
+Json StateCounts::json() const {
+  Json json = Json::object();
+  for (const ResultState state : valuesOf<ResultState>()) {
+    std::string key = nameOf(state);
+    std::ranges::replace(key, ' ', '_');
+    json[key] = of(state);
+  }
+  return json;
+}
+
 std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& allowed,
                                   const std::array<std::string, choices<ResultState>.size()>& why) {
   std::vector<CheckResult> checks;

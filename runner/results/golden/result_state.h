@@ -10,6 +10,7 @@
 #include "base/choice.h"
 #include "golden/check_result.h"
 #include "system/exit_codes.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -63,6 +64,8 @@ class StateCounts {
   ResultState worst(const AllowedRuns& allowed = {}) const;
   /// "18 fine, 1 not sane, 1 failed": the states that occur.
   std::string text() const;
+  /// {"fine": 18, "not_sane": 1, …}: all states.
+  Json json() const;
 
  private:
   std::array<std::size_t, choices<ResultState>.size()> counts_{};
