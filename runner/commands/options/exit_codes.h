@@ -1,19 +1,4 @@
 #pragma once
-// What the program tells its caller by a number.
+// What the program tells its caller by a number, and the error of a wrong command line.
+#include "system/exit_codes.h"
 #include "system/usage_error.h"
-
-namespace morula::cli {
-
-enum ExitCode : int {
-  fine = 0,
-  differs = 1,     // a check differs
-  usage = 2,       // the command line is wrong
-  input = 3,       // a scenario or other input is wrong
-  numerical = 4,   // the physics could not go on
-  incomplete = 5,  // a study whose runs are not all there
-  file = 6,        // a file or database cannot be read or written
-  bug = 70,        // ours
-  signalled = 128  // + the signal's number: 130, 143
-};
-
-}  // namespace morula::cli

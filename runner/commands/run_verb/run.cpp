@@ -147,10 +147,9 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
 
 int exitCodeOf(const RunOutcome& outcome, const RunSettings& settings) {
   if (outcome.end.status == RunStatus::killed) return signalled + outcome.signal;
-  if (outcome.end.status == RunStatus::failed) return numerical;
-  if (outcome.database != settings.database) return file;  // it is not where it was asked for
-  if (outcome.checks && !outcome.checks->passed()) return differs;
-  return outcome.isSane().value_or(true) ? fine : differs;
+  const auto code = exitCodeOfRun(outcome.state());
+  // A run that is fine is not where it was asked for.
+  return code == fine && outcome.database != settings.database ? file : code;
 }
 
 int act(const RunOptions& options) {

@@ -4,6 +4,7 @@
 
 #include "analysis/comparison.h"
 #include "analysis/organisms.h"
+#include "analysis/study_state.h"
 #include "analysis/tidy.h"
 #include "base/error.h"
 #include "charts/small_multiples.h"
@@ -82,6 +83,10 @@ int act(const CompareCommand& command) {
     return fine;
   }
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
+  const bool hasFile = isStudyFile(command.what[0]);
+  const Study now = hasFile ? loadStudy(command.what[0]) : Study{};
+  const StudyState state = stateOf(comparison.results, hasFile ? now.allowed : comparison.results.allowed,
+                                   hasFile ? differenceFrom(file, now) : PlanDifference{});
   if (const std::string why = whyTooMany(comparison.results, moments); !why.empty() && !command.organisms.empty())
     throw UsageError("--pictures: " + why);
   if (!command.intoGolden.empty()) writeIntoGoldens(comparison.results, command.options, file, command.intoGolden);
@@ -104,6 +109,7 @@ int act(const CompareCommand& command) {
     print(toCsv(comparison));
   } else if (command.output.json) {
     Json json = toJson(comparison);
+    json.update(toJson(state));
     if (!pictures.empty()) json["pictures"] = pictures;
     printJson(json);
   } else {
@@ -111,7 +117,9 @@ int act(const CompareCommand& command) {
     for (const std::string& picture : pictures) text += "\npicture  " + picture;
     print(text + (pictures.empty() ? "" : "\n"));
   }
-  return fine;
+  if (const std::string counts = countsInWords(state); !counts.empty())
+    tell(counts + '\n' + linesOf(state), command.output.quiet);
+  return exitCodeOf(state.worst());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "analysis/claims.h"
 #include "analysis/comparison.h"
+#include "analysis/study_state.h"
 #include "base/error.h"
 #include "files/content.h"
 #include "files/folders.h"
@@ -24,9 +25,9 @@ struct CheckCommand {
   OutputOptions output;
 };
 
-/// For what continuous integration reads.
-CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings) {
-  CheckReport report{study.name, {}};
+/// The claims and the states of the runs, for continuous integration.
+CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings, const StudyState& state) {
+  CheckReport report{study.name, checksOf(state, study.file)};
   for (const ClaimFinding& f : findings)
     report.results.push_back(judged({.check = f.claim, .kind = "claim", .expected = f.claim, .actual = f.found},
                                     f.holds, study.file + ':' + std::to_string(f.place.line) + ": " + f.found,
@@ -34,11 +35,13 @@ CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findin
   return report;
 }
 
-Json toJson(const Study& study, const std::vector<ClaimFinding>& findings, std::size_t missing) {
+Json toJson(const Study& study, const std::vector<ClaimFinding>& findings, const StudyState& state) {
   Json claims = Json::array();
   for (const ClaimFinding& f : findings)
     claims.push_back({{"claim", f.claim}, {"holds", f.holds}, {"found", f.found}, {"line", f.place.line}});
-  return {{"study", study.name}, {"missing", missing}, {"claims", claims}};
+  Json json{{"study", study.name}, {"missing", state.counts.of(ResultState::missing)}, {"claims", claims}};
+  json.update(toJson(state));
+  return json;
 }
 
 int act(const CheckCommand& command) {
@@ -50,31 +53,34 @@ int act(const CheckCommand& command) {
                      ": check: there are no claims to hold against the results; write some, as check: "
                      "[{measure: clone-radius, a: {division: longest}, b: {division: random}, says: lower}]");
   const StudyResults results = readStudyResults(database);
-  const auto findings = findClaims(results, study);
+  const StudyState state = stateOf(results, study.allowed, isFile ? differenceFrom(database, study) : PlanDifference{});
+  // Claims on other axes than the results have cannot be held against them: the results are stale.
+  const auto findings = state.counts.of(ResultState::stale) && !canHold(results, study) ? std::vector<ClaimFinding>{}
+                                                                                        : findClaims(results, study);
   const auto hold = std::size_t(std::ranges::count(findings, true, &ClaimFinding::holds));
-  const auto missing = std::size_t(std::ranges::count(results.tasks, "missing", &ResultTask::status));
-  std::string text = study.name + ": " + std::to_string(hold) + " of " + counted(findings.size(), "claim") +
+  std::string text = study.name + ": " + std::to_string(hold) + " of " + counted(study.claims.size(), "claim") +
                      (hold == 1 ? " holds\n" : " hold\n");
   for (const ClaimFinding& f : findings)
     text += (f.holds ? "  ok    " : "  FAIL  ") + f.claim + "\n        " + f.found + '\n';
-  if (missing) text += "  " + counted(missing, "run") + " of " + std::to_string(results.tasks.size()) + " missing\n";
-  printEither(command.output, toJson(study, findings, missing), text);
-  const std::vector<CheckReport> reports{reportOf(study, findings)};
+  if (const std::string counts = countsInWords(state); !counts.empty()) text += "  " + counts + '\n' + linesOf(state);
+  printEither(command.output, toJson(study, findings, state), text);
+  const std::vector<CheckReport> reports{reportOf(study, findings, state)};
   if (const std::filesystem::path folder = command.reports; !folder.empty()) {
     makeFolder(folder);
     writeFile(folder / "junit.xml", junitXml(reports), Content::report);
     writeFile(folder / "summary.md", summaryPage(reports), Content::report);
   }
   tellWorkflow(reports, command.output.json);
-  return hold < findings.size() ? differs : missing ? incomplete : fine;
+  return exitCodeOf(std::max(state.worst(), hold < study.claims.size() ? ResultState::differs : ResultState::fine));
 }
 
 }  // namespace
 
 void addStudyCheck(CLI::App& study, Action& action) {
   Verb verb(study, action, "check",
-            "Check the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
-            "5: runs are missing");
+            "Check the claims of a study file (its key check) against the results; exit code 1: one does not hold, or "
+            "more runs failed or are insane than limits allow, or the results are not those of the file; 5: runs are "
+            "missing");
   auto& command = verb.does<CheckCommand>(act);
   verb.needs("study", command.study, "FILE",
              "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, with the "

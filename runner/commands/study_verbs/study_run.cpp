@@ -53,6 +53,12 @@ Execution executionOf(const RunCommand& command) {
   return how;
 }
 
+/// By the study file as it is now, where one is named; a plan that is gone on with may hold an older text.
+AllowedRuns allowedOf(const RunCommand& command, const Plan& plan) {
+  return isFolder(command.of.study) ? plan.study.allowed
+                                    : loadStudy(command.of.study, command.of.input.allowOutside).allowed;
+}
+
 int tellPlan(const RunCommand& command, const PlannedStudy& study, const std::vector<std::size_t>& tasks) {
   std::size_t there = 0;
   for (const std::size_t task : tasks) there += fileExists(study.folder.task(study.plan.tasks[task].id));
@@ -69,10 +75,11 @@ int tellPlan(const RunCommand& command, const PlannedStudy& study, const std::ve
   return fine;
 }
 
-int exitCodeOf(const RunStudyReport& report, const MergeReport* merged) {
+/// The states of a whole study decide; a share of it is complete or not, and is judged once it is merged.
+int exitCodeOf(const RunStudyReport& report, const MergeReport* merged, const AllowedRuns& allowed) {
   if (report.signal) return signalled + report.signal;
   if (merged && !merged->differing.empty()) return differs;
-  if (merged && !merged->damaged.empty()) return file;
+  if (merged) return morula::exitCodeOf(merged->counts().worst(allowed));
   return report.isComplete() ? fine : incomplete;
 }
 
@@ -108,7 +115,7 @@ int act(const RunCommand& command) {
   } else {
     print(describe(report, study) + (merged ? describe(*merged, study) : ""));
   }
-  return exitCodeOf(report, merged ? &*merged : nullptr);
+  return exitCodeOf(report, merged ? &*merged : nullptr, allowedOf(command, study.plan));
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 // morula study status: what has a result, what failed, what is missing, what it takes.
 
+#include <algorithm>
+#include <iterator>
+
+#include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "study/plan_difference.h"
 #include "study_verbs/study_verbs.h"
 #include "system/console.h"
 #include "tasks/status.h"
@@ -18,16 +23,26 @@ int act(const StudyOptions& options) {
                                         .resume = true,
                                         .mustBeThere = true},
                                        {});
-  const StudyStatus status = statusOf(study);
+  StudyStatus status = statusOf(study);
+  AllowedRuns allowed = study.plan.study.allowed;
+  if (!isFolder(options.study)) {
+    const Study now = loadStudy(options.study, options.input.allowOutside);
+    allowed = now.allowed;
+    PlanDifference difference = differenceFrom(parseJson(writePlan(study.plan)), makePlan(now, {.predict = false}));
+    status.stale = std::move(difference.stale);
+    std::ranges::move(difference.lacking, std::back_inserter(status.stale));
+  }
   printEither(options.output, toJson(status, study), describe(status, study));
-  return status.isComplete() ? fine : incomplete;
+  return exitCodeOf(status.counts().worst(allowed));
 }
 
 }  // namespace
 
 void addStudyStatus(CLI::App& study, Action& action) {
-  Verb verb(study, action, "status",
-            "Tell which runs have a result, failed or are missing; exit code 5: some are missing");
+  Verb verb(
+      study, action, "status",
+      "Tell which runs have a result, failed, are not sane or are missing; exit code 5: some are missing, 1: more "
+      "failed or are insane than limits allow, or the study file says something else than the plan");
   add(verb, verb.does<StudyOptions>(act));
 }
 

@@ -64,6 +64,7 @@ std::string failedInWords(const CheckResult& failed) {
   if (failed.check == "golden")
     return failed.failureClass == "SETUP" ? "there is no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";
+  if (failed.kind == "study") return failed.check;
   if (failed.kind == "claim") return "the results say otherwise";
   if (failed.kind == "sanity") return "its end is not sane";
   if (failed.kind == "invariant") return "what must always hold does not";

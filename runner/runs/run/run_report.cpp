@@ -124,6 +124,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
             {"unsettled", outcome.unsettled},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
+            {"state", nameOf(outcome.state())},
             {"sane", orNull(outcome.isSane())},
             {"sanity", sanityJson(outcome.sanity)}};
   if (outcome.last) json["sample"] = sampleJson(*outcome.last);

@@ -189,6 +189,14 @@ std::optional<bool> RunOutcome::isSane() const {
   return std::all_of(sanity.begin(), sanity.end(), [](const CheckResult& r) { return r.passed; });
 }
 
+ResultState RunOutcome::state() const {
+  if (end.status == RunStatus::failed) return ResultState::failed;
+  if (end.status != RunStatus::done) return ResultState::unfinished;
+  ResultState worst = checks && whyNotChecked.empty() ? ResultState::fine : ResultState::unchecked;
+  if (checks && !checks->results.empty()) worst = std::max(worst, stateOf(*checks));
+  return sanity.empty() ? worst : std::max(worst, stateOf(sanity));
+}
+
 CheckReport RunOutcome::sanityReport(const Scenario& scenario) const { return {goldenName(scenario.file), sanity}; }
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/check_result.h"
+#include "golden/result_state.h"
 #include "loop/simulate.h"
 
 namespace morula {
@@ -33,6 +33,7 @@ struct RunOutcome {
   std::vector<CheckResult> sanity;     // of a run with bodies that came to its end, whatever else was checked
   std::optional<bool> isSane() const;  // or the scenario says that it need not be; absent: not measured
   CheckReport sanityReport(const Scenario& scenario) const;
+  ResultState state() const;  // of all of these
   std::vector<std::string> pictures;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::string unsettled;                  // [unsettledText]

@@ -37,14 +37,8 @@ std::string claimInWords(const Claim& claim, const StudyResults& results) {
 }
 
 void requireSame(const StudyResults& results, const Study& study) {
-  bool same = std::ranges::equal(results.axes, study.axes, [](const ResultAxis& found, const StudyAxis& said) {
-    return found.name == said.name && std::ranges::equal(found.labels, said.levels, {}, {}, &Level::label);
-  });
-  for (const Claim& claim : study.claims)
-    same = same && std::ranges::find(results.measures, claim.measure) != results.measures.end();
-  if (!same)
-    throw InputError(study.file +
-                     ": has other axes, labels or measures than its results; run and merge the study again");
+  if (canHold(results, study)) return;
+  throw InputError(study.file + ": has other axes, labels or measures than its results; run and merge the study again");
 }
 
 const PairComparison* pairOf(const StudyComparison& c, const Claim& claim) {
@@ -87,6 +81,15 @@ void judgeMean(const StudyComparison& c, const Claim& claim, ClaimFinding& findi
 }
 
 }  // namespace
+
+bool canHold(const StudyResults& results, const Study& study) {
+  bool same = std::ranges::equal(results.axes, study.axes, [](const ResultAxis& found, const StudyAxis& said) {
+    return found.name == said.name && std::ranges::equal(found.labels, said.levels, {}, {}, &Level::label);
+  });
+  for (const Claim& claim : study.claims)
+    same = same && std::ranges::find(results.measures, claim.measure) != results.measures.end();
+  return same;
+}
 
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study) {
   requireSame(results, study);

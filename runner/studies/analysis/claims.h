@@ -21,6 +21,9 @@ struct ClaimFinding {
 /// nothing. Throws InputError if the results are of other axes, labels or measures than the study.
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study);
 
+/// True if the results have the axes, labels and measures of the study's claims.
+bool canHold(const StudyResults& results, const Study& study);
+
 /// The study file as it was when this merged database was planned. Throws StoreError if it cannot be read.
 Study plannedStudy(const std::filesystem::path& database);
 

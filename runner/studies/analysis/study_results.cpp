@@ -9,6 +9,7 @@
 #include "files/text.h"
 #include "store/schema.h"
 #include "store/seal.h"
+#include "study/study_file.h"
 #include "study_store/study_tables.h"
 
 namespace morula {
@@ -66,6 +67,23 @@ std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results
   return numbers;
 }
 
+/// The reasons of ends that are not sane.
+void readInsanity(Database& db, StudyResults& results) {
+  std::map<std::string, std::vector<CheckResult>> checks;  // by run
+  Statement rows(db,
+                 "SELECT run_id, field, actual, expected, cell FROM check_result WHERE kind = 'sanity' AND NOT passed "
+                 "ORDER BY run_id, \"check\"");
+  for (rows.start(); rows.next();)
+    checks[rows.line(0)].push_back({.kind = "sanity",
+                                    .expected = rows.line(3),
+                                    .actual = rows.line(2),
+                                    .passed = false,
+                                    .cell = rows.isNull(4) ? std::nullopt : std::optional(rows.line(4)),
+                                    .field = rows.line(1)});
+  for (ResultTask& task : results.tasks)
+    if (!task.isSane) task.reason = whyInsane(checks[task.runId]);
+}
+
 void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& conditions,
                     const std::map<std::string, std::size_t>& tasks, StudyResults& results) {
   struct Row {
@@ -106,6 +124,14 @@ void readMeasures(Database& db, const std::string& plan, StudyResults& results) 
                    [](const std::string& a, const std::string& b) { return placeOfMeasure(a) < placeOfMeasure(b); });
 }
 
+/// What the study file, which the plan holds, allows.
+void readAllowed(const std::string& plan, StudyResults& results) {
+  const Json json = tryParseJson(plan);
+  if (!json.is_object() || !json.contains("study") || !json["study"].is_object()) return;
+  if (const auto text = json["study"].find("text"); text != json["study"].end() && text->is_string())
+    results.allowed = allowedIn(text->get<std::string>());
+}
+
 void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, StudyResults& results) {
   std::map<std::string, std::size_t> measures;
   for (std::size_t m = 0; m < results.measures.size(); ++m) measures[results.measures[m]] = m;
@@ -117,6 +143,17 @@ void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, S
 }
 
 }  // namespace
+
+ResultState ResultTask::state() const {
+  if (status != "done") return status == "failed" ? ResultState::failed : ResultState::missing;
+  return isSane ? ResultState::fine : ResultState::insane;
+}
+
+StateCounts StudyResults::counts() const {
+  StateCounts counts;
+  for (const ResultTask& task : tasks) counts.add(task.state());
+  return counts;
+}
 
 bool StudyResults::isDone(std::size_t task) const { return task != noTask && tasks[task].status == "done"; }
 
@@ -179,9 +216,11 @@ StudyResults readStudyResults(const std::filesystem::path& file) {
   if (!study.start().next()) damaged(db, "the table study is empty");
   results.name = study.line(0), results.summary = study.line(1);
   readMeasures(db, study.text(2), results);
+  readAllowed(study.text(2), results);
   readAxes(db, results);
   const auto conditions = readConditions(db, results);
   const auto tasks = readTasks(db, results);
+  readInsanity(db, results);
   readReplicates(db, conditions, tasks, results);
   readValues(db, tasks, results);
   return results;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/result_state.h"
 #include "system/json.h"
 
 namespace morula {
@@ -18,12 +19,15 @@ struct TimedValue {
 
 /// One distinct run.
 struct ResultTask {
-  std::string id, status, reason;               // done, failed or missing; the reason of a failure
+  std::string id, status;                       // done, failed or missing
+  std::string reason;                           // of a failure; of a run that is done, why its end is not sane
   std::string runId;                            // "" while it is missing
   std::string stateHash;                        // of its last state; "" unless done
   std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
   std::size_t cells = 0;                        // at its end; 0 unless done
   bool isSane = true;                           // the end passed all checks of kind sanity (check_result)
+
+  ResultState state() const;
 };
 
 struct ResultAxis {
@@ -40,6 +44,7 @@ inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
 
 struct StudyResults {
   std::string name, summary;
+  AllowedRuns allowed;                // failed and insane runs, by the study file
   std::vector<ResultAxis> axes;       // in the order of the study file, as their levels
   std::vector<std::string> measures;  // those that the study asks for, in its order
   std::vector<std::uint64_t> seeds;   // in rising order
@@ -51,6 +56,7 @@ struct StudyResults {
   std::optional<double> end(std::size_t measure, std::size_t task) const;
   /// "longest, none"; "the scenario as it is" without axes.
   std::string nameOf(const ResultCondition& condition) const;
+  StateCounts counts() const;  // of all tasks
 };
 
 /// A run that failed, is missing or is not sane, and the first condition and seed that it is of.

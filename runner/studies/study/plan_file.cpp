@@ -57,11 +57,11 @@ void listFields(T& limits, auto&& field) {
   field({"memory_per_run"}, memory);
 }
 
-/// `measurePlaces`, `allowOutside` and `claims` are of a study file that is read.
+/// `measurePlaces`, `allowOutside` and `claims` are of a study file that is read; `allowed` is read from its text.
 template <IsA<Study> T>
 void listFields(T& study, auto&& field) {
-  auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, measurePlaces, allowOutside,
-         claims] = study;
+  auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, allowed, measurePlaces,
+         allowOutside, claims] = study;
   field({"file"}, file);
   field({"name"}, name);
   field({"summary"}, summary);
@@ -159,6 +159,7 @@ Study studyOf(const Json& json) {
   for (const std::string& name : s.measures)
     if (!findMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
   if (s.seeds.empty() || s.bases.empty()) throw FileError("there are no seeds or no scenarios");
+  s.allowed = allowedIn(s.bytes);
   return s;
 }
 

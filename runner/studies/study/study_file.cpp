@@ -80,6 +80,19 @@ Study readStudy(std::string bytes, const std::filesystem::path& file, bool allow
   return study;
 }
 
+AllowedRuns allowedIn(const std::string& bytes) {
+  Problems problems("");
+  const scenario::SourceText source(bytes, problems);
+  if (!problems.empty()) return {};
+  const Node root = readYaml(source, problems);
+  Study study;
+  for (const study::Key& key : study::keys())
+    if (key.path == "limits.failed" || key.path == "limits.insane")
+      if (const auto* limits = root.find("limits"))
+        if (const auto* value = limits->value.find(key.path.substr(7))) key.read(study, value->value, problems);
+  return problems.empty() ? study.allowed : AllowedRuns{};
+}
+
 bool isStudy(const std::filesystem::path& file) {
   if (file.filename().string().ends_with(".study.yaml")) return true;
   for (std::string_view line : linesOf(readHead(file, 4096))) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/choice.h"
+#include "golden/result_state.h"
 #include "scenario/scenario.h"
 #include "yaml/problems.h"
 
@@ -110,6 +111,7 @@ struct Study {
   When when;
   Kept keep;
   RunLimits limits;
+  AllowedRuns allowed;                         // no part of what is run
   std::vector<scenario::Place> measurePlaces;  // where the file names each of them
   bool allowOutside = false;                   // scenarios and their files may lie anywhere
   std::vector<Claim> claims = {};              // no part of what is run: of a study file that is read
@@ -122,6 +124,9 @@ struct Study {
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
 /// The same for a text in memory, as if it lay there.
 Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);
+
+/// How many failed and insane runs the text of a study file allows: none where it cannot be read.
+AllowedRuns allowedIn(const std::string& bytes);
 
 /// Whether the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
 /// ends in .study.yaml.

@@ -111,6 +111,20 @@ Key memoryPerRun() {
           }};
 }
 
+/// How many runs may be in a state that is not fine.
+Key allowedKey(const char* path, const char* meaning, std::size_t AllowedRuns::*count) {
+  constexpr std::uint64_t most = mostReplicates;
+  const std::string allowed = "a whole number from 0 to " + std::to_string(most);
+  return {path,
+          allowed,
+          meaning,
+          "0",
+          {{"type", "integer"}, {"minimum", 0}, {"maximum", most}},
+          [=](Study& study, const Node& node, Problems& problems) {
+            study.allowed.*count = scenario::readNatural(node, {0, most}, path, allowed, problems).value_or(0);
+          }};
+}
+
 std::string parentOf(const std::string& path) {
   return path.find('.') == path.npos ? "" : path.substr(0, path.find('.'));
 }
@@ -186,9 +200,17 @@ const std::vector<Key>& keys() {
       choiceKey("keep.hashes", "Of states, to compare runs by", &Kept::hashes),
       choiceKey("keep.samples", "Of cells: places, shapes, contacts", &Kept::samples),
       choiceKey("keep.pictures", "Of organisms at the end", &Kept::pictures),
-      section("limits", "What one run may take", "no limits"),
+      section("limits", "What one run may take, and how many runs may fail or end in a state that cannot be",
+              "no limits for a run; no run may fail or be insane"),
       cpuPerRun(),
       memoryPerRun(),
+      allowedKey("limits.failed",
+                 "Runs that may fail. With more of them study run, status and check and compare end with exit code 1",
+                 &AllowedRuns::failed),
+      allowedKey("limits.insane",
+                 "Runs that may end in a state that cannot be (kind sanity of check_result). With more of them study "
+                 "run, status and check and compare end with exit code 1",
+                 &AllowedRuns::insane),
       checkKey()};
   return list;
 }

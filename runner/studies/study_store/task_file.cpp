@@ -3,6 +3,7 @@
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "files/read_file.h"
+#include "golden/result_state.h"
 #include "store/rows.h"
 #include "store/schema.h"
 #include "store/seal.h"
@@ -80,10 +81,7 @@ std::string TaskFile::resolved() {
   return s.start(run_.id).next() ? s.text(0) : "";
 }
 
-std::uint64_t TaskFile::insaneChecks() {
-  return static_cast<std::uint64_t>(
-      db().integer("SELECT count(*) FROM check_result WHERE kind = 'sanity' AND NOT passed"));
-}
+std::string TaskFile::whyInsane() { return morula::whyInsane(store_.checks(run_.id)); }
 
 std::string TaskFile::whatIsWrong() {
   Statement integrity(db(), "PRAGMA integrity_check(1)");

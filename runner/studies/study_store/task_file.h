@@ -38,8 +38,8 @@ class TaskFile {
   std::string buildId();
   /// The scenario of its run with all values filled in; "" if it is not stored.
   std::string resolved();
-  /// How many checks of kind sanity the run did not pass.
-  std::uint64_t insaneChecks();
+  /// Why the end of its run is not sane [morula::whyInsane]; "" if it is, or there is no end.
+  std::string whyInsane();
 
   /// What is wrong with it: the database's structure, ids and hashes that do not follow from what it holds; "" if
   /// nothing is.

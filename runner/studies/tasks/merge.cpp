@@ -239,7 +239,7 @@ class Merge {
   void note(std::size_t task, TaskFile& file) {
     if (file.task().status == "done") ++report_.done;
     else report_.failed.push_back({task, file.task().reason});
-    if (file.insaneChecks() > 0) report_.insane.push_back(task);
+    if (std::string why = file.whyInsane(); !why.empty()) report_.insane.push_back({task, std::move(why)});
   }
 
   const PlannedStudy& study_;
@@ -259,12 +259,22 @@ std::string fileLines(const std::vector<RefusedFile>& files) {
 
 MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options) { return Merge(study, options).run(); }
 
+StateCounts MergeReport::counts() const {
+  StateCounts counts;
+  counts.add(ResultState::fine, done - insane.size());
+  counts.add(ResultState::insane, insane.size());
+  counts.add(ResultState::failed, failed.size());
+  counts.add(ResultState::missing, missing.size());
+  counts.add(ResultState::changed, damaged.size());
+  return counts;
+}
+
 std::string describe(const MergeReport& r, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, r.tasks, r.done,
-                                 r.failed.size(), r.missing.size());
+  std::string text = fmt::format("{}: {} runs: {} done, {} of them not sane, {} failed, {} missing\n", plan.study.name,
+                                 r.tasks, r.done, r.insane.size(), r.failed.size(), r.missing.size());
   text += taskLines("  failed   ", r.failed, plan);
-  text += taskLines("  not sane ", r.insane, plan, ": its bodies ended in a state that cannot be (check_result)");
+  text += taskLines("  not sane ", r.insane, plan);
   text += taskLines("  missing  ", r.missing, plan) + fileLines(r.damaged) + fileLines(r.foreign);
   for (const Nondeterminism& n : r.differing)
     text += fmt::format(
@@ -292,6 +302,7 @@ Json toJson(const MergeReport& r, const PlannedStudy& study) {
           {"failed", toJson(r.failed, plan)},
           {"missing", toJson(r.missing, plan)},
           {"not_sane", toJson(r.insane, plan)},
+          {"states", r.counts().json()},
           {"left_out", leftOut},
           {"nondeterminism", differing},
           {"db", r.differing.empty() ? Json(r.database.string()) : Json()},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/result_state.h"
 #include "system/json.h"
 #include "tasks/run_study.h"
 
@@ -33,12 +34,15 @@ struct MergeReport {
   std::size_t tasks = 0, done = 0;
   std::vector<FailedTask> failed;    // their results, by number
   std::vector<std::size_t> missing;  // by number
-  std::vector<std::size_t> insane;   // done, but with an end that is not sane (check_result, kind sanity)
+  std::vector<FailedTask> insane;    // done, but with an end that is not sane, and why (check_result, kind sanity)
   std::vector<RefusedFile> damaged;
   std::vector<RefusedFile> foreign;       // of tasks that the plan does not have
   std::vector<Nondeterminism> differing;  // then nothing is written
   double seconds = 0;                     // [s]
   std::uint64_t bytes = 0;                // of the database
+
+  /// Of the tasks; a file that was left out is one more, which is changed.
+  StateCounts counts() const;
 };
 
 /// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the same

@@ -39,6 +39,7 @@ StudyStatus statusOf(const PlannedStudy& study) {
         status.cpuSeconds += took;
         if (found.task().status == "failed") status.failed.push_back({task, found.task().reason});
         else ++status.done, tookOfDone += took, expectedOfDone += expected;
+        if (std::string why = found.whyInsane(); !why.empty()) status.insane.push_back({task, std::move(why)});
         continue;
       }
     } catch (const FileError& error) { status.unreadable.push_back({task, error.what()}); }
@@ -52,11 +53,23 @@ StudyStatus statusOf(const PlannedStudy& study) {
   return status;
 }
 
+StateCounts StudyStatus::counts() const {
+  StateCounts counts;
+  counts.add(ResultState::fine, done - insane.size());
+  counts.add(ResultState::insane, insane.size());
+  counts.add(ResultState::failed, failed.size());
+  counts.add(ResultState::missing, missing.size());
+  if (!stale.empty()) counts.add(ResultState::stale);
+  return counts;
+}
+
 std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, s.tasks, s.done,
-                                 s.failed.size(), s.missing.size());
+  std::string text = fmt::format("{}: {} runs: {} done, {} of them not sane, {} failed, {} missing\n", plan.study.name,
+                                 s.tasks, s.done, s.insane.size(), s.failed.size(), s.missing.size());
+  for (const std::string& why : s.stale) text += "  stale    " + why + "\n";
   text += taskLines("  failed   ", s.failed, plan);
+  text += taskLines("  not sane ", s.insane, plan);
   text += taskLines("  damaged  ", s.unreadable, plan, "; `morula study run` does it again");
   text += taskLines("  missing  ", s.missing, plan);
   text += fmt::format("  took     {} of CPU time\n", formatDuration(s.cpuSeconds));
@@ -77,7 +90,10 @@ Json toJson(const StudyStatus& s, const PlannedStudy& study) {
           {"tasks", s.tasks},
           {"done", s.done},
           {"failed", toJson(s.failed, study.plan)},
+          {"not_sane", toJson(s.insane, study.plan)},
           {"missing", toJson(s.missing, study.plan)},
+          {"stale", s.stale},
+          {"states", s.counts().json()},
           {"damaged", toJson(s.unreadable, study.plan)},
           {"complete", s.isComplete()},
           {"merged", s.isMerged},

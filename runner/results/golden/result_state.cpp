@@ -1,0 +1,131 @@
+#include "golden/result_state.h"
+
+#include <algorithm>
+
+#include "base/cell_path.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "files/text.h"
+#include "golden/number_text.h"
+
+namespace morula {
+namespace {
+
+/// How many results may be in the state.
+std::size_t allowedOf(ResultState state, const AllowedRuns& allowed) {
+  return state == ResultState::failed ? allowed.failed : state == ResultState::insane ? allowed.insane : 0;
+}
+
+/// "FAILED", "NOT_SANE": the class of a check that did not pass for a state.
+std::string classOf(ResultState state) {
+  std::string text = nameOf(state);
+  std::ranges::transform(text, text.begin(), [](char c) { return c == ' ' ? '_' : char(c - 'a' + 'A'); });
+  return text;
+}
+
+/// True for a golden that could not be read.
+bool isUnusable(const CheckResult& r) { return r.check == "golden" && r.failureClass == "INPUT_CHANGED"; }
+
+/// A number in four digits; another text as it is.
+std::string inFourDigits(const std::string& text) {
+  const auto number = readReal(text);
+  return number ? numberText(*number) : text;
+}
+
+}  // namespace
+
+ResultState worstOf(std::span<const ResultState> states) {
+  return states.empty() ? ResultState::fine : std::ranges::max(states);
+}
+
+cli::ExitCode exitCodeOf(ResultState state) {
+  switch (state) {
+    case ResultState::fine:
+    case ResultState::unchecked: return cli::fine;
+    case ResultState::unfinished:
+    case ResultState::missing: return cli::incomplete;
+    case ResultState::differs:
+    case ResultState::insane:
+    case ResultState::stale:
+    case ResultState::failed: return cli::differs;
+    case ResultState::unread: return cli::input;
+    case ResultState::changed: return cli::file;
+  }
+  MORULA_CHECK(false, "every state has an exit code");
+}
+
+cli::ExitCode exitCodeOfRun(ResultState state) {
+  return state == ResultState::failed ? cli::numerical : exitCodeOf(state);
+}
+
+ResultState stateOf(const std::vector<CheckResult>& checks) {
+  ResultState worst = checks.empty() ? ResultState::unchecked : ResultState::fine;
+  for (const CheckResult& r : checks)
+    if (!r.passed)
+      worst = std::max(worst, r.kind == "sanity" ? ResultState::insane
+                              : r.check == "run" ? ResultState::failed
+                              : isUnusable(r)    ? ResultState::unread
+                                                 : ResultState::differs);
+  return worst;
+}
+
+ResultState stateOf(const CheckReport& report) { return stateOf(report.results); }
+
+std::string shortReason(const CheckResult& r) {
+  return r.field + ' ' + inFourDigits(r.actual) + ", allowed " + r.expected +
+         (r.cell ? ", cell " + (r.cell->empty() ? "egg" : *r.cell) : "");
+}
+
+std::string whyInsane(const std::vector<CheckResult>& checks) {
+  std::vector<std::string> reasons;
+  for (const CheckResult& r : checks)
+    if (r.kind == "sanity" && !r.passed) reasons.push_back(shortReason(r));
+  return join(reasons, "; ");
+}
+
+std::size_t StateCounts::all() const {
+  std::size_t sum = 0;
+  for (const std::size_t count : counts_) sum += count;
+  return sum;
+}
+
+ResultState StateCounts::worst(const AllowedRuns& allowed) const {
+  ResultState worst = ResultState::fine;
+  for (const ResultState state : valuesOf<ResultState>())
+    if (of(state) > allowedOf(state, allowed)) worst = std::max(worst, state);
+  return worst;
+}
+
+std::string StateCounts::text() const {
+  std::vector<std::string> parts;
+  for (const ResultState state : valuesOf<ResultState>())
+    if (of(state) > 0) parts.push_back(std::to_string(of(state)) + ' ' + nameOf(state));
+  return join(parts);
+}
+
+Json StateCounts::json() const {
+  Json json = Json::object();
+  for (const ResultState state : valuesOf<ResultState>()) {
+    std::string key = nameOf(state);
+    std::ranges::replace(key, ' ', '_');
+    json[key] = of(state);
+  }
+  return json;
+}
+
+std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& allowed,
+                                  const std::array<std::string, choices<ResultState>.size()>& why) {
+  std::vector<CheckResult> checks;
+  for (const ResultState state : valuesOf<ResultState>()) {
+    const std::size_t most = allowedOf(state, allowed), count = counts.of(state);
+    if (isAcceptable(state) || (count == 0 && most == 0)) continue;
+    checks.push_back(judged({.check = std::string("runs ") + nameOf(state),
+                             .kind = "study",
+                             .expected = "at most " + std::to_string(most),
+                             .actual = std::to_string(count)},
+                            count <= most, why[static_cast<std::size_t>(state)], classOf(state)));
+  }
+  return checks;
+}
+
+}  // namespace morula

@@ -1,0 +1,79 @@
+#pragma once
+// The one list of the states that a result can be in. Every verb that judges or shows results takes from here the state's
+// word, and the exit code that follows. The table of verbs and states is in golden/README.md.
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/choice.h"
+#include "golden/check_result.h"
+#include "system/exit_codes.h"
+#include "system/json.h"
+
+namespace morula {
+
+/// From the best to the worst. The state of several results is their worst one (worstOf).
+enum class ResultState { fine, unchecked, unfinished, missing, differs, insane, stale, failed, unread, changed };
+template <>
+inline constexpr auto choices<ResultState> = std::to_array<Choice<ResultState>>(
+    {{ResultState::fine, "fine", "it came to its end, is sane, and agrees with all that it is compared with"},
+     {ResultState::unchecked, "unchecked", "there is nothing to compare it with"},
+     {ResultState::unfinished, "unfinished", "its run was killed, or is still running"},
+     {ResultState::missing, "missing", "it is asked for, and there is none"},
+     {ResultState::differs, "differs", "it is not what was accepted or claimed"},
+     {ResultState::insane, "not sane", "its run ended in a state that cannot be"},
+     {ResultState::stale, "stale", "it was made from other inputs than those of now"},
+     {ResultState::failed, "failed", "its run could not go on"},
+     {ResultState::unread, "unread", "it could not be read"},
+     {ResultState::changed, "changed", "its rows do not match their digest"}});
+
+/// Fine, or without anything to compare it with, which is told and is no error.
+inline bool isAcceptable(ResultState state) { return state <= ResultState::unchecked; }
+
+ResultState worstOf(std::span<const ResultState> states);
+
+/// What a verb returns: the exit code of a verb that judges several results or a stored one.
+cli::ExitCode exitCodeOf(ResultState state);
+/// The exit code of `run`, which differs only where the run failed: 4, the code of its NumericalError.
+cli::ExitCode exitCodeOfRun(ResultState state);
+
+/// Differs, insane, failed or unread by the checks that did not pass; unchecked if there are no checks.
+ResultState stateOf(const CheckReport& report);
+ResultState stateOf(const std::vector<CheckResult>& checks);
+
+/// A failed sanity check in one line: "overlap 0.31, allowed at most 0.2, cell AB".
+std::string shortReason(const CheckResult& insane);
+/// All failed sanity checks among `checks`, separated by "; "; "" if all passed.
+std::string whyInsane(const std::vector<CheckResult>& checks);
+
+/// How many failed and insane runs a study may have.
+struct AllowedRuns {
+  std::size_t failed = 0, insane = 0;
+  friend bool operator==(const AllowedRuns&, const AllowedRuns&) = default;
+};
+
+/// How many results are in which state.
+class StateCounts {
+ public:
+  void add(ResultState state, std::size_t count = 1) { counts_[static_cast<std::size_t>(state)] += count; }
+  std::size_t of(ResultState state) const { return counts_[static_cast<std::size_t>(state)]; }
+  std::size_t all() const;
+  /// More failed or insane results than `allowed` count as such; others count if there is one.
+  ResultState worst(const AllowedRuns& allowed = {}) const;
+  /// "18 fine, 1 not sane, 1 failed": the states that occur.
+  std::string text() const;
+  /// {"fine": 18, "not_sane": 1, …}: all states.
+  Json json() const;
+
+ private:
+  std::array<std::size_t, choices<ResultState>.size()> counts_{};
+};
+
+/// A check for each state other than fine that occurs in `counts` or that `allowed` speaks of: a study's runs as
+/// continuous integration reads them. `why`: of each state, the runs that are in it, for people.
+std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& allowed,
+                                  const std::array<std::string, choices<ResultState>.size()>& why);
+
+}  // namespace morula
