@@ -40,7 +40,14 @@ struct Crossing {
 class Scan {
  public:
   Scan(std::span<const MeshView> meshes, const Grid& x, const Grid& y)
-      : meshes_(meshes), x_(x), y_(y), crossings_(x.count), inside_(meshes.size(), 0.0), shared_(meshes.size(), 0.0) {}
+      : meshes_(meshes),
+        x_(x),
+        y_(y),
+        crossings_(x.count),
+        inside_(meshes.size(), 0.0),
+        shared_(inside_),
+        wound_(inside_),
+        repeated_(inside_) {}
   Scan(std::span<const MeshView> meshes, const Box& box, int columns)
       : Scan(meshes, {box.low.x, (box.high.x - box.low.x) / columns, columns},
              {box.low.y, (box.high.y - box.low.y) / columns, columns}) {}
@@ -52,6 +59,7 @@ class Scan {
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
       result.volumes.push_back(inside_[m] * cell);
       result.shares.push_back(inside_[m] > 0 ? shared_[m] / inside_[m] : 0);
+      result.selfShares.push_back(wound_[m] > 0 ? repeated_[m] / wound_[m] : 0);
     }
     result.unionVolume = union_ * cell;
     return result;
@@ -126,6 +134,8 @@ class Scan {
       for (const auto& [mesh, winding] : around_) count += winding > 0;
       if (count > 0) union_ += length, visit(below, c.z);
       for (const auto& [mesh, winding] : around_) {
+        wound_[mesh] += length;
+        if (winding != 1) repeated_[mesh] += length;
         if (winding <= 0) continue;
         inside_[mesh] += length;
         if (count > 1) shared_[mesh] += length;
@@ -149,7 +159,8 @@ class Scan {
   std::vector<std::vector<Crossing>> crossings_;  // of the current row, per column
   std::vector<std::pair<int, int>> around_;       // meshes, and their winding numbers around the current interval
   std::vector<double> inside_, shared_;           // [length] per mesh, over all lines
-  double union_ = 0;                              // [length]
+  std::vector<double> wound_, repeated_;  // [length] per mesh: with a winding number, and with one that is not 1
+  double union_ = 0;                      // [length]
 };
 
 }  // namespace
@@ -177,7 +188,8 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
   const Box box = boxAround(meshes);
   const Vector size = box.high - box.low;
   MORULA_CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
-  if (!(size.x > 0 && size.y > 0)) return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
+  const std::vector<double> nothing(meshes.size());
+  if (!(size.x > 0 && size.y > 0)) return {nothing, nothing, nothing, 0};
   return Scan(meshes, box, columns).run();
 }
 
@@ -195,6 +207,29 @@ double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {
   if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return 0;
   const MeshView meshes[] = {a, b};
   return Scan(meshes, both, columns).sharedVolume(0);
+}
+
+double measureSelfOverlap(const MeshView& mesh, int columns) {
+  double sum = 0;
+  std::vector<Point> turned(mesh.vertices.begin(), mesh.vertices.end());
+  for (int axis = 0; axis < 3; ++axis) {
+    const MeshView view{turned, mesh.faces};
+    sum += measureOverlap({&view, 1}, columns).selfShares[0];
+    for (Point& p : turned) p = {p.y, p.z, p.x};
+  }
+  return sum / 3;
+}
+
+bool isStarShaped(const MeshView& mesh, const Point& centre) {
+  const Points& v = mesh.vertices;
+  for (const auto& [a, b, c] : mesh.faces)
+    if (!(dot(cross(v[b] - v[a], v[c] - v[a]), v[a] - centre) > 0)) return false;
+  // All faces look outward, so that the surface covers every direction equally often: this is how often.
+  int covered = 0;
+  Slice s;
+  for (const auto& [a, b, c] : mesh.faces)
+    if (slice(v[a], v[b], v[c], centre.y, s) && s.meets(centre.x) && s.heightAt(centre.x) > centre.z) covered += s.sign;
+  return covered == 1;
 }
 
 }  // namespace morula

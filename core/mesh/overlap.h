@@ -19,8 +19,11 @@ Box boxAround(std::span<const MeshView> meshes);
 struct Overlap {
   std::vector<double> volumes;  // [length³] per mesh, as the scan lines see it
   std::vector<double> shares;   // per mesh: the share of its volume that lies in another mesh too [1]
-  double unionVolume = 0;       // [length³] of all meshes together, each place counted once
-  double meanShare() const;     // over the meshes; 0 if there are none [1]
+  // Per mesh: the share of what it winds around that it winds around more than once, or inside out. 0 of a surface
+  // that does not cut through itself. [1]
+  std::vector<double> selfShares;
+  double unionVolume = 0;    // [length³] of all meshes together, each place counted once
+  double meanShare() const;  // over the meshes; 0 if there are none [1]
 };
 
 /// Cuts closed meshes by `columns` × `columns` vertical lines over the box that holds them all; exact along
@@ -37,5 +40,13 @@ void visitInside(std::span<const MeshView> meshes, const Point& low, double spac
 /// [length³] What two closed meshes have in common: the same with lines only where both boxes are. 0 at no
 /// cost where the boxes do not meet.
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns);
+
+/// [1] Overlap::selfShares of one closed mesh, by `columns` × `columns` lines along each of the three axes: a thin lens
+/// that lines along one axis pass by is seen along another.
+double measureSelfOverlap(const MeshView& mesh, int columns);
+
+/// True only if the closed mesh is star-shaped about the point, which must not lie on it: each ray from there meets the
+/// surface once, so that it cannot cut through itself. Cost: each face twice, far less than a measurement by lines.
+bool isStarShaped(const MeshView& mesh, const Point& centre);
 
 }  // namespace morula

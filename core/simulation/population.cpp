@@ -10,6 +10,7 @@
 #include "division/principal_axis.h"
 #include "physics/growth.h"
 #include "simulation/memory.h"
+#include "simulation/sanity.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -34,10 +35,13 @@ Division divide(const World& world, const ObservedCell& cell) {
   record.extentRatio = extentRatio(mother.position);
   if (cut.share) cut.point = placePlane(mother.position, faces, cut.normal, *cut.share);
   CutResult result = cutBody(mother, faces, cut, bodies.parameters.membrane.areaFactor);
-  if (!result.failure.empty())
+  if (!result.failure.empty()) {
+    const std::string insane = describeInsanity(world);
     throw NumericalError(
         cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,
-        "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
+        insane.empty() ? "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)"
+                       : "the cells were not sane before: " + insane);
+  }
   auto& [a, b] = result.daughters;
   record.share = a.mass / mother.mass;  // mass goes by volume
   if (bodies.model().hasRestShape)      // a volume at rest, and no membrane

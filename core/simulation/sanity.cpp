@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "contacts/contact_surface.h"
+#include "contacts/pair_energy.h"
+#include "mesh/folds.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
 #include "physics/shell_surface.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr double ballVolume = 4 * std::numbers::pi / 3;  // over the cube of the radius
 constexpr int linesPerPair = 16;
+constexpr int linesPerCell = 24;  // along each axis
 
 /// The worst value so far and whose it is. What is no number is the worst there can be, and stays it.
 struct Worst {
@@ -34,8 +37,8 @@ struct Worst {
   }
 };
 
-SanityMeasure measureOf(const World& world, const char* name, const Worst& worst, double least, double most) {
-  SanityMeasure m{name, worst.value, least, most, {}, {}};
+SanityMeasure measureOf(const World& world, SanityKind kind, const Worst& worst, double least, double most) {
+  SanityMeasure m{kind, worst.value, least, most, {}, {}};
   if (worst.cell >= 0) m.cell = world.cells.path[worst.cell];
   if (worst.other >= 0) m.other = world.cells.path[worst.other];
   return m;
@@ -163,15 +166,78 @@ Worst widestGap(const std::vector<Point>& centres, double radius) {
   return worst;
 }
 
+Worst mostBroken(const Bodies& b) {
+  Worst broken{0};
+  for (int cell = 0; cell < b.count; ++cell)
+    if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
+  return broken;
+}
+
+double selfOverlapOf(const BodyShape& shape) {
+  const MeshView surface{shape.surface.vertices, shape.surface.faces};
+  return isStarShaped(surface, shape.centre) ? 0 : measureSelfOverlap(surface, linesPerCell);
+}
+
+/// What the surfaces themselves look like; cells without a surface have no such measure.
+void addSurfaceMeasures(const World& world, const Observation& now, std::vector<SanityMeasure>& all) {
+  const Bodies& b = *world.bodies;
+  if (b.areSpheres()) return;
+  std::vector<EdgeFaces> edges;  // [mesh level]
+  for (int level = 0; level <= static_cast<int>(b.coarser.size()); ++level)
+    edges.push_back(findEdgeFaces(b.meshAt(level).mesh.faces));
+  Worst folded{0}, selfOverlap{0};
+  for (int i = 0; i < b.count; ++i) {
+    const BodyShape& shape = ObservedCell(now, i).physical()->getShape();
+    const EdgeFaces& own = edges[b.blocks[b.slots[i] / blockLanes].meshLevel];
+    folded.raise(measureFoldedShare(shape.surface.vertices, shape.surface.faces, own), i);
+    selfOverlap.raise(selfOverlapOf(shape), i);
+  }
+  all.push_back(measureOf(world, SanityKind::folded, folded, 0, sanity::mostFolded));
+  all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::mostSelfOverlap));
+}
+
+/// Surfaces that touch hold W per area [contacts/adhesion.h], so that a cell of area A holds at most ½ W A: the other half
+/// is that of its neighbours. The worst cell's energy over this. A surface that is compressed holds more per area, W (a n)²,
+/// and less than at rest in all; so A is its area at rest if that is larger.
+Worst strongestAdhesion(const World& world, const Observation& now) {
+  const Bodies& b = *world.bodies;
+  const Contacts& c = *world.contacts;
+  std::vector<double> stuck(b.blocks.size() * blockLanes);  // [slot] [length²] energy over ½ W
+  for (const PairSum& pair : sumPairs(c, b))
+    if (pair.adhesion < 0) stuck[pair.slot] -= 2 * pair.adhesion / workOfAdhesion(c, pair.slot, pair.other);
+  Worst worst{0};
+  for (int i = 0; i < b.count; ++i) {
+    const int slot = b.slots[i];
+    const double atRest = restAreaOfVertex(c, b, slot) * b.vertexCount(slot);
+    worst.raise(stuck[slot] / std::max(ObservedCell(now, i).physical()->getShape().area, atRest), i);
+  }
+  return worst;
+}
+
+bool hasAdhesionEnergy(const World& world) {
+  return world.contacts && world.contacts->parameters.adhesion && world.contacts->parameters.law == ContactLaw::pair &&
+         !world.bodies->areSpheres();
+}
+
+SanityMeasure overlapOf(const World& world, const std::vector<Mesh>& surfaces) {
+  return measureOf(world, SanityKind::overlap, largestOverlap(*world.bodies, surfaces), 0, sanity::mostOverlap);
+}
+
 }  // namespace
+
+std::optional<SanityMeasure> measureCellOverlap(const World& world) {
+  if (!world.bodies || world.bodies->count < 2) return {};
+  const Bodies& b = *world.bodies;
+  if (mostBroken(b).cell >= 0) return {};
+  std::vector<Mesh> surfaces;
+  for (int slot : b.slots) surfaces.push_back(takeContactSurface(world.contacts.get(), b, slot));
+  return overlapOf(world, surfaces);
+}
 
 std::vector<SanityMeasure> measureSanity(const World& world) {
   if (!world.bodies || world.bodies->count == 0) return {};
   const Bodies& b = *world.bodies;
-  Worst broken{0};
-  for (int cell = 0; cell < b.count; ++cell)
-    if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
-  std::vector<SanityMeasure> all{measureOf(world, "finite", broken, 0, 0)};
+  std::vector<SanityMeasure> all{measureOf(world, SanityKind::finite, mostBroken(b), 0, 0)};
   if (!all[0].holds()) return all;
 
   const Observation now(world);
@@ -193,17 +259,22 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     centres.push_back(measureCentroid(surfaces[i].vertices));
   }
   const bool crushed = !(least.value >= sanity::leastVolume);
-  all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume));
-  all.push_back(measureOf(world, "inverted", inverted, 0, sanity::mostInverted));
+  const Worst& worst = crushed ? least : most;
+  all.push_back(measureOf(world, SanityKind::volume, worst, sanity::leastVolume, sanity::mostVolume));
+  all.push_back(measureOf(world, SanityKind::inverted, inverted, 0, sanity::mostInverted));
+  addSurfaceMeasures(world, now, all);
+  if (hasAdhesionEnergy(world))
+    all.push_back(measureOf(world, SanityKind::adhesion, strongestAdhesion(world, now), 0, sanity::mostAdhesion));
   if (b.count > 1) {
-    all.push_back(measureOf(world, "overlap", largestOverlap(b, surfaces), 0, sanity::mostOverlap));
-    all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap));
+    all.push_back(overlapOf(world, surfaces));
+    all.push_back(measureOf(world, SanityKind::gap, widestGap(centres, largest), 0, sanity::mostGap));
   }
   if (b.parameters.shell) {
     Worst outermost{0};
     for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
-    all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
-    all.push_back(measureOf(world, "fill", {filled / measureShellVolume(*b.parameters.shell)}, 0, sanity::mostFill));
+    all.push_back(measureOf(world, SanityKind::outermost, outermost, 0, sanity::mostOutermost));
+    all.push_back(
+        measureOf(world, SanityKind::fill, {filled / measureShellVolume(*b.parameters.shell)}, 0, sanity::mostFill));
   }
   return all;
 }

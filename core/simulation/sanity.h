@@ -6,15 +6,48 @@
 #include <vector>
 
 #include "base/cell_path.h"
+#include "base/choice.h"
 
 namespace morula {
 
 struct World;
 
+/// The quantities of the sanity check. Names stand in results as "sanity NAME".
+enum class SanityKind {
+  finite,
+  volume,
+  inverted,
+  folded,
+  selfOverlap,
+  overlap,
+  gap,
+  adhesion,
+  outermost,
+  fill,
+  energy,
+};
+template <>
+inline constexpr auto choices<SanityKind> = std::to_array<Choice<SanityKind>>({
+    {SanityKind::finite, "finite", "numbers that are not finite"},
+    {SanityKind::volume, "volume", "volume of a cell over its volume at rest"},
+    {SanityKind::inverted, "inverted", "share of a surface that looks inward"},
+    {SanityKind::folded, "folded", "share of a surface's edges that are folded over"},
+    {SanityKind::selfOverlap, "self-overlap", "share of a cell's volume that the cell covers more than once"},
+    {SanityKind::overlap, "overlap", "share of a cell's volume that another cell covers, too"},
+    {SanityKind::gap, "gap", "empty space between cells"},
+    {SanityKind::adhesion, "adhesion", "energy by which a cell sticks, over the most that its surface can hold"},
+    {SanityKind::outermost, "outermost", "how far cells reach out of the shell"},
+    {SanityKind::fill, "fill", "volume of all cells over that of the shell"},
+    {SanityKind::energy, "energy", "growth of energy that nothing adds"},
+});
+
 namespace sanity {
 
 constexpr double leastVolume = 0.1, mostVolume = 10;  // [1] of a cell, over its volume at rest
 constexpr double mostInverted = 0.25;                 // [1] share of a cell's surface whose inner side shows outwards
+constexpr double mostFolded = 0.25;                   // [1] of the edges of a surface turn by more than 90°
+constexpr double mostSelfOverlap = 0.0025;            // [1] share of a cell's volume that it covers more than once
+constexpr double mostAdhesion = 2;                    // [1] of the energy that a surface holds that sticks everywhere
 constexpr double mostOverlap = 0.2;                   // [1] share of a cell's volume that one other cell has too
 constexpr double mostOutermost = 1 + 1e-6;            // [shell radii] vertices are projected onto it, up to rounding
 // [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 % where
@@ -27,7 +60,7 @@ constexpr double mostGap = 1000;
 
 /// One quantity, of the cell where it is worst.
 struct SanityMeasure {
-  std::string name;  // "finite", "volume", "inverted", "overlap", "outermost", "fill", "gap"
+  SanityKind kind = SanityKind::finite;
   double value = 0;  // what is no number is outside of every bound
   double least = 0, most = 0;
   std::optional<CellPath> cell, other;  // `other`: the one that it overlaps
@@ -43,8 +76,22 @@ struct SanityMeasure {
 /// between the two: what cells have in common lies in both boxes. 0: of no pair. The pair with the most in
 /// common comes first, and the first that is outside of the bound ends it. Spheres have a formula.
 ///
+/// A cell is tested for passing through itself only if it is not star-shaped about the mean of its vertices, by lines along
+/// all three axes (measureSelfOverlap). Adhesion is that of the pair law, which alone has an energy; the energy is that of
+/// the last snapshot.
+///
 /// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to
 /// three time steps.
 std::vector<SanityMeasure> measureSanity(const World& world);
+
+/// The measure `overlap` alone; absent with fewer than two cells, or where numbers are not finite.
+std::optional<SanityMeasure> measureCellOverlap(const World& world);
+
+/// A sentence that names the cell, the number and its bound, and the keys that change it, for a measure that does not
+/// hold.
+std::string describe(const SanityMeasure& measure, const World& world);
+
+/// The sentences of all measures that do not hold; empty if the world is sane.
+std::string describeInsanity(const World& world);
 
 }  // namespace morula

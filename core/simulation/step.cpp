@@ -81,7 +81,7 @@ void refreshLists(World& world) {
         world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
         "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
             ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
-            " leaves them: cells are in one another",
+            " leaves them: too many vertices are within reach of each other",
         "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
         "raise --memory-limit",
         Want::memory);

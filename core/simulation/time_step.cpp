@@ -307,13 +307,13 @@ void checkCrossing(const World& world) {
   if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
   // In flight: so fast that an automatic step follows from the speed, or did until they met; whatever the step is.
   if (shortestFlight(world).limit > 2 * restingLimit(world)) return;
-  for (const SanityMeasure& m : measureSanity(world))
-    if (m.name == "overlap" && !m.holds())
-      throw BodyFailure(m.cell->text(), world.clock.step,
-                        "it shares " + numberText(m.value) + " of its volume with cell " + m.other->text() +
-                            ": they pass through each other",
-                        "raise physics.contact.stiffness, take a finer physics.mesh, or lower what drives them into "
-                        "each other: speeds (cells: velocity)");
+  const auto overlap = measureCellOverlap(world);
+  if (!overlap || overlap->holds()) return;
+  throw BodyFailure(overlap->cell->text(), world.clock.step,
+                    "it shares " + numberText(overlap->value) + " of its volume with cell " + overlap->other->text() +
+                        ": they pass through each other",
+                    "raise physics.contact.stiffness, take a finer physics.mesh, or lower what drives them into "
+                    "each other: speeds (cells: velocity)");
 }
 
 void followContacts(World& world) {

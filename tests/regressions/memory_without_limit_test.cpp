@@ -59,7 +59,7 @@ TEST_CASE("cells that all stand in one place are refused: each vertex would have
   writeWhole(folder / "scene.yaml", cellsAt(200, 0, "{icosphere: 1}"));
   for (const char* search : {"grid", "aabb-tree", "spatial-hash", "brute-force"}) {
     const auto run = endsWith(3, {"parts", folder / "scene.yaml", "--memory-limit", "30M", "--search", search});
-    for (const char* word : {"cells are in one another", "30 MB", "physics.contact.radius"})
+    for (const char* word : {"within reach of each other", "30 MB", "physics.contact.radius"})
       CHECK_THAT(run.err, ContainsSubstring(word));
   }
 }

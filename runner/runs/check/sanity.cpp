@@ -1,7 +1,5 @@
 #include "check/sanity.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -72,68 +70,24 @@ std::vector<std::string> statesOf(const World& world) {
   return states;
 }
 
-std::string nameOf(const std::optional<CellPath>& cell) { return cell ? cellName(cell->text()) : "all cells"; }
-
-/// What holds cells apart here, or that nothing does.
-std::string contactAdvice(const MechanicsScene& m) {
-  if (!m.contact) return "the scene has no physics.contact, so cells pass through one another";
-  if (m.contact->law == ContactLaw::thesis)
-    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more physics.drag";
-  return fmt::format("what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
-                     exactText(m.contact->stiffness), exactText(m.contact->radius));
-}
-
-std::string sentence(const SanityMeasure& m, const World& world) {
-  const std::string who = nameOf(m.cell);
-  const auto v = [](double x) { return fmt::format("{:.4g}", x); };
-  const MechanicsScene& scene = *world.model.mechanics;
-  if (m.name == "finite") return who + " has a position, speed or volume that is not finite";
-  if (m.name == "volume")
-    return fmt::format("{} is {} to {} of its volume at rest; fine is {} to {}", who,
-                       m.value < m.least ? "crushed" : "blown up", v(m.value), v(m.least), v(m.most));
-  if (m.name == "inverted")
-    return fmt::format("{} is turned inside out over {} of its surface; fine is at most {}", who, v(m.value),
-                       v(m.most));
-  if (m.name == "overlap")
-    return fmt::format("{} shares {} of its volume with {}; fine is at most {}; {}", who, v(m.value), nameOf(m.other),
-                       v(m.most), contactAdvice(scene));
-  if (m.name == "gap")
-    return fmt::format(
-        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both", who,
-        v(m.value), v(m.most));
-  if (m.name == "outermost")
-    return fmt::format("{} stands out of the shell: its surface reaches {:.6g} of its radius{}", who, m.value,
-                       !kindOf(scene.physics.cell.model).hasMesh
-                           ? "; balls do so where an ellipsoid bends, other models of physics.cell do not"
-                           : "");
-  if (m.name == "fill")
-    return fmt::format(
-        "all cells together fill {} of the shell; fine is at most {}, for they can only be in one another; {}",
-        v(m.value), v(m.most), contactAdvice(scene));
-  MORULA_CHECK(m.name == "energy", "every quantity has a sentence of its own");
-  return fmt::format(
-      "the energy of motion, membranes, contents and contacts has grown by {} of what it was, and nothing here adds any; "
-      "fine is at most {}",
-      v(m.value), v(m.most));
-}
-
 std::string boundsOf(const SanityMeasure& m) {
   if (m.least > 0) return "from " + exactText(m.least) + " to " + exactText(m.most);
   return "at most " + exactText(m.most);
 }
 
 CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParameters& check) {
-  const bool below = m.name == "overlap" && m.value == 0;
-  return judged({.check = "sanity " + m.name,
+  const std::string name = nameOf(m.kind);
+  const bool below = m.kind == SanityKind::overlap && m.value == 0;
+  return judged({.check = "sanity " + name,
                  .kind = "sanity",
                  .expected = boundsOf(m),
                  .actual = below ? "below " + exactText(m.most) : exactText(m.value),
                  .tolerance = check.sane ? "exact" : "none, for " + check.because,
                  .firstStep = end.clock.step,
                  .cell = m.cell ? std::optional(m.cell->text()) : std::nullopt,
-                 .field = m.name},
+                 .field = name},
                 m.holds() || !check.sane,
-                "not sane at the end: " + sentence(m, end) +
+                "not sane at the end: " + describe(m, end) +
                     "; if the scene is about this, say so: check: {sane: false, because: \"why\"}");
 }
 
@@ -164,7 +118,7 @@ std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParam
   const bool finite = !measures.empty() && measures[0].holds();
   if (energy_ && finite && end.cells.path == cells_ && (!sticksBySubstances(end) || statesOf(end) == states_)) {
     const double gain = (measureEnergy(end).total() - *energy_) / energyScale_;
-    measures.push_back({"energy", gain, -INFINITY, mostGain, {}, {}});
+    measures.push_back({SanityKind::energy, gain, -INFINITY, mostGain, {}, {}});
   }
   std::vector<CheckResult> all;
   for (const SanityMeasure& m : measures) all.push_back(resultOf(m, end, check));

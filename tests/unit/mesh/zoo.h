@@ -1,6 +1,7 @@
 #pragma once
 // Closed meshes of many kinds, for properties that must hold of all of them.
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,23 @@ inline Mesh crumpled(Mesh m, double size, std::uint64_t seed) {
     m.vertices[i] *= 1 + size * (2 * u - 1);
   }
   return m;
+}
+
+/// A ball of radius 1 drawn into a sausage along an arc of this angle [rad], whose radius is 1. From about 4.9 on its ends
+/// lie in each other.
+inline Mesh bent(Mesh ball, double angle) {
+  for (Point& p : ball.vertices) {
+    const double along = 0.5 * angle * p.x, r = 1 + 0.35 * p.y;
+    p = {r * std::sin(along), r * std::cos(along), 0.35 * p.z};
+  }
+  return ball;
+}
+
+/// A ball of radius 1 that is dented from above. From a depth of about 2 on the dent goes through its bottom.
+inline Mesh dented(Mesh ball, double depth) {
+  for (Point& p : ball.vertices)
+    if (p.z > 0) p.z -= depth * std::exp(-(p.x * p.x + p.y * p.y) / 0.16);
+  return ball;
 }
 
 inline Mesh inverted(Mesh m) {

@@ -1,0 +1,34 @@
+#include "mesh/folds.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/error.h"
+
+namespace morula {
+
+EdgeFaces findEdgeFaces(Faces faces) {
+  std::vector<std::tuple<int, int, int>> sides;  // the edge's smaller vertex, its larger one, a face at it
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
+      sides.emplace_back(low, high, f);
+    }
+  std::sort(sides.begin(), sides.end());
+  MORULA_CHECK(sides.size() % 2 == 0, "each edge of a closed mesh has two faces");
+  EdgeFaces edges;
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
+    edges.push_back({std::get<2>(sides[i]), std::get<2>(sides[i + 1])});
+  return edges;
+}
+
+double measureFoldedShare(Points vertices, Faces faces, const EdgeFaces& edges) {
+  std::vector<Vector> normals;
+  for (const auto& [a, b, c] : faces) normals.push_back(cross(vertices[b] - vertices[a], vertices[c] - vertices[a]));
+  const auto folded = std::count_if(edges.begin(), edges.end(), [&](const std::array<int, 2>& edge) {
+    return dot(normals[edge[0]], normals[edge[1]]) < 0;
+  });
+  return edges.empty() ? 0 : static_cast<double>(folded) / static_cast<double>(edges.size());
+}
+
+}  // namespace morula

@@ -1,0 +1,144 @@
+// Surfaces that cut through themselves, and those that come close to it, against all pairs of their triangles.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "catch.h"
+#include "mesh/folds.h"
+#include "mesh/overlap.h"
+#include "zoo.h"
+
+using namespace morula;
+
+namespace {
+
+double selfOverlapOf(const Mesh& m, int columns = 24) { return measureSelfOverlap({m.vertices, m.faces}, columns); }
+
+bool isStarShaped(const Mesh& m) { return morula::isStarShaped({m.vertices, m.faces}, measureCentroid(m.vertices)); }
+
+/// Turned by three random angles.
+Mesh turned(Mesh m, std::uint32_t key) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double angle = 2.4 * key + 1.7 * axis + 0.3 * key * axis, c = std::cos(angle), s = std::sin(angle);
+    for (Point& p : m.vertices) p = {p.y, c * p.z - s * p.x, s * p.z + c * p.x};
+  }
+  return m;
+}
+
+/// True if the straight line from `from` to `to` passes through the triangle.
+bool passesThrough(const Point& from, const Point& to, const Point& a, const Point& b, const Point& c) {
+  const Vector way = to - from, normal = cross(b - a, c - a);
+  const double before = dot(from - a, normal), after = dot(to - a, normal);
+  if ((before > 0) == (after > 0)) return false;
+  const Point at = from + (before / (before - after)) * way;
+  return dot(cross(b - a, at - a), normal) > 0 && dot(cross(c - b, at - b), normal) > 0 &&
+         dot(cross(a - c, at - c), normal) > 0;
+}
+
+/// The oracle: true if any two triangles that share no vertex cut each other.
+bool cutsItself(const Mesh& m) {
+  const auto apart = [](const Face& f, const Face& g) {
+    return std::ranges::none_of(f, [&](int v) { return std::ranges::find(g, v) != g.end(); });
+  };
+  for (const Face& f : m.faces)
+    for (const Face& g : m.faces)
+      if (apart(f, g))
+        for (int k = 0; k < 3; ++k)
+          if (passesThrough(m.vertices[f[k]], m.vertices[f[(k + 1) % 3]], m.vertices[g[0]], m.vertices[g[1]],
+                            m.vertices[g[2]]))
+            return true;
+  return false;
+}
+
+/// The parameter between the two at which the shape covers this share of its volume more than once.
+double parameterWith(double share, double low, double high, const std::function<Mesh(double)>& shape) {
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    (selfOverlapOf(shape(middle), 64) < share ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+TEST_CASE("Shapes that are concave, and do not cut through themselves, overlap nowhere") {
+  const Mesh ball = makeIcosphere(2);
+  std::uint32_t key = 0;
+  for (const double angle : {1.0, 3.0, 4.0, 4.6})
+    for (int turn = 0; turn < 3; ++turn) {
+      const Mesh m = turned(zoo::bent(ball, angle), ++key);
+      CAPTURE(angle, turn);
+      CHECK(!cutsItself(m));
+      CHECK(selfOverlapOf(m) == Approx(0).margin(1e-12));
+    }
+  for (const double depth : {0.5, 1.0, 1.5, 1.9})
+    for (int turn = 0; turn < 3; ++turn) {
+      const Mesh m = turned(zoo::dented(ball, depth), ++key);
+      CAPTURE(depth, turn);
+      CHECK(!cutsItself(m));
+      CHECK(selfOverlapOf(m) == Approx(0).margin(1e-12));
+    }
+}
+
+TEST_CASE("A surface that covers a two-hundredth of its volume twice, or inside out, is found however it lies") {
+  const Mesh ball = makeIcosphere(2);
+  const std::function<Mesh(double)> bent = [&](double angle) { return zoo::bent(ball, angle); };
+  const std::function<Mesh(double)> dented = [&](double depth) { return zoo::dented(ball, depth); };
+  const Mesh twice = bent(parameterWith(0.005, 4, 7, bent)), inside = dented(parameterWith(0.005, 1.5, 3, dented));
+  int found = 0;
+  for (std::uint32_t key = 1; key <= 25; ++key)
+    for (const Mesh* planted : {&twice, &inside}) {
+      const Mesh m = turned(*planted, key);
+      const double share = selfOverlapOf(m);
+      CHECK(!isStarShaped(m));
+      CHECK(share < 0.0075);
+      found += share > 0.0025;
+    }
+  CHECK(found == 50);
+  CHECK(cutsItself(twice));
+  CHECK(cutsItself(inside));
+}
+
+TEST_CASE("All of an inside-out ball is covered inside out, and all of a sphere that is wound twice is covered twice") {
+  CHECK(selfOverlapOf(zoo::inverted(makeIcosphere(1))) == 1);
+  Mesh twice{{{0.01, 0.02, 1}, {0.01, 0.02, -1}}, {}};
+  constexpr int around = 12;  // of two rounds
+  for (int i = 0; i < around; ++i) {
+    const double angle = 0.1 + 2 * std::numbers::pi * 2 * i / around;
+    twice.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+    const int here = 2 + i, next = 2 + (i + 1) % around;
+    twice.faces.push_back({0, here, next});
+    twice.faces.push_back({1, next, here});
+  }
+  CHECK(selfOverlapOf(twice) == 1);
+  CHECK(!isStarShaped(twice));
+}
+
+TEST_CASE("Convex shapes are star-shaped, and bent and dented ones are not") {
+  for (int level = 0; level <= 3; ++level) CHECK(isStarShaped(makeIcosphere(level)));
+  CHECK(isStarShaped(zoo::scaled(makeIcosphere(2), {1, 2, 0.1})));
+  CHECK(isStarShaped(zoo::box({0, 0, 0}, {1, 2, 3})));
+  CHECK(!isStarShaped(zoo::inverted(makeIcosphere(2))));
+  CHECK(!isStarShaped(zoo::bent(makeIcosphere(2), 4)));
+  CHECK(!isStarShaped(zoo::dented(makeIcosphere(2), 1.5)));
+}
+
+TEST_CASE("Folds: all edges of a tetrahedron, none of a box, the rim of a disc") {
+  const auto foldedShare = [](const Mesh& m) {
+    return measureFoldedShare(m.vertices, m.faces, findEdgeFaces(m.faces));
+  };
+  CHECK(foldedShare(zoo::tetrahedron()) == 1);  // 109.5°
+  CHECK(foldedShare(zoo::box({0, 0, 0}, {1, 2, 3})) == 0);
+  CHECK(foldedShare(makeIcosphere(1)) == 0);
+  Mesh disc{{{0, 0, 0.01}, {0, 0, -0.01}}, {}};
+  for (int i = 0; i < 10; ++i) {
+    disc.vertices.push_back({std::cos(0.2 * std::numbers::pi * i), std::sin(0.2 * std::numbers::pi * i), 0});
+    const int here = 2 + i, next = 2 + (i + 1) % 10;
+    disc.faces.push_back({0, here, next});
+    disc.faces.push_back({1, next, here});
+  }
+  CHECK(findEdgeFaces(disc.faces).size() == 30);
+  CHECK(foldedShare(disc) == Approx(1.0 / 3));
+}
