@@ -53,7 +53,7 @@ Verb = collections.namedtuple("Verb", "name words writes")
 READING = [
     Verb("export csv", ["export", "FILE", "--format", "csv", "-o", "out", "--quiet"], True),
     Verb("lineage", ["lineage", "FILE", "--quiet"], False),
-    Verb("chart", ["chart", "FILE", "cell.volume", "-o", "out.csv", "--quiet"], True),
+    Verb("chart", ["chart", "FILE", "cell.volume", "-o", "out.svg", "--quiet"], True),
     Verb("report", ["report", "FILE", "--frames", "2", "-o", "out.html", "--quiet"], True),
 ]
 KINDS = {
@@ -184,7 +184,8 @@ def state_in(content):
 def judge(verb, result, good):
     """What is wrong with this result, or how it is right."""
     if result.code in DETECTED.get(verb.name, {6}) and result.code != good.code:
-        return "detected" if b"morula" in result.err or result.err or result.out else "exit code without a sentence"
+        # `replay` tells on standard output what it found.
+        return "detected" if (result.err or result.out).strip() else f"exit {result.code} without a sentence"
     if result.code < 0 or result.code in (70, 124):
         return f"exit {result.code}: {result.err.decode(errors='replace').strip()[-300:]}"
     if result.code == good.code and result.out == good.out and result.files == good.files:
