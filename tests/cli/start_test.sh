@@ -30,6 +30,10 @@ later() { # COMMAND: runs it when the file system's clock has ticked
   "$@"
 }
 
+forget() { # PACKAGE...: removes packages
+  for package; do grep -vxF -e "$package" "$installed" >"$scratch/rest" && mv "$scratch/rest" "$installed"; done
+}
+
 stand_in() { # NAME, its text on stdin
   { printf '#!/bin/sh\n' && cat; } >"$scratch/bin/$1"
   chmod +x "$scratch/bin/$1"
@@ -64,10 +68,11 @@ END
 stand_in cmake <<'END'
 case $1 in
   --preset)
-    echo "configure $2" >>"$MORULA_TEST_SCRATCH/calls"
+    case $3 in -DBUILD_TESTING=ON) with=" with tests" ;; *) with= ;; esac
+    echo "configure $2$with" >>"$MORULA_TEST_SCRATCH/calls"
     mkdir -p "build/$2"
     touch "build/$2/build.ninja"
-    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
+    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "BUILD_TESTING:BOOL=${3#*=}" >"build/$2/CMakeCache.txt"
     ;;
   --build)
     echo "build $4" >>"$MORULA_TEST_SCRATCH/calls"
@@ -130,7 +135,7 @@ check "shows what failed, and not the rest" "FAILED: a.o no semicolon" "$(grep -
 start && check "is tried again" "build morula;" "$called"
 rm "$scratch/broken" && start && check "until it succeeds" 3 "$code"
 
-grep -vxF g++ "$installed" >"$scratch/rest" && mv "$scratch/rest" "$installed"
+forget g++
 start && check "packages are not looked at when nothing is to be built" "" "$called"
 later touch "$tree/core/base/a.h"
 stand_in sudo <<'END'
@@ -143,12 +148,16 @@ check "a missing package is installed, and the lists fetched only because that f
 check "it says so" "morula: installing with apt-get: g++ " "$(head -n 1 "$scratch/err")"
 
 MORULA_TEST_ID=1000 start test -R unit
-check "test: everything is built; sudo if not root; the test packages too" \
-  "sudo;apt-get install --no-install-recommends $for_tests;build all;" "$called"
-check "test: ctest gets the arguments" \
-  "ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 3 -R unit" "$out"
+check "test: everything is built, with tests; sudo if not root; the test packages too" \
+  "sudo;apt-get install --no-install-recommends $for_tests;configure release with tests;build all;" "$called"
+ctest="ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 3"
+check "test: ctest gets the arguments" "$ctest --label-exclude other-builds -R unit" "$out"
 check "test: ctest's exit code passes through" 8 "$code"
 start && check "test: the program is built with everything" "" "$called"
+start test --all -R unit
+check "test: tests are configured once" "build all;" "$called"
+check "test --all: no test is left out" "$ctest -R unit" "$out"
+later touch "$tree/core/base/a.h" && start && check "test: tests stay configured" "build morula;" "$called"
 
 mkdir -p "$tree/tests/determinism"
 printf '#!/bin/sh\necho "matrix $*"\nexit 1\n' >"$tree/tests/determinism/matrix.sh" && chmod +x "$tree/tests/determinism/matrix.sh"
@@ -162,8 +171,9 @@ printf '#!/bin/sh\necho "fetch $1" >>"$MORULA_TEST_SCRATCH/calls"\n' >"$tree/run
 chmod +x "$tree/runner/input/browser/fetch_yaml.sh"
 printf '#!/bin/sh\nmkdir -p "$1" && touch "$1/morula.wasm.gz"\necho "wasm $1" >>"$MORULA_TEST_SCRATCH/calls"\nexit "${MORULA_TEST_WASM-0}"\n' >"$tree/core/wasm/build.sh"
 chmod +x "$tree/core/wasm/build.sh"
+forget emscripten nodejs file
 start wasm
-check "wasm: what it needs is installed, and the program is not built" "apt-get install --no-install-recommends emscripten nodejs dpkg-dev;fetch $tree/build/release/wasm;wasm $tree/build/release/wasm;" "$called"
+check "wasm: what it needs is installed, and the program is not built" "apt-get install --no-install-recommends emscripten nodejs;fetch $tree/build/release/wasm;wasm $tree/build/release/wasm;" "$called"
 check "wasm: it says where it is" "$tree/build/release/wasm/morula.wasm.gz" "$out"
 MORULA_TEST_WASM=1 start wasm
 check "wasm: what fails is our fault" 70 "$code"
