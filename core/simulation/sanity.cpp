@@ -187,7 +187,8 @@ void addSurfaceMeasures(const World& world, const Observation& now, std::vector<
     edges.push_back(findEdgeFaces(b.meshAt(level).mesh.faces));
   Worst folded{0}, selfOverlap{0};
   for (int i = 0; i < b.count; ++i) {
-    const BodyShape& shape = ObservedCell(now, i).physical()->getShape();
+    const ObservedCell cell(now, i);  // holds the shape
+    const BodyShape& shape = cell.physical()->getShape();
     const EdgeFaces& own = edges[b.blocks[b.slots[i] / blockLanes].meshLevel];
     folded.raise(measureFoldedShare(shape.surface.vertices, shape.surface.faces, own), i);
     selfOverlap.raise(selfOverlapOf(shape), i);
