@@ -5,6 +5,7 @@
 
 #include "base/did_you_mean.h"
 #include "biology/dna_text.h"
+#include "biology/substance_pattern.h"
 #include "biology/substances.h"
 
 namespace morula::dna_text {
@@ -52,10 +53,8 @@ class EffectCheck {
 
  private:
   bool isReadOutside(const std::string& name) const {
-    return surroundings_ && std::ranges::any_of(surroundings_->read, [&](const std::string& pattern) {
-             return pattern.ends_with('*') ? name.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))
-                                           : name == pattern;
-           });
+    return surroundings_ &&
+           std::ranges::any_of(surroundings_->read, [&](const std::string& pattern) { return fits(pattern, name); });
   }
 
   /// A START substance or a product: does it act here, and if not, was it meant to?

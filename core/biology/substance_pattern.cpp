@@ -2,11 +2,20 @@
 
 #include <algorithm>
 
+#include "biology/substances.h"
+
 namespace morula {
+namespace {
+
+bool begins(std::string_view pattern, std::string_view text) {
+  return text.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
+}  // namespace
 
 bool fits(std::string_view pattern, std::string_view substance) {
   if (!pattern.ends_with('*')) return pattern == substance;
-  return substance.starts_with(pattern.substr(0, pattern.size() - 1));
+  return begins(pattern, substance) && (pattern == "*" || !substance::isReserved(substance));
 }
 
 bool fitsAny(std::string_view pattern, std::string_view substances) {
@@ -20,7 +29,7 @@ bool fitsAny(std::string_view pattern, std::string_view substances) {
 
 bool includes(std::string_view wide, std::string_view narrow) {
   // A beginning stands for itself, too: "AB*" for AB.
-  return narrow.ends_with('*') ? wide.ends_with('*') && fits(wide, narrow.substr(0, narrow.size() - 1))
+  return narrow.ends_with('*') ? wide.ends_with('*') && begins(wide, narrow.substr(0, narrow.size() - 1))
                                : fits(wide, narrow);
 }
 

@@ -4,7 +4,8 @@
 
 namespace morula {
 
-/// Whether the pattern stands for this substance.
+/// True if the pattern stands for this substance. A beginning with '*' never stands for a reserved substance
+/// [biology/substances.h]; '*' alone stands for all.
 bool fits(std::string_view pattern, std::string_view substance);
 
 /// Whether the pattern stands for any of `substances`: names with single spaces between them, as

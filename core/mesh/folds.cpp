@@ -22,9 +22,25 @@ EdgeFaces findEdgeFaces(Faces faces) {
   return edges;
 }
 
-double measureFoldedShare(Points vertices, Faces faces, const EdgeFaces& edges) {
+namespace {
+
+std::vector<Vector> normalsOf(Points vertices, Faces faces) {
   std::vector<Vector> normals;
   for (const auto& [a, b, c] : faces) normals.push_back(cross(vertices[b] - vertices[a], vertices[c] - vertices[a]));
+  return normals;
+}
+
+}  // namespace
+
+EdgeFaces findFlatEdges(Points vertices, Faces faces) {
+  EdgeFaces edges = findEdgeFaces(faces);
+  const std::vector<Vector> normals = normalsOf(vertices, faces);
+  std::erase_if(edges, [&](const std::array<int, 2>& edge) { return dot(normals[edge[0]], normals[edge[1]]) < 0; });
+  return edges;
+}
+
+double measureFoldedShare(Points vertices, Faces faces, const EdgeFaces& edges) {
+  const std::vector<Vector> normals = normalsOf(vertices, faces);
   const auto folded = std::count_if(edges.begin(), edges.end(), [&](const std::array<int, 2>& edge) {
     return dot(normals[edge[0]], normals[edge[1]]) < 0;
   });

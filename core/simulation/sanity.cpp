@@ -184,7 +184,7 @@ void addSurfaceMeasures(const World& world, const Observation& now, std::vector<
   if (b.areSpheres()) return;
   std::vector<EdgeFaces> edges;  // [mesh level]
   for (int level = 0; level <= static_cast<int>(b.coarser.size()); ++level)
-    edges.push_back(findEdgeFaces(b.meshAt(level).mesh.faces));
+    edges.push_back(findFlatEdges(b.meshAt(level).mesh.vertices, b.meshAt(level).mesh.faces));
   Worst folded{0}, selfOverlap{0};
   for (int i = 0; i < b.count; ++i) {
     const ObservedCell cell(now, i);  // holds the shape

@@ -121,12 +121,13 @@ import sqlite3
 
 with sqlite3.connect("failed.db") as database:
     database.execute("UPDATE run SET failure = 'step 1; <script>alert(7)</script><b>x', command = '<img src=x onerror=alert(8)>'")
+subprocess.run([os.environ["RESEAL"], "failed.db"], check=True)  # as somebody would who knows of digests
 run = subprocess.run("./morula report failed.db -o changed.html --quiet --frames 0", shell=True, check=False)
 if run.returncode == 0:
     page = read("changed")
     if "<script>alert(7)</script>" not in "".join(page.text):
         fault("changed", "the failure is not seen as it is stored")
-elif run.returncode != 6:
+else:
     fault("changed", f"exit {run.returncode}")
 
 print(f"{len(pages)} pages, {len(done)} commands")

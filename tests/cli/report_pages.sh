@@ -2,12 +2,13 @@
 # Pages of `morula report`, read by Python's parser of HTML: no text becomes markup, no two elements have one id, and each
 # command that a page names works.
 #
-#   report_pages.sh MORULA
+#   report_pages.sh MORULA RESEAL     RESEAL: the program of tests/reseal.cpp
 #
 # Exit codes: 0 so it is, 1 not so, 77 skipped: there is no python3.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 morula=$1
+export RESEAL=$2
 python=/usr/bin/python3
 [ -x $python ] || {
   echo "skipped: python3 is not installed"

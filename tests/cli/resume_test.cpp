@@ -38,13 +38,14 @@ record: {every: 0.25, pictures: 1, meshes: 0.625}
 check: {}
 )";
 
-/// All rows of all tables but when and how the run was made, and what it was resumed from.
+/// All rows of all tables but when and how the run was made, and what it was resumed from; and their digests.
 std::string contentOf(const std::string& file) {
   Database db = opened(file);
   std::string text;
   Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
   while (tables.next()) {
     const std::string table = tables.text(0);
+    if (table == "row_digest") continue;  // over when and how, too
     std::string columns;
     Statement names(db, "SELECT name FROM pragma_table_info(?)");
     for (names.start(table); names.next();)
@@ -154,7 +155,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
   }
   SECTION("another seed is another run, which says what differs") {
     CHECK_THAT(succeeds(joined(again, {"--seed", "5", "--set", "stop.time=0.1"})).err,
-               ContainsSubstring("nothing to resume") && ContainsSubstring("seed (0 then, 5 now)") &&
+               ContainsSubstring("nothing to resume") && ContainsSubstring("seed: 0 then, 5 now") &&
                    ContainsSubstring("starting from the beginning"));
   }
 }

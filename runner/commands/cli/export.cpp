@@ -96,7 +96,7 @@ int act(const ExportOptions& options) {
   if (options.list) return listTables(store, options);
   if (options.crate.empty()) return listRuns(store, options);
   const StoredRun run = store.find(options.request.run);
-  requireWholeRecord(store, run);
+  requireToShow(store, run);
   const fs::path folder = options.crate;
   DraftFolder draft(folder);
   CrateRun crate = crateOf(store, run, options.pictures, draft.path());

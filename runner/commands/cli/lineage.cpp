@@ -150,7 +150,7 @@ struct LineageOptions {
 Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
-  requireWholeRecord(store, run);
+  requireToShow(store, run);
   return {run.record.scenario, run.time, options.colour ? store.results(run.id) : store.lineage(run.id)};
 }
 

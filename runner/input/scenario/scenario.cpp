@@ -1,6 +1,7 @@
 #include "scenario/scenario.h"
 
 #include "base/error.h"
+#include "biology/substance_pattern.h"
 #include "files/read_file.h"
 #include "scenario/scene_checks.h"
 
@@ -99,7 +100,7 @@ const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& s
     const std::string& pattern = entry.first;
     if (pattern.empty() || pattern.back() != '*') continue;
     // '*' sorts before all characters of names, so the longest of the patterns that fit comes last.
-    if (substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) found = &entry;
+    if (fits(pattern, substance)) found = &entry;
   }
   return found;
 }

@@ -187,7 +187,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   for (const StoredRun& run : store.runs())
-    if (id.empty() || run.id == id) requireWholeRecord(store, run);
+    if (id.empty() || run.id == id) requireToShow(store, run);
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");
   Exported all{{{id, to.write(files)}}, 0};
@@ -226,7 +226,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
                       " has not finished; `morula run --resume` goes on with it, or run it again");
     fs::path path = request.output;
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
-    requireWholeRecord(store, run);
+    requireToShow(store, run);
     SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
     const ExportedRun exported = exportedRun(store, run, ask);

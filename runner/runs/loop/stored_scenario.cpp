@@ -1,7 +1,12 @@
 #include "loop/stored_scenario.h"
 
+#include <set>
+#include <utility>
+
 #include "base/error.h"
 #include "files/content.h"
+#include "store/run_state.h"
+#include "system/console.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -28,6 +33,13 @@ void requireWholeRecord(Store& store, const StoredRun& run) {
   refuseIf(store.lostCells(run), store, run);
 }
 
+void requireToShow(Store& store, const StoredRun& run) {
+  static std::set<std::pair<std::filesystem::path, std::string>> told;
+  requireWholeRecord(store, run);
+  if (!told.emplace(store.file(), run.id).second) return;
+  if (const std::string remark = remarkOn(store, run); !remark.empty()) tell(remark, false);
+}
+
 Scenario storedScenario(const std::string& database, const std::string& run) {
   auto store = Store::openForReading(database);
   const auto stored = store.find(run);
@@ -46,7 +58,7 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
 Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {
   if (isDatabase(file)) {
     auto store = Store::openForReading(file);
-    requireWholeRecord(store, store.find(run));
+    requireToShow(store, store.find(run));
     return storedScenario(file, run);
   }
   if (!run.empty()) throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");

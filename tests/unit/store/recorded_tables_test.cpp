@@ -204,7 +204,7 @@ TEST_CASE("a number in a row is told, held against the tolerance for it, and its
 TEST_CASE("a table of many rows is held without them") {
   RunResults results = fullResults();
   for (int i = 0; i < 100; ++i)
-    results.connections.push_back({CellPath::parse("A"), CellPath::parse("B"), 1.0 * i, -1, ""});
+    results.connections.push_back({CellPath::parse("A"), CellPath::parse("B"), 1.0 * i, -1, ReleaseCause::none});
   const Golden golden = goldenOf(results);
   for (const auto* row : all<GoldenRow>(golden.data)) CHECK_FALSE(row->name.starts_with("connection/"));
   REQUIRE(compareGolden(golden, dataOf(results)).passed());
