@@ -11,25 +11,25 @@
 namespace morula {
 namespace {
 
-using Texts = std::vector<std::string>;
+using TextList = std::vector<std::string>;
 
-Texts textsOf(const Json& list) {
-  Texts texts;
+TextList textListOf(const Json& list) {
+  TextList texts;
   for (const Json& entry : list) texts.push_back(entry.is_string() ? entry.get<std::string>() : jsonText(entry));
   return texts;
 }
 
 /// "division.plane: longest, physics.contact: removed".
 std::string changesInWords(const Json& level) {
-  Texts texts;
+  TextList texts;
   for (const Json& change : level.at("changes"))
     texts.push_back(change.at("key").get<std::string>() + ": " +
                     (change.at("removes").get<bool>() ? "removed" : change.at("value").get<std::string>()));
   return texts.empty() ? "nothing" : join(texts);
 }
 
-Texts labelsOf(const Json& axis) {
-  Texts labels;
+TextList labelsOf(const Json& axis) {
+  TextList labels;
   for (const Json& level : axis.at("levels")) labels.push_back(level.at("label").get<std::string>());
   return labels;
 }
@@ -59,12 +59,12 @@ class Comparison {
 
   void say(const char* key, const std::string& what, const std::string& of) {
     if (then(key) == now(key)) return;
-    const auto text = [](const Json& value) { return value.is_array() ? join(textsOf(value)) : jsonText(value); };
+    const auto text = [](const Json& value) { return value.is_array() ? join(textListOf(value)) : jsonText(value); };
     differ(what + of, text(then(key)), text(now(key)));
   }
 
   void compareAxes() {
-    Texts before, after;
+    TextList before, after;
     for (const Json& axis : then("axes")) before.push_back(axis.at("name").get<std::string>());
     for (const Json& axis : now("axes")) after.push_back(axis.at("name").get<std::string>());
     if (before != after) {
@@ -91,18 +91,18 @@ class Comparison {
   void compareSeeds() {
     const Json &was = then("seeds"), &is = now("seeds");
     const auto without = [](const Json& list, const Json& others) {
-      Texts some;
+      TextList some;
       for (const Json& seed : list)
         if (std::ranges::find(others, seed) == others.end()) some.push_back(jsonText(seed));
       return some;
     };
-    if (const Texts lacking = without(is, was); !lacking.empty()) {
+    if (const TextList lacking = without(is, was); !lacking.empty()) {
       found_.missing = lacking.size() * now_.at("conditions").size();
       found_.lacking.push_back(fmt::format("the results lack {} {} of the study file: {} of its runs are missing",
                                            lacking.size() == 1 ? "the seed" : "the seeds", join(lacking),
                                            found_.missing));
     }
-    if (const Texts more = without(was, is); !more.empty())
+    if (const TextList more = without(was, is); !more.empty())
       found_.stale.push_back(fmt::format("the results have {} {}, which the study file does not ask for",
                                          more.size() == 1 ? "the seed" : "the seeds", join(more)));
   }
@@ -129,7 +129,7 @@ class Comparison {
     for (const Json& condition : now_.at("conditions")) {
       const auto was = before.find(condition.at("labels"));
       if (was == before.end() || was->second->at("meaning") == condition.at("meaning")) continue;
-      const Texts labels = textsOf(condition.at("labels"));
+      const TextList labels = textListOf(condition.at("labels"));
       bool isTold = false;
       for (std::size_t a = 0; a < labels.size(); ++a) isTold = isTold || changedLevels_.contains({a, labels[a]});
       if (isTold) continue;
