@@ -4,7 +4,7 @@
     bare_root.py BUILD SOURCE-FOLDER
 
 The root is BUILD/bare-root, which debootstrap makes from this machine's own mirror unless it is there; MORULA_TEST_ROOT names another one, with
-sources from which apt-get can install. It is changed. The package is BUILD/packages/*.deb, which cpack makes if ./morula package has made none.
+sources from which apt-get can install. It is changed. The package is the .deb that cpack makes of BUILD.
 The commands are the files' own; how long they take is printed, for people. Exit codes: 0 the commands work, and the package leaves nothing
 behind; 1 one of them fails; 77 skipped: debootstrap is missing, or the user is not root.
 """
@@ -52,11 +52,9 @@ def made_root():
 
 
 root = os.environ.get("MORULA_TEST_ROOT", "") or made_root()
-packages = glob.glob(os.path.join(build, "packages/*.deb"))
-if not packages:
-    config = os.path.join(build, "CPackConfig.cmake")
-    subprocess.run(["cpack", "-G", "DEB", "--config", config, "-B", os.path.join(build, "packages")], stdout=subprocess.DEVNULL, check=True)
-    packages = glob.glob(os.path.join(build, "packages/*.deb"))
+config = os.path.join(build, "CPackConfig.cmake")
+subprocess.run(["cpack", "-G", "DEB", "--config", config, "-B", os.path.join(build, "packages")], stdout=subprocess.DEVNULL, check=True)
+packages = sorted(glob.glob(os.path.join(build, "packages/*.deb")), key=os.path.getmtime, reverse=True)
 import yaml
 
 package = packages[0]
