@@ -270,7 +270,7 @@ inline Scene varied() {
   s.mechanics->contact = pairContact;
   s.mechanics->division.rules = {
       {.of = {"a1"}, .plane = {{DivisionPlane::axis, {-1, 0, 0.5}}}, .share = 0.6, .tilt = 15.0},
-      {.of = {"a2", "div*"}, .plane = {{DivisionPlane::random}}}};
+      {.of = {"a2", "divide"}, .plane = {{DivisionPlane::random}}}};
   s.variation = {.cycle = 0.1, .share = 0.04, .start = 0.05, .tilt = 8};
   return s;
 }

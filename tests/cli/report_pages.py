@@ -94,7 +94,7 @@ def read(name):
     return page
 
 
-fine = {"check": (0, 1), "explain": (0, 1), "review": (0, 1), "replay": (0, 1, 4)}
+fine = {"check": (0, 1), "compare": (0, 1), "study": (0, 1), "explain": (0, 1), "review": (0, 1), "replay": (0, 1, 4)}
 done = set()
 for name in pages:
     page = read(name)

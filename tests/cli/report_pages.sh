@@ -63,7 +63,7 @@ quiet 0,1 ./morula run small.yaml --db other.db --out other --quiet --no-picture
   --set check.sane=false --set 'check.because=<i>because</i><script>alert(5)</script>'
 quiet 4 ./morula run small.yaml --db failed.db --out failed --quiet --no-pictures \
   --set physics.pressure.constant=0.5 --set physics.pressure.outside=400
-quiet 0,5 ./morula study run two.study.yaml --out study --no-predict --quiet
+quiet 1 ./morula study run two.study.yaml --out study --no-predict --quiet
 CI='' quiet 0 ./morula review small.yaml --accept --by tests --why "the first one"
 sed -i 's/time: 1.5/time: 1.6/' small.yaml
 quiet 1 ./morula check small.yaml --reports checked --quiet

@@ -192,6 +192,7 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
     }
   }
   db.execute("COMMIT");
+  reseal(file);
   return file;
 }
 

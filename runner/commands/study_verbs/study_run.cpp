@@ -115,7 +115,11 @@ int act(const RunCommand& command) {
   } else {
     print(describe(report, study) + (merged ? describe(*merged, study) : ""));
   }
-  return exitCodeOf(report, merged ? &*merged : nullptr, allowedOf(command, study.plan));
+  const AllowedRuns allowed = allowedOf(command, study.plan);
+  if (merged && !isAcceptable(merged->counts().worst(allowed)))
+    tellError(study.plan.study.name + ": " + merged->counts().text() + "; its limits allow " +
+              std::to_string(allowed.failed) + " failed and " + std::to_string(allowed.insane) + " insane runs");
+  return exitCodeOf(report, merged ? &*merged : nullptr, allowed);
 }
 
 }  // namespace

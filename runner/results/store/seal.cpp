@@ -35,8 +35,6 @@ void store(Database& db, const std::string& id, const std::string& table, const 
   Statement(db, insert).run(id, SealedTable{table, digest});
 }
 
-std::string asText(const RowDigest& digest) { return fmt::format("{} rows {}", digest.rows, digest.sum.text()); }
-
 [[noreturn]] void refuse(Database& db, const std::string& id, const std::string& what) {
   throw StoreError(fmt::format("{}: {}{}; restore the file from a copy, or make it again", db.file().string(),
                                id.empty() ? "" : "run " + id + ": ", what));
@@ -72,9 +70,10 @@ namespace {
 void compare(Database& db, const std::string& id, const std::string& table, const RowDigest& found,
              const RowDigest& stored) {
   if (found == stored) return;
+  const std::string counts =
+      found.rows == stored.rows ? "" : fmt::format("; there are {}, and {} were stored", found.rows, stored.rows);
   refuse(db, id,
-         fmt::format("rows of its table {} were changed, added or lost since they were stored ({}, and {} were stored)",
-                     table, asText(found), asText(stored)));
+         fmt::format("rows of its table {} do not match the digest that was stored with them{}", table, counts));
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ void refuseIf(const std::vector<ValueDifference>& changed, Store& store, const S
 }  // namespace
 
 void requireWholeRecord(Store& store, const StoredRun& run) {
-  store.requireIntact(run.id);
   refuseIf(store.changedRecord(run.id), store, run);
   refuseIf(store.lostCells(run), store, run);
+  store.requireIntact(run.id);
 }
 
 void requireToShow(Store& store, const StoredRun& run) {

@@ -159,7 +159,10 @@ Units unitsOf(const StudyResults& results, const std::filesystem::path& study) {
         axis == results.axes.end() ? 0 : condition.levels[static_cast<std::size_t>(axis - results.axes.begin())];
     if (ofBases.contains(base)) continue;
     const auto task = std::ranges::find_if(condition.tasks, [&](std::size_t t) { return results.isDone(t); });
-    if (task != condition.tasks.end()) ofBases[base] = storedScenario(study.string(), results.tasks[*task].runId).units;
+    if (task == condition.tasks.end()) continue;
+    try {
+      ofBases[base] = storedScenario(study.string(), results.tasks[*task].runId).units;
+    } catch (const FileError&) {}  // a study without its scenarios is shown in their own units
   }
   const std::vector<std::pair<std::size_t, Units>> all(ofBases.begin(), ofBases.end());
   return unitsOfAll(all, [](const auto& one) { return one.second; });

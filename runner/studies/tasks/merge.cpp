@@ -271,8 +271,8 @@ StateCounts MergeReport::counts() const {
 
 std::string describe(const MergeReport& r, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  std::string text = fmt::format("{}: {} runs: {} done, {} of them not sane, {} failed, {} missing\n", plan.study.name,
-                                 r.tasks, r.done, r.insane.size(), r.failed.size(), r.missing.size());
+  std::string text = fmt::format("{}: {} runs: {}, {} failed, {} missing\n", plan.study.name, r.tasks,
+                                 doneInWords(r.done, r.insane.size()), r.failed.size(), r.missing.size());
   text += taskLines("  failed   ", r.failed, plan);
   text += taskLines("  not sane ", r.insane, plan);
   text += taskLines("  missing  ", r.missing, plan) + fileLines(r.damaged) + fileLines(r.foreign);

@@ -222,6 +222,10 @@ RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& option
   return StudyRun(study, options).run();
 }
 
+std::string doneInWords(std::size_t done, std::size_t insane) {
+  return fmt::format("{} done", done) + (insane ? fmt::format(", {} of them not sane", insane) : "");
+}
+
 std::string nameOfTask(const Plan& plan, std::size_t task) {
   const Task& t = plan.tasks[task];
   return fmt::format("{}, seed {} (task {})", nameOf(plan, t.condition), t.seed, t.id);

@@ -55,6 +55,9 @@ std::string taskLines(const std::string& what, const std::vector<FailedTask>& ta
 Json toJson(const std::vector<std::size_t>& tasks, const Plan& plan);
 Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan);
 
+/// "12 done", "12 done, 2 of them not sane"
+std::string doneInWords(std::size_t done, std::size_t insane);
+
 /// "division: longest, connections: none, seed 4 (task 0123456789abcdef)"
 std::string nameOfTask(const Plan& plan, std::size_t task);
 

@@ -65,8 +65,8 @@ StateCounts StudyStatus::counts() const {
 
 std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   const Plan& plan = study.plan;
-  std::string text = fmt::format("{}: {} runs: {} done, {} of them not sane, {} failed, {} missing\n", plan.study.name,
-                                 s.tasks, s.done, s.insane.size(), s.failed.size(), s.missing.size());
+  std::string text = fmt::format("{}: {} runs: {}, {} failed, {} missing\n", plan.study.name, s.tasks,
+                                 doneInWords(s.done, s.insane.size()), s.failed.size(), s.missing.size());
   for (const std::string& why : s.stale) text += "  stale    " + why + "\n";
   text += taskLines("  failed   ", s.failed, plan);
   text += taskLines("  not sane ", s.insane, plan);

@@ -8,7 +8,7 @@ TEST_CASE("chirality: none, that of all, and that of the first rule that fits") 
   DivisionParameters p;
   CHECK_FALSE(chiralityOf(p, "a0 divide"));
   CHECK(longestChirality(p) == 0);
-  p.rules = {DivisionRule{.of = {"a1", "d*"}, .chirality = Chirality{20, 0.5}}, DivisionRule{.of = {"a1"}},
+  p.rules = {DivisionRule{.of = {"a1", "divide"}, .chirality = Chirality{20, 0.5}}, DivisionRule{.of = {"a1"}},
              DivisionRule{.of = {"a0"}, .chirality = Chirality{-10, 0.75}}};
   CHECK(chiralityOf(p, "a1 divide") == Chirality{20, 0.5});
   CHECK_FALSE(chiralityOf(p, "a1"));  // its rule has none, and no later one counts

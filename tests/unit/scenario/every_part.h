@@ -32,7 +32,7 @@ physics:
 division:
   plane: {axis: [0, 1, -1]}
   size: {adder: 0.25}
-  rules: [{of: [a1, 'div*'], axis: [1, 0, 2], share: 0.4, tilt: 10}, {of: a1, plane: random}]
+  rules: [{of: [a1, divide], axis: [1, 0, 2], share: 0.4, tilt: 10}, {of: a1, plane: random}]
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5, release-age: 4, most: 3}
 senses: {}

@@ -66,7 +66,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->division.otherwise.axis == Vector{0, 1, -1});
   const auto& rules = scene.mechanics->division.rules;
   REQUIRE(rules.size() == 2);
-  CHECK(rules[0].of == std::vector<std::string>{"a1", "div*"});
+  CHECK(rules[0].of == std::vector<std::string>{"a1", "divide"});
   CHECK(rules[0].plane == PlaneChoice{DivisionPlane::axis, {1, 0, 2}});
   CHECK((rules[0].share == 0.4 && rules[0].tilt == 10.0));
   CHECK(rules[1].of == std::vector<std::string>{"a1"});
