@@ -319,15 +319,15 @@ def judged(place, judge, good_code, kind, how, n):
     killed = how.startswith("kill")
     now = held_in(place.work)
     wrong = []
-    allowed = {good_code, 6} | ({128 + signal.SIGKILL, 5} if killed else set()) | ({4} if kind in ("new", "malloc") else set())
+    # A run of a study that finds no memory is a failure of its own, which the study keeps and tells, and ends with 1.
+    of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
+    allowed = {good_code, 6} | ({1} if of_a_run else set()) | ({128 + signal.SIGKILL, 5} if killed else set()) | ({4} if kind in ("new", "malloc") else set())
     if ended.code not in allowed:
         wrong.append(f"exit {ended.code}: {ended.err.strip()[-200:]}")
     if ended.code not in (good_code, 5, 128 + signal.SIGKILL) and "morula" not in ended.err:
         wrong.append(f"exit {ended.code} without a sentence")
     # What cannot be removed stays, and what cannot be written may need its journal.
     stays = killed or kind == "remove" or how.endswith("+")
-    # A run of a study that finds no memory is a failure of its own, which the study keeps and tells.
-    of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
     wrong += (text for text in judge.wrong_files(now, stays) if not (of_a_run and "says that" in text))
     if now == judge.before and ended.code != good_code:
         pass  # the next run begins as one without a fault does
