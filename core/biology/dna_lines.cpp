@@ -6,6 +6,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "base/text_marks.h"
 #include "biology/dna_text.h"
 
 namespace morula::dna_text {
@@ -300,12 +301,19 @@ void rememberWords(std::string_view line, std::set<std::string>& words) {
 Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics) {
   Lines lines;
   lines.begin = begin;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors' mark for UTF-8
+  if (isUtf16(text)) {
+    diagnostics.add(begin, "the file is UTF-16; save it as UTF-8");
+    return lines;
+  }
+  text = withoutByteOrderMark(text);
   for (Place place = begin; !text.empty(); ++place.line) {
     std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
     line = line.substr(0, line.find('#'));
     try {
+      if (const auto found = findInvisible(line))
+        throw Unreadable{{place.line, place.column + static_cast<int>(found->at)},
+                         found->name + " stands in the line; remove it, or replace it by a space"};
       if (const std::size_t range = rangeBegin(line); range != line.npos) {
         const Place behind{place.line, place.column + static_cast<int>(range)};
         readRepeated(line.substr(0, range), place, readRange(Cursor(line.substr(range), behind)), lines);

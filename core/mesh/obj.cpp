@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text_marks.h"
 #include "mesh/measures.h"
 #include "mesh/mesh.h"
 #include "mesh/obj_source.h"
@@ -25,9 +26,7 @@ struct ObjWord {
 // joins the next one to it. Line ends are LF, CR LF or CR.
 class ObjStatements {
  public:
-  explicit ObjStatements(std::string_view text) : text_(text) {
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // a byte order mark
-  }
+  explicit ObjStatements(std::string_view text) : text_(withoutByteOrderMark(text)) {}
 
   // False at the end of the text. Statements without words are passed over.
   bool next(std::vector<ObjWord>& words) {
@@ -78,6 +77,21 @@ class ObjStatements {
   bool mayGoOn_ = true;  // a backslash at the end of the line joins the next one
 };
 
+// The name of another format that the text is in, by how such files begin; "" where it may be OBJ.
+std::string otherFormat(std::string_view text) {
+  if (isUtf16(text)) return "UTF-16";
+  text = withoutByteOrderMark(text);
+  if (text.starts_with("glTF")) return "GLB";
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "PLY";
+  if (text.starts_with("solid ") || text.starts_with("solid\n") || text.starts_with("solid\r")) return "STL";
+  if (text.starts_with("OFF\n") || text.starts_with("OFF\r")) return "OFF";
+  if (text.starts_with("{")) return "JSON";
+  // A binary STL: a header of 80 bytes, the number of triangles, and 50 bytes for each of them.
+  constexpr std::size_t head = 84, perTriangle = 50;
+  if (text.find('\0') == text.npos) return "";
+  return text.size() > head && (text.size() - head) % perTriangle == 0 ? "STL" : "a binary format";
+}
+
 // Names, textures, normals, materials, smoothing, points and lines: they do not change the surface.
 constexpr std::array<std::string_view, 19> passedOver = {
     "vt",     "vn",     "vp",     "g",   "o",     "s",        "mg",       "p",          "l",        "usemtl",
@@ -90,7 +104,15 @@ struct ObjCorner {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name) : statements_(text) { source_.name = name; }
+  ObjReader(std::string_view text, const std::string& name) : statements_(text) {
+    source_.name = name;
+    const std::string format = otherFormat(text);
+    if (format == "UTF-16") throw InputError(name + ": the file is UTF-16; save it as UTF-8");
+    if (!format.empty())
+      throw InputError(name + ": the file is " + format +
+                       ", and a mesh is read from Wavefront OBJ; convert it, for instance by Blender (File, Export) or "
+                       "`assimp export`");
+  }
 
   /// `toUnitSize`: centroid to the origin, farthest vertex to distance 1. `from`: where the lines go, if not null.
   Mesh read(bool toUnitSize, MeshSource* from = nullptr) {
@@ -115,7 +137,12 @@ class ObjReader {
  private:
   static std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-  void fail(const ObjWord& at, const std::string& text) { errors_.push_back({at.line, at.column, text}); }
+  void fail(const ObjWord& at, const std::string& text) {
+    const auto found = findInvisible(at.text);
+    errors_.push_back(found ? Error{at.line, at.column + static_cast<int>(found->at),
+                                    found->name + " stands in the line; remove it, or replace it by a space"}
+                            : Error{at.line, at.column, text});
+  }
 
   // In the order of the text, not in that of finding them.
   std::string allErrors() {
@@ -179,36 +206,24 @@ class ObjReader {
     polygons_.push_back({std::move(corners), faceCount_, words[0].line});
   }
 
-  // v, v/vt, v//vn or v/vt/vn; each counts from 1, or from the latest one back with -1. Exporters also leave empty what is
-  // not there: v/, v//, v/vt/.
+  // v, v/vt, v//vn or v/vt/vn; v counts from 1, or from the latest vertex back with -1. Textures and normals are passed
+  // over, and may be empty: v/, v//, v/vt/.
   bool readCorner(const ObjWord& word, std::int64_t& vertex) {
-    std::string_view rest = word.text;
-    for (int part = 0; part < 3; ++part) {
-      const std::size_t slash = std::min(rest.find('/'), rest.size());
-      const std::string_view digits = rest.substr(0, slash);
-      const bool last = slash == rest.size();
-      std::int64_t index = 0;
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-      const bool absent = part > 0 && digits.empty();
-      if (!absent && (error == std::errc::invalid_argument || end != digits.data() + digits.size())) break;
-      if (!absent && index == 0 && error == std::errc()) {
-        fail(word,
-             quoted(word.text) + ": there is no number 0; vertices count from 1, or from the latest back with -1");
-        return false;
-      }
-      if (part == 0) {
-        const auto known = static_cast<std::int64_t>(mesh_.vertices.size());
-        if (error != std::errc() || index < -known) {
-          fail(word,
-               quoted(word.text) + ": there is no such vertex; " + std::to_string(known) + " stand above this line");
-          return false;
-        }
-        vertex = index > 0 ? index - 1 : known + index;
-      }
-      if (last) return true;
-      rest.remove_prefix(slash + 1);
+    const std::string_view digits = word.text.substr(0, word.text.find('/'));
+    const auto known = static_cast<std::int64_t>(mesh_.vertices.size());
+    std::int64_t index = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size() ||
+        std::ranges::count(word.text, '/') > 2)
+      fail(word, quoted(word.text) + " is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1");
+    else if (error != std::errc() || index < -known)
+      fail(word, quoted(word.text) + ": there is no such vertex; " + std::to_string(known) + " stand above this line");
+    else if (index == 0)
+      fail(word, quoted(word.text) + ": there is no number 0; vertices count from 1, or from the latest back with -1");
+    else {
+      vertex = index > 0 ? index - 1 : known + index;
+      return true;
     }
-    fail(word, quoted(word.text) + " is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1");
     return false;
   }
 

@@ -80,10 +80,20 @@ class Checker {
     std::vector<char> used(mesh_.vertices.size(), 0);
     for (const Face& face : mesh_.faces)
       for (int i : face) used[i] = 1;
+    std::vector<int> loose;
     for (int i = 0; i < vertexCount(); ++i)
-      if (!used[i])
-        fail(vertexLine(i),
-             vertexName(i) + ": no face has this vertex; remove it, for each vertex carries a part of the mass");
+      if (!used[i]) loose.push_back(i);
+    if (loose.empty()) return;
+    if (loose.size() == 1)
+      fail(vertexLine(loose[0]),
+           vertexName(loose[0]) + ": no face has this vertex; remove it, for each vertex carries a part of the mass");
+    constexpr std::size_t most = 8;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(most, loose.size()); ++i)
+      names += (i ? ", " : "") + std::to_string(loose[i] + 1);
+    if (loose.size() > most) names += " and " + std::to_string(loose.size() - most) + " more";
+    fail(vertexLine(loose[0]),
+         "no face has the vertices " + names + "; remove them, for each vertex carries a part of the mass");
   }
 
   void checkFaceAreas() const {

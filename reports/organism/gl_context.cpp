@@ -132,7 +132,8 @@ int threadsToDraw() {
 }
 
 OffscreenContext::OffscreenContext() {
-  const std::string remedy = ", however small the picture; draw where there is more, or run with --no-pictures";
+  const std::string remedy =
+      ", however small the picture; draw where there is more; morula run draws none with --no-pictures";
   requireMemoryToDraw(ofContext, remedy);
   settleDriver();
   loadDriver(remedy);

@@ -4,11 +4,11 @@ set -eu
 # shellcheck source=tests/browser/setup.sh
 . "$(dirname "$0")/setup.sh"
 code=0
-"$source/core/wasm/build.sh" "$build/wasm" >"$build/wasm.log" 2>&1 || code=$?
+"$source/core/wasm/build.sh" "$build/wasm" >"$scratch/wasm.log" 2>&1 || code=$?
 case $code in
   0) ;;
   77) echo "skipped: no emscripten" && exit 77 ;;
-  *) tail -n 30 "$build/wasm.log" && exit 1 ;;
+  *) tail -n 30 "$scratch/wasm.log" && exit 1 ;;
 esac
 
 page() { # page NAME SCENARIO OPTION...: the page NAME.html

@@ -124,7 +124,7 @@ TEST_CASE("what differs waits for a review, beside the goldens, and is rejected 
   CHECK_FALSE((waits(".golden") || waits(".png")));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
 
-  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is not.
+  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is told and stays.
   const auto reviewHere = [&] {
     return std::system(("cd '" + folder.path() + "' && '" MORULA_PROGRAM "' review >said 2>&1").c_str());
   };
@@ -140,7 +140,8 @@ TEST_CASE("what differs waits for a review, beside the goldens, and is rejected 
   fs::rename(scenario, scenario + ".gone");
   CHECK(reviewHere() == 0);
   CHECK_THAT(readWhole(folder / "said"), !ContainsSubstring("cannot be read"));
-  CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
+  CHECK_THAT(readWhole(folder / "said"), ContainsSubstring("is not here"));
+  CHECK((waits(".golden") && waits(".png") && waits(".from")));
   fs::rename(scenario + ".gone", scenario);
 
   CHECK(launch({"check", scenario}).code == 1);

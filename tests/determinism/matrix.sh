@@ -58,7 +58,13 @@ is_long() { # SCENE
 }
 
 # Where a build's programs lie.
-folder() { if [ "$1" = ordinary ]; then echo "$ordinary"; else echo "$work/$1"; fi; }
+folder() {
+  case $1 in
+    ordinary) echo "$ordinary" ;;
+    wasm-*) echo "$ordinary/wasm" ;; # with the modules for pages
+    *) echo "$work/$1" ;;
+  esac
+}
 
 # Says why a row cannot be run here, if so: exit code 0 or, where the build failed, 1. Builds what it needs.
 prepare() { # ROW
@@ -80,13 +86,13 @@ prepare() { # ROW
   if [ "$build" = ordinary ]; then return; fi
   case $command in *run_scene*) target=run_scene ;; esac
   echo "building: ${names[$1]}" >&2
-  said=$("$here/build_as.sh" "$build" "$work/$build" $target) || code=$?
+  said=$("$here/build_as.sh" "$build" "$(folder "$build")" $target) || code=$?
   case $code in
     0) ;;
     77) echo "$said" ;;
     *)
       echo "$said" >&2
-      echo "the build failed: $work/$build.log"
+      echo "the build failed: $(folder "$build").log"
       return 1
       ;;
   esac

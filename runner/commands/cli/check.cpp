@@ -9,16 +9,20 @@
 #include "cli/verbs.h"
 #include "engines/bullet_check.h"
 #include "engines/engine_comparison.h"
+#include "files/content.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
 #include "golden/ci_reports.h"
+#include "golden/project_files.h"
+#include "golden/result_state.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
 #include "report/report.h"
 #include "system/console.h"
+#include "system/installation.h"
 #include "system/json_record.h"
 
 namespace morula::cli {
@@ -42,14 +46,62 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   return json;
 }
 
-/// All scenarios/…/*.yaml below the working folder but the studies, sorted. Throws FileError if there is no folder `scenarios`.
-std::vector<std::string> shippedScenarios() {
+/// All scenarios below the folder `scenarios` of the project, sorted. Studies are named on stderr: other verbs check them. Throws
+/// FileError if there is no such folder, InputError if it holds nothing to check.
+std::vector<std::string> projectScenarios(bool quiet) {
   if (!isFolder("scenarios"))
     throw FileError("there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
+  const ProjectFiles found = projectFiles("scenarios");
+  if (found.scenarios.empty())
+    throw InputError(
+        "scenarios: there is nothing to check; needs files that end in .yaml or .yml, which are no studies");
   std::vector<std::string> files;
-  for (const auto& file : filesBelow("scenarios", ".yaml"))
-    if (!file.string().ends_with(".study.yaml")) files.push_back(file.string());
+  for (const auto& file : found.scenarios) files.push_back(file.string());
+  if (const std::size_t studies = found.studies.size())
+    tell(std::to_string(studies) + (studies == 1 ? " study" : " studies") + " below scenarios: check runs none; `" +
+             programWord() + " study run FILE` and `" + programWord() + " study check FILE` do, as " +
+             found.studies[0].string(),
+         quiet);
   return files;
+}
+
+/// Why files of the same golden cannot be checked; "" where no other file has it.
+std::string sharedGolden(const std::vector<std::string>& files, const std::string& file) {
+  for (const std::string& other : files)
+    if (other != file && goldenPath(other) == goldenPath(file))
+      return file + ": its golden is that of " + other + ", too: " + goldenPath(file).string() + "; rename one of them";
+  return {};
+}
+
+/// One scenario of a check.
+struct Checked {
+  std::string file;
+  std::optional<Scenario> scenario;  // absent: it cannot be read
+  CheckReport report = {};
+  bool isFileError = false;  // why it cannot be read
+};
+
+/// A scenario that cannot be read, or of which no run can be made, is a check that failed; the others go on.
+void noteUnread(Checked& checked, const std::string& why, bool isFileError) {
+  checked.scenario.reset();
+  checked.isFileError = isFileError;
+  checked.report = {checked.file, {failedCheck("read", "UNREAD", "a scenario that can be read", "none", why)}};
+  if (isFileError) tellError(why);
+  else tellInputError(why);
+}
+
+std::vector<Checked> readAll(const std::vector<std::string>& files, bool allowOutside) {
+  std::vector<Checked> all;
+  for (const std::string& file : files) {
+    Checked& checked = all.emplace_back(Checked{file, {}});
+    try {
+      if (const std::string why = sharedGolden(files, file); !why.empty()) throw InputError(why);
+      checked.scenario = loadScenario(file, {}, allowOutside);
+    } catch (const InputError& error) { noteUnread(checked, error.what(), false); } catch (const FileError& error) {
+      noteUnread(checked, error.what(), true);
+    }
+  }
+  return all;
 }
 
 /// A run that could not end is a check that failed.
@@ -74,9 +126,10 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   if (run.end.status != RunStatus::done) return failed(scenario, run);
   const GoldenData observed = observe(scenario, run);
   CheckReport report = check(scenario, *checked, observed, true);
+  report.state = run.end.stateHash->text();
   if (report.passed()) removePending(scenario);
   else if (scenario.check.fails.empty()) signal = putPending(scenario, run, observed, how, quiet);
-  // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
+  // Sanity and Bullet results are not reviewed: accepting a golden cannot change them.
   report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
     report.results.push_back(std::move(result));
@@ -85,32 +138,29 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
 
 /// By what name each scenario's results are reported: "thesis/unique-four" for …/scenarios/thesis/…, the path
 /// as it was given for a file that lies elsewhere, or whose name another one has, too.
-std::vector<std::string> reportNames(const std::vector<Scenario>& scenarios) {
+std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   std::map<std::string, int> count;
-  for (const auto& s : scenarios) ++count[goldenName(s.file)];
+  for (const Checked& c : all) ++count[goldenName(c.file)];
   std::vector<std::string> names;
-  for (const auto& s : scenarios) {
-    const std::string name = goldenName(s.file);
-    const bool elsewhere = !liesInScenarios(s.file);
-    names.push_back(elsewhere || count[name] > 1
-                        ? std::filesystem::path(s.file).lexically_normal().replace_extension().generic_string()
-                        : name);
+  for (const Checked& c : all) {
+    const std::string name = goldenName(c.file);
+    const std::filesystem::path file = std::filesystem::path(c.file).lexically_normal();
+    const bool elsewhere = !liesInScenarios(c.file);
+    names.push_back(!c.scenario                    ? file.generic_string()
+                    : elsewhere || count[name] > 1 ? std::filesystem::path(file).replace_extension().generic_string()
+                                                   : name);
   }
   return names;
 }
 
-bool hasUnusableGolden(const CheckReport& report) {
-  return std::any_of(report.results.begin(), report.results.end(),
-                     [](const CheckResult& r) { return r.check == "golden" && r.failureClass == "INPUT_CHANGED"; });
-}
-
-/// What `morula report` needs beyond the contract: what differs in words, and where the scenarios are.
+/// What `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end states.
 void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   std::size_t i = 0;
-  report["changes"] = report["files"] = Json::object();
+  report["changes"] = report["files"] = report["states"] = Json::object();
   for (const CheckReport& r : reports) {
     if (!r.change.empty()) report["changes"][r.scenario] = r.change;
     if (!r.file.empty()) report["files"][r.scenario] = r.file;
+    if (!r.state.empty()) report["states"][r.scenario] = r.state;
     for (const CheckResult& result : r.results) report["results"][i++]["message"] = result.message;
   }
 }
@@ -137,10 +187,22 @@ CheckReport withNames(CheckReport report, const CellNames& names) {
   return report;
 }
 
+constexpr const char* reportFiles[] = {"junit.xml", "report.json", "summary.md", "report.html"};
+
+/// Those of an earlier check: they must not be taken for this one's, however it ends. Files of others stay.
+void removeReports(const std::filesystem::path& folder) {
+  makeFolder(folder);
+  for (const char* name : reportFiles) {
+    const auto file = folder / name;
+    if (!isPlainFile(file)) continue;
+    const Content content = contentOfFile(file);
+    if (content == Content::report || content == Content::page) removeFile(file);
+  }
+}
+
 /// `told`: the reports as people read them. `table`: what stands beside, or "".
 void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
                   const std::vector<CheckReport>& told, const Json& found, const std::string& table) {
-  makeFolder(folder);
   writeFile(folder / "junit.xml", junitXml(told), Content::report);
   Json report{{"morula", 1}};
   report.update(found);
@@ -149,46 +211,80 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
   writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)), Content::report);
 }
 
+/// Reports of goldens that belong to no scenario.
+std::vector<CheckReport> orphans() {
+  std::vector<CheckReport> reports;
+  for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
+    const std::string why = file.string() + ": there is no scenario to this golden file";
+    tellError(why);
+    reports.push_back({file.string(), {failedCheck("orphan", "INPUT_CHANGED", "a scenario", "none", why)}});
+  }
+  return reports;
+}
+
+/// The exit code that follows from the states of all results. Files that cannot be opened are told as by all verbs.
+int exitCode(const std::vector<Checked>& all, const std::vector<CheckReport>& reports) {
+  std::vector<ResultState> states;
+  for (const CheckReport& r : reports) states.push_back(stateOf(r));
+  const ResultState worst = worstOf(states);
+  const auto isOfFiles = [](const Checked& c) { return c.scenario || c.isFileError; };
+  const auto isUnread = [](const Checked& c) { return !c.scenario; };
+  if (worst == ResultState::unread && std::ranges::all_of(all, isOfFiles) && std::ranges::any_of(all, isUnread))
+    return file;
+  return exitCodeOf(worst);
+}
+
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
-  const ComparisonOptions beside{options.beside, options.cpuLimit, options.output.quiet};
-  std::vector<Scenario> scenarios;
-  for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
-    scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
+  const bool quiet = options.output.quiet;
+  const ComparisonOptions beside{options.beside, options.cpuLimit, quiet};
+  if (!options.reports.empty()) removeReports(options.reports);
+  std::vector<CheckReport> reports, told;
+  std::vector<Checked> all;
+  std::string nothing;  // why there is nothing to check
+  try {
+    all = readAll(options.scenarios.empty() ? projectScenarios(quiet) : options.scenarios, options.input.allowOutside);
+  } catch (const InputError& error) {
+    nothing = error.what();
+    tellInputError(nothing);
+    reports.push_back({"scenarios", {failedCheck("read", "UNREAD", "scenarios", "none", nothing)}});
+    told = reports;
+  }
 
   Json results = Json::array();
-  std::vector<CheckReport> reports, told;
   std::vector<Verdict> own;
-  int code = fine;
-  const auto names = reportNames(scenarios);
-  for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    const Scenario& scenario = scenarios[i];
+  std::vector<Scenario> compared;  // with other engines
+  const auto names = reportNames(all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Checked& c = all[i];
     int signal = 0;
-    CheckReport report = checkOne(scenario, how, options.output.quiet, signal);
-    report.scenario = names[i], report.file = scenario.file;
-    if (signal) return signalled + signal;
-    if (hasUnusableGolden(report)) code = input;
-    else if (!report.passed() && code == fine) code = differs;
-    for (const auto& result : report.results) results.push_back(toJson(report, result));
-    const std::string words = morula::withNames(describe(report), scenario.names.function());
-    if (!options.output.json && beside.engines.empty()) print(words);
-    else if (!report.passed()) tell(words, options.output.quiet);
-    reports.push_back(report), told.push_back(withNames(report, scenario.names));
-    if (!beside.engines.empty()) own.push_back(judge(scenario.check, report));
-  }
-  if (options.scenarios.empty()) {
-    for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
-      const std::string why = file.string() + ": there is no scenario to this golden file";
-      tellError(why);
-      reports.push_back(unusableGolden(file.string(), why)), told.push_back(reports.back());
-      results.push_back(toJson(reports.back(), reports.back().results[0]));
-      if (code == fine) code = differs;
+    try {
+      if (c.scenario) c.report = checkOne(*c.scenario, how, quiet, signal);
+    } catch (const InputError& error) { noteUnread(c, error.what(), false); } catch (const FileError& error) {
+      noteUnread(c, error.what(), true);
+    } catch (const NumericalError& error) {  // pictures for which there is no memory
+      c.report = {"", {failedCheck("run", "COMPUTATION", "done", "failed", error.what())}};
     }
+    if (signal) return signalled + signal;
+    c.report.scenario = c.scenario ? names[i] : c.file;
+    if (c.scenario) c.report.file = c.file;
+    const CellNames cells = c.scenario ? c.scenario->names : CellNames{};
+    const std::string words = morula::withNames(describe(c.report), cells.function());
+    if (!c.scenario) {  // it is told on stderr
+    } else if (!options.output.json && beside.engines.empty()) print(words);
+    else if (!c.report.passed()) tell(words, quiet);
+    reports.push_back(c.report), told.push_back(withNames(c.report, cells));
+    if (!beside.engines.empty() && c.scenario)
+      own.push_back(judge(c.scenario->check, c.report)), compared.push_back(*c.scenario);
   }
+  if (options.scenarios.empty())
+    for (const CheckReport& orphan : orphans()) reports.push_back(orphan), told.push_back(orphan);
+  for (const CheckReport& report : reports)
+    for (const CheckResult& result : report.results) results.push_back(toJson(report, result));
   Json found{{"results", results}};
   std::string table;
   if (!beside.engines.empty()) {
-    const auto rows = compareEngines(scenarios, own, beside);
+    const auto rows = compareEngines(compared, own, beside);
     found["beside"] = toJson(rows, beside.engines);
     table = comparisonTable(rows, beside.engines);
   }
@@ -197,8 +293,8 @@ int act(const CheckOptions& options) {
   if (!options.reports.empty()) writeReports(options.reports, reports, told, found, table);
   tellWorkflow(told, options.output.json);
   if (!options.reports.empty())
-    if (const int signal = writePage(options.reports, how, options.output.quiet)) return signalled + signal;
-  return code;
+    if (const int signal = writePage(options.reports, how, quiet)) return signalled + signal;
+  return exitCode(all, reports);
 }
 
 }  // namespace

@@ -39,7 +39,11 @@ struct ReviewOptions {
 std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   if (!options.scenarios.empty()) return options.scenarios;
   std::vector<std::string> waiting;
-  for (const auto& file : pendingScenarios()) waiting.push_back(file.string());
+  const PendingResults pending = pendingResults();
+  for (const auto& file : pending.scenarios) waiting.push_back(file.string());
+  for (const auto& file : pending.gone)
+    tell(file.string() + ": waits for a review of a scenario that is not here; remove it if nobody needs it",
+         options.output.quiet);
   if (!options.accept && !options.reject) return waiting;
   std::string command = programWord() + " review";
   for (const auto& file : waiting) command += ' ' + shellWord(file);
@@ -111,8 +115,10 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
 int act(const ReviewOptions& options) {
   if (options.accept && options.by.empty()) throw UsageError("--accept: whose name does it carry? Give --by NAME, too");
   std::vector<Scenario> scenarios;
-  for (const auto& file : scenarioFiles(options))
+  for (const auto& file : scenarioFiles(options)) {
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
+    if (options.accept) requireAcceptable(goldenFile(scenarios.back()).string(), {options.by, options.why});
+  }
   for (const auto& scenario : scenarios)
     if (options.reject && !findPending(scenario))
       throw FileError(goldenName(scenario.file) + ": no result waits for a review, so there is none to reject");

@@ -232,6 +232,15 @@ void checkReason(const SceneCheck& check) {
                  "remove it, or write sane: false");
 }
 
+/// A text of a letter or two stands in nearly every message, so that any failure would do.
+void checkFails(const SceneCheck& check) {
+  constexpr std::ptrdiff_t leastLetters = 3;
+  for (const std::string& text : check.scenario.check.fails)
+    if (std::ranges::count_if(text, [](unsigned char c) { return c >= 0x80 || std::isalnum(c); }) < leastLetters)
+      check.refuse("check.fails", "'" + text + "' stands in nearly every message",
+                   "give words that name the reason, with at least 3 letters or digits");
+}
+
 /// More would be neither stored nor looked at in any reasonable time.
 void checkInterval(const SceneCheck& check, const std::string& path, std::optional<double> every, double most,
                    const std::string& of) {
@@ -328,6 +337,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkInterval(check, "record.every", record.every, 1e7, "samples");
   checkInterval(check, "record.pictures", record.pictures, 1e5, "pictures");
   checkInterval(check, "record.meshes", record.meshes, 1e6, "samples of surfaces");
+  checkFails(check);
   if (scenario.scene.mechanics) return;
   if (record.meshes)
     check.refuse("record.meshes", "cells without bodies have no surfaces", "add a physics block or remove this");

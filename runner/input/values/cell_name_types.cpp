@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "files/text.h"
 #include "values/value_types.h"
+#include "values/word_file.h"
 
 namespace morula::scenario {
 namespace {
@@ -121,13 +121,9 @@ Parameter namesFile() {
 
 void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
                    Reading& reading) {
-  int number = 0, before = static_cast<int>(reading.problems.size());
-  for (const std::string& line : linesOf(text)) {
-    ++number;
-    const auto found = wordsOf(line);
-    if (found.empty()) continue;
-    NameUse use{
-        {}, place, "names.file", file + ":" + std::to_string(number) + ":" + std::to_string(line.find(found[0]) + 1)};
+  const std::size_t before = reading.problems.size();
+  for (const auto& [line, column, found] : readWordFile(text, file, place, reading.problems)) {
+    NameUse use{{}, place, "names.file", file + ":" + std::to_string(line) + ":" + std::to_string(column)};
     const auto path = found[0] == "egg" ? std::optional(CellPath{}) : pathIn(found[0]);
     const std::string right = "needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'";
     if (found.size() != 2)
@@ -137,7 +133,7 @@ void readCellNames(const std::string& text, const std::string& file, const Place
       complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed, reading.problems);
     else use.path = *path, give(use, found[1], scenario, reading);
   }
-  const bool isGood = static_cast<int>(reading.problems.size()) == before;
+  const bool isGood = reading.problems.size() == before;
   if (isGood && std::ranges::none_of(reading.names, [](const NameUse& u) { return !u.inFile.empty(); }))
     reading.problems.add(place, "names.file", "'" + file + "' names no cell", "needs lines 'PATH NAME'");
 }

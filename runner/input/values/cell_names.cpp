@@ -4,6 +4,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "base/text_marks.h"
 #include "base/utf8.h"
 
 namespace morula {
@@ -15,12 +16,8 @@ bool isAsciiWord(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
-/// Characters that show as nothing, as a blank, or that turn what follows.
-bool isInvisible(char32_t c) {
-  return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || c == 0xAD || c == 0x61C || c == 0x1680 ||
-         (c >= 0x2000 && c <= 0x200F) || (c >= 0x2028 && c <= 0x202F) || (c >= 0x205F && c <= 0x206F) || c == 0x3000 ||
-         c == 0xFEFF;
-}
+/// True for control characters, blanks, and characters that show as nothing or as a blank.
+bool isUnseen(char32_t c) { return c <= 0x20 || (c >= 0x7F && c < 0xA0) || !nameOfInvisible(c).empty(); }
 
 /// The descendants of `cell` whose names add `rest` to hers, among those without a name of their own.
 void findBelow(const CellNames& names, const CellPath& cell, std::string_view rest, std::vector<CellPath>& found) {
@@ -47,7 +44,7 @@ bool isCellName(std::string_view text) {
   int characters = 0;
   while (!text.empty()) {
     const int length = utf8Length(text);
-    if (length == 0 || isInvisible(utf8Value(text, length))) return false;
+    if (length == 0 || isUnseen(utf8Value(text, length))) return false;
     text.remove_prefix(static_cast<std::size_t>(length));
     ++characters;
   }

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "files/text.h"
 #include "simulation/measures.h"
 #include "values/value_types.h"
+#include "values/word_file.h"
 
 namespace morula::scenario {
 namespace {
@@ -46,17 +46,11 @@ class ReferenceReader {
 
   /// Lines 'contact CELL CELL' and 'position CELL X Y Z'; '#' begins a comment.
   void readFile(const std::string& text, const std::string& file, const Place& place) {
-    int number = 0;
-    for (const std::string& line : linesOf(text)) {
-      ++number;
-      const auto words = wordsOf(line);
-      if (words.empty()) continue;
-      try {
+    for (const auto& [line, column, words] : readWordFile(text, file, place, reading_.problems)) try {
         addLine(words);
       } catch (const InputError& error) {
-        reading_.problems.addForeign(place, file + ":" + std::to_string(number) + ":1: " + error.what());
+        reading_.problems.addForeign(place, file + ":" + std::to_string(line) + ":1: " + error.what());
       }
-    }
   }
 
  private:

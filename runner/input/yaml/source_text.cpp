@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text_marks.h"
 #include "base/utf8.h"
 
 namespace morula::scenario {
@@ -14,40 +15,11 @@ std::string hex(unsigned char c) {
   return {'0', 'x', digits[c >> 4], digits[c & 15]};
 }
 
-/// The name of a character that shows as a blank or as nothing; "" for others.
-std::string nameOfInvisible(char32_t c) {
-  switch (c) {
-    case 0xA0: return "no-break space";
-    case 0xAD: return "soft hyphen";
-    case 0x200B: return "zero-width space";
-    case 0x200C: return "zero-width non-joiner";
-    case 0x200D: return "zero-width joiner";
-    case 0x2028: return "line separator";
-    case 0x2029: return "paragraph separator";
-    case 0x202F: return "narrow no-break space";
-    case 0x3000: return "ideographic space";
-    case 0xFEFF: return "byte order mark";
-    default: break;
-  }
-  if (c == 0x1680 || (c >= 0x2000 && c <= 0x200A) || c == 0x205F) return "wide or narrow space";
-  return c == 0x61C || (c >= 0x200E && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F)
-             ? "invisible mark"
-             : "";
-}
-
-/// "U+00A0 no-break space"
-std::string withCode(char32_t c, const std::string& name) {
-  constexpr char digits[] = "0123456789ABCDEF";
-  std::string code = "U+";
-  for (int shift = 12; shift >= 0; shift -= 4) code += digits[(c >> shift) & 15];
-  return code + ' ' + name;
-}
-
 }  // namespace
 
 SourceText::SourceText(std::string_view bytes, Problems& problems) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+  bytes = withoutByteOrderMark(bytes);
+  if (isUtf16(bytes)) {
     problems.add({}, "", "the file is UTF-16", "save it as UTF-8");
     return;
   }
@@ -78,9 +50,8 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
     }
     // Invisible characters are at home in texts; where a line begins, and behind the colon of a key, they are mistaken for blanks.
     if (length > 1 && (indenting || text_.ends_with(':')))
-      if (const char32_t code = utf8Value(bytes, length); !nameOfInvisible(code).empty())
-        problems.add(at, "", withCode(code, nameOfInvisible(code)) + " stands where a blank should be",
-                     "replace it by a space");
+      if (const std::string name = nameOfInvisible(utf8Value(bytes, length)); !name.empty())
+        problems.add(at, "", name + " stands where a blank should be", "replace it by a space");
     indenting = indenting && c == ' ';
     text_.append(bytes.substr(0, length));
     bytes.remove_prefix(length);

@@ -57,6 +57,18 @@ void addFilesBelow(const fs::path& folder, const std::string& extension, std::ve
   });
 }
 
+/// `above`: the real paths of the folders on the way.
+void addEveryFileBelow(const fs::path& folder, std::vector<fs::path>& above, std::vector<fs::path>& files) {
+  above.push_back(realPath(folder));
+  eachEntry(folder, [&](std::string_view name) {
+    const fs::path file = folder / name;
+    std::error_code ignored;
+    if (!fs::is_directory(file, ignored)) files.push_back(file);
+    else if (std::ranges::find(above, realPath(file)) == above.end()) addEveryFileBelow(file, above, files);
+  });
+  above.pop_back();
+}
+
 }  // namespace
 
 bool fileExists(const fs::path& file) { return fs::exists(statusOf(file)); }
@@ -104,6 +116,13 @@ std::vector<fs::path> namesIn(const fs::path& folder) {
 std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
   addFilesBelow(folder, extension, files);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> everyFileBelow(const fs::path& folder) {
+  std::vector<fs::path> above, files;
+  addEveryFileBelow(folder, above, files);
   std::sort(files.begin(), files.end());
   return files;
 }

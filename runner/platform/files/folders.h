@@ -29,6 +29,10 @@ std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder);
 /// All files below the folder with this extension, as `folder`/…, sorted. Links to folders are not followed.
 std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder, const std::string& extension);
 
+/// All files below the folder, as `folder`/…, sorted. Links to folders are followed, except those that lead back to a folder
+/// on the way; links that lead nowhere, pipes and devices count as files.
+std::vector<std::filesystem::path> everyFileBelow(const std::filesystem::path& folder);
+
 std::filesystem::path currentFolder();
 /// From the root, without "." and "..", links as they are.
 std::filesystem::path absolutePath(const std::filesystem::path& path);

@@ -60,6 +60,19 @@ std::string markdownCell(std::string text) {
   return text;
 }
 
+std::string markdownText(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '[' ? "\\[" : std::string(1, c);
+  return out;
+}
+
+std::string markdownCode(std::string_view text) {
+  std::size_t longest = 0, run = 0;  // of backticks
+  for (const char c : text) run = c == '`' ? run + 1 : 0, longest = std::max(longest, run);
+  const std::string fence(longest + 1, '`'), blank = longest ? " " : "";
+  return fence + blank + std::string(text) + blank + fence;
+}
+
 std::string csvField(std::string_view text) {
   const bool isPlain =
       !text.empty() && text.find_first_of("\",\r\n") == text.npos && text.front() != ' ' && text.back() != ' ';

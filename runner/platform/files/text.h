@@ -23,6 +23,10 @@ bool isMadeOf(std::string_view text, std::string_view others);
 
 /// As a cell of a Markdown table: a bar does not end it.
 std::string markdownCell(std::string text);
+/// A text of unknown origin in Markdown: what would begin HTML, a link or an image stands for itself.
+std::string markdownText(std::string_view text);
+/// A text of unknown origin as code in Markdown: `text`, with more backticks around it where it has some.
+std::string markdownCode(std::string_view text);
 
 /// A field of comma-separated values, by RFC 4180: in quotes where it needs them, and an empty text as "", which is not a
 /// missing one.

@@ -35,6 +35,7 @@ struct CheckedScenario {
   std::string file;                    // of the scenario; "" where it is not known
   std::unique_ptr<FailedAgain> again;  // of the first failed ones, and those beside Bullet
   std::unique_ptr<BulletAgain> bullet = {};
+  bool isOtherNow = false;  // run again, or held against the golden of now, it is another result than the one checked
 };
 
 /// A report.json of `morula check --reports`. Throws InputError for one that it did not write.

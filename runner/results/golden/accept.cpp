@@ -1,9 +1,11 @@
 #include "golden/accept.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "files/printable.h"
 #include "files/write_file.h"
 
 namespace morula {
@@ -12,8 +14,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isOneLine(const std::string& text) {
-  return text.find_first_not_of(" \t") != std::string::npos && text.find_first_of("\r\n") == std::string::npos;
+/// Throws InputError for a text that a golden cannot carry. `form`: what would be right.
+void requireOneLine(const std::string& place, const std::string& text, const std::string& form) {
+  constexpr std::size_t mostLetters = 1000;
+  const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  if (text.find_first_not_of(" \t") == text.npos || text.find_first_of("\r\n") != text.npos)
+    throw InputError(place + ": " + form);
+  if (const std::string seen = printableLine(text); seen != text)
+    throw InputError(
+        place + ": '" + seen.substr(0, 200) +
+        "' holds control characters, characters that change the direction of a text, or bytes that are not "
+        "UTF-8; leave them out");
+  if (const auto letters = std::ranges::count_if(text, isFirstByte); letters > std::ptrdiff_t(mostLetters))
+    throw InputError(place + ": a text of " + std::to_string(letters) + " letters; at most " +
+                     std::to_string(mostLetters) + " are taken: tell the rest in the commit");
 }
 
 /// The part of the path after its last folder of this name; empty if there is none.
@@ -34,13 +48,16 @@ void refuseWithinCi(const fs::path& file) {
                      ": goldens are accepted by people; with CI set in the environment none is written");
 }
 
+void requireAcceptable(const std::string& place, const Acceptance& acceptance) {
+  requireOneLine(place, acceptance.why,
+                 "a golden is accepted with a reason; say in one line what changed and why the new result is right: "
+                 "--why \"…\"");
+  requireOneLine(place, acceptance.by, "who accepts the golden? a name is expected");
+}
+
 void acceptGolden(const fs::path& file, Golden golden, const Acceptance& acceptance) {
   refuseWithinCi(file);
-  if (!isOneLine(acceptance.why))
-    throw InputError(file.string() +
-                     ": a golden is accepted with a reason; say in one line what changed and why the "
-                     "new result is right: --why \"…\"");
-  if (!isOneLine(acceptance.by)) throw InputError(file.string() + ": who accepts the golden? a name is expected");
+  requireAcceptable(file.string(), acceptance);
   golden.acceptedBy = acceptance.by, golden.why = acceptance.why, golden.file = file.string();
   const std::string text = writeGolden(golden);
   // What is written must be readable and must hold for the very run it was taken from.
@@ -71,16 +88,6 @@ fs::path goldenPath(const fs::path& scenario) {
   if (inside.empty()) inside = below(absolutePath(scenario), "scenarios");
   if (inside.empty()) inside = scenario.filename();
   return goldenFolder(scenario) / inside.replace_extension(".golden");
-}
-
-std::vector<fs::path> goldensWithoutScenario(const fs::path& goldenFolder, const fs::path& scenarioFolder) {
-  std::vector<fs::path> orphans;
-  for (const fs::path& golden : filesBelow(goldenFolder, ".golden")) {
-    const fs::path name = golden.lexically_relative(goldenFolder);
-    if (*name.begin() == ".pending") continue;  // waits for a review
-    if (!fileExists(scenarioFolder / fs::path(name).replace_extension(".yaml"))) orphans.push_back(golden);
-  }
-  return orphans;
 }
 
 }  // namespace morula

@@ -2,7 +2,6 @@
 // Where goldens lie, and how a new one is accepted.
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "golden/golden.h"
 
@@ -17,6 +16,9 @@ struct Acceptance {
 /// InputError without a reason, with a rule that matches nothing, and when the environment variable CI is set
 /// and not empty: goldens are accepted by people. Throws FileError if the file cannot be written.
 void acceptGolden(const std::filesystem::path& file, Golden golden, const Acceptance& acceptance);
+/// Throws InputError, beginning with `place`, unless name and reason are each one line of at most 1000 letters, without
+/// control characters and characters that change the direction of a text.
+void requireAcceptable(const std::string& place, const Acceptance& acceptance);
 /// Throws InputError where goldens must not be written; asked before the runs that an acceptance takes.
 void refuseWithinCi(const std::filesystem::path& file);
 
@@ -30,9 +32,5 @@ bool liesInScenarios(const std::filesystem::path& scenario);
 std::filesystem::path goldenPath(const std::filesystem::path& scenario);
 /// …/golden for …/scenarios/thesis/unique-four.yaml; the scenario's own folder where there is no folder `scenarios` above it.
 std::filesystem::path goldenFolder(const std::filesystem::path& scenario);
-
-/// Golden files under `goldenFolder` that have no scenario under `scenarioFolder`, sorted.
-std::vector<std::filesystem::path> goldensWithoutScenario(const std::filesystem::path& goldenFolder,
-                                                          const std::filesystem::path& scenarioFolder);
 
 }  // namespace morula

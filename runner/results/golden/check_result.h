@@ -72,6 +72,7 @@ struct CheckReport {
   std::vector<CheckResult> results;
   std::string change = {};  // for people: how the result differs from the golden, in words; "" if it does not
   std::string file = {};    // the scenario's, where its name alone does not lead there
+  std::string state = {};   // the hash of the run's end; "" where there is none
 
   bool passed() const {
     for (const CheckResult& r : results)

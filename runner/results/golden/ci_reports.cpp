@@ -71,8 +71,9 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
 std::string nextInWords(const CheckReport& report) {
   if (report.file.empty()) return {};
   const std::string file = ' ' + shellWord(report.file);
-  return '`' + programWord() + " explain" + file + "` tells where it began; `" + programWord() + " review" + file +
-         "` shows all of it, and with `--accept --why \"…\"` accepts it";
+  return markdownCode(programWord() + " explain" + file) + " tells where it began; " +
+         markdownCode(programWord() + " review" + file) +
+         " shows all of it, and with `--accept --why \"…\"` accepts it";
 }
 
 std::string failureOf(const CheckReport& report, const Cause& cause) {
@@ -89,9 +90,10 @@ Table detailsOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
   Table table{"What differs", {first.failureClass, failedInWords(first)}};
   if (first.kind == "golden")
-    for (const ChangeLine& line : linesOfChange(report.change)) table.rows.push_back({line.heading, line.text});
+    for (const ChangeLine& line : linesOfChange(report.change))
+      table.rows.push_back({line.heading, markdownText(line.text)});
   if (first.check != "scenario" || report.change.empty())  // whose changed keys stand there already
-    table.rows.push_back({"check", first.check + ": " + firstLine(first.message)});
+    table.rows.push_back({"check", markdownText(first.check + ": " + firstLine(first.message))});
   if (cause.size() > 1) table.rows.push_back({"follow", followingInWords(cause)});
   return table;
 }
@@ -143,8 +145,9 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
     for (const Cause& cause : causes)
       if (const std::string what = failedInWords(*cause[0]); words.find(what) == words.npos)
         words += (words.empty() ? "" : "; ") + what;
-    scenarios.rows.push_back({report.scenario, report.results.size(), causes.empty() ? Words("pass") : bold(words)});
-    if (!causes.empty()) details += "\n#### " + printableLine(report.scenario) + "\n";
+    scenarios.rows.push_back(
+        {markdownText(report.scenario), report.results.size(), causes.empty() ? Words("pass") : bold(words)});
+    if (!causes.empty()) details += "\n#### " + markdownText(printableLine(report.scenario)) + "\n";
     for (const Cause& cause : causes) details += "\n" + markdownOf(detailsOf(report, cause));
     if (const std::string next = nextInWords(report); !causes.empty() && !next.empty())
       details += "\n" + printableLine(next) + "\n";

@@ -61,6 +61,8 @@ std::string followingInWords(const CheckResult& r) {
 }  // namespace
 
 std::string failedInWords(const CheckResult& failed) {
+  if (failed.failureClass == "UNREAD") return "there is nothing that can be read";
+  if (failed.check == "orphan") return "there is no scenario to this golden";
   if (failed.check == "golden")
     return failed.failureClass == "SETUP" ? "there is no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";

@@ -49,7 +49,12 @@ class Lines {
         if (line.starts_with(marker))
           fail("a merge marker; take one side's file whole, run the scenario and accept its result if it is right");
       if (end == std::string::npos) fail("the last line is cut short; the file is truncated, restore it from git");
-      if (line.ends_with('\r')) fail("the line ends in a carriage return; store the file with plain line ends");
+      if (number_ == 1) ofOtherSystem_ = line.ends_with('\r');
+      if (line.ends_with('\r') != ofOtherSystem_)
+        fail(
+            "some lines end in a carriage return and some do not; restore the file from git, and keep git from changing "
+            "goldens by a line `*.golden -text` in .gitattributes");
+      if (ofOtherSystem_) line.remove_suffix(1);
       if (!line.empty() && line.front() != '#') return true;
     }
     return false;
@@ -64,6 +69,7 @@ class Lines {
   const std::string& file_;
   std::size_t begin_ = 0;
   int number_ = 0;
+  bool ofOtherSystem_ = false;  // all lines end in CR LF, as git writes them with core.autocrlf: the same text
 };
 
 /// `keyword text`: the text of the next line.

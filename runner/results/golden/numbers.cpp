@@ -9,7 +9,7 @@ std::string tableOf(const std::string& name) { return name.substr(0, name.find('
 
 std::vector<RowValue> valuesOf(const GoldenRow& row) {
   std::vector<RowValue> values;
-  for (const std::string& word : wordsOf(row.values.text))
+  for (const std::string& word : partsOf(row.values.text, ' '))
     if (const auto equals = word.find('='); equals != word.npos)
       values.push_back({word.substr(0, equals), word.substr(equals + 1)});
   return values;

@@ -23,8 +23,10 @@ std::string classOf(ResultState state) {
   return text;
 }
 
-/// True for a golden that could not be read.
-bool isUnusable(const CheckResult& r) { return r.check == "golden" && r.failureClass == "INPUT_CHANGED"; }
+/// True for a golden or a scenario that could not be read.
+bool isUnusable(const CheckResult& r) {
+  return (r.check == "golden" && r.failureClass == "INPUT_CHANGED") || r.failureClass == "UNREAD";
+}
 
 /// A number in four digits; another text as it is.
 std::string inFourDigits(const std::string& text) {

@@ -1,13 +1,17 @@
 #include "check/accept_run.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "check/check_run.h"
+#include "check/pending.h"
 #include "check/sanity.h"
 #include "files/folders.h"
 #include "golden/change.h"
 #include "golden/golden_diff.h"
 #include "loop/twin_run.h"
 #include "system/console.h"
+#include "system/installation.h"
 #include "system/signals.h"
 
 namespace morula {
@@ -26,6 +30,14 @@ void refuseViolated(const Scenario& scenario, const CheckedRun& checked) {
   report.results.insert(report.results.end(), checked.sanity.begin(), checked.sanity.end());
   if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
   if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
+}
+
+/// The same apart from pictures, which another renderer draws otherwise.
+bool isSameResult(GoldenData a, GoldenData b) {
+  const auto isImage = [](const GoldenItem& item) { return std::holds_alternative<GoldenImage>(item); };
+  std::erase_if(a.items, isImage), std::erase_if(b.items, isImage);
+  const auto same = [](const GoldenItem& x, const GoldenItem& y) { return agree(x, y) && keyOf(x) == keyOf(y); };
+  return a.scenarioHash == b.scenarioHash && a.seed == b.seed && std::ranges::equal(a.items, b.items, same);
 }
 
 /// The same again, by another way. With bodies its twin runs beside it.
@@ -54,13 +66,23 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
   refuseViolated(scenario, checked);
+  const GoldenData observed = observe(scenario, run);
+  if (const auto waiting = waitingResult(scenario); waiting && !isSameResult(*waiting, observed)) {
+    AcceptedRun refused{.other = true};
+    refused.text = "nothing accepted: " + scenario.file +
+                   ": this run's result is another one than the result that waited for a review:\n" +
+                   changeInWords(*waiting, observed) + describeGoldenDiff({*waiting, {}, {}, {}}, observed) +
+                   "look at it with `" + programWord() + " review " + shellWord(scenario.file) + "`, then accept it\n";
+    refused.signal = putPending(scenario, run, observed, how, quiet);
+    return refused;
+  }
   TwinRun again;
   try {
     again = runAgain(scenario, otherExecution(how), quiet);
   } catch (const Interrupted& by) { return {.signal = by.signal}; }
   if (again.end != *run.end.stateHash) return {.nondeterministic = true};
 
-  Golden golden{observe(scenario, run), {}, {}, usualRules(scenario), {}, again.growth};
+  Golden golden{observed, {}, {}, usualRules(scenario), {}, again.growth};
   AcceptedRun accepted{.done = true};
   if (fileExists(file)) {
     try {

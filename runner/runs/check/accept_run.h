@@ -12,6 +12,8 @@ struct AcceptedRun {
   bool done = false;
   // The run made again by another way came to another end: nothing is accepted
   bool nondeterministic = false;
+  // Another result than this one waits for a review and was looked at: nothing is accepted, and this one waits now
+  bool other = false;
   int signal = 0;         // that interrupted it
   std::string text = {};  // for people: what was accepted and what it changed
 };

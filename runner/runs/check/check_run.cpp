@@ -49,6 +49,16 @@ GoldenImage imageOf(const Simulation& run, const Scenario& scenario) {
   return {"organism", rendererName(), hashOf(drawOrganism(picture))};
 }
 
+/// A message without the places "file:line:column: " at the beginnings of its lines: names of files are no reasons.
+std::string withoutPlaces(const std::string& message, const std::string& file) {
+  std::string text;
+  for (const std::string& line : linesOf(message)) {
+    const auto end = line.starts_with(file + ':') ? line.find(": ") : line.npos;
+    text += (text.empty() ? "" : "\n") + (end == line.npos ? line : line.substr(end + 2));
+  }
+  return text;
+}
+
 CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path& file) {
   return failedCheck("golden", "SETUP", "a golden file", "none",
                      file.string() + " is not there; accept one: " + programWord() + " review " +
@@ -157,7 +167,12 @@ std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Checked
 }
 
 CheckReport checkStop(const Scenario& scenario, const std::string& failure) {
-  return {goldenName(scenario.file), {stopsAsItMust(scenario.check.fails, failure)}};
+  const std::string name = goldenName(scenario.file);
+  if (const auto file = goldenFile(scenario); !scenario.check.fails.empty() && fileExists(file))
+    return unusableGolden(name, file.string() +
+                                    ": a scenario that must stop (check.fails) has no result to accept; remove this "
+                                    "golden if the run must stop, or check.fails if it must not");
+  return {name, {stopsAsItMust(scenario.check.fails, withoutPlaces(failure, scenario.file))}};
 }
 
 }  // namespace morula

@@ -32,12 +32,24 @@ fs::path pendingFolder(const Scenario& scenario) {
   return (isOurs ? fs::path("golden") : goldenFolder(scenario.file)) / ".pending";
 }
 
+/// The folder that `pending`, a folder .pending, belongs to: with `golden` in it, or the scenarios themselves.
+fs::path projectOf(const fs::path& pending) {
+  const fs::path folder = absolutePath(pending).parent_path();
+  return folder.filename() == "golden" ? folder.parent_path() : folder;
+}
+
+/// The scenario's file as seen from its project; from the root where it lies elsewhere, as an installation's do.
+std::string placeOf(const Scenario& scenario) {
+  const fs::path file = absolutePath(scenario.file),
+                 place = file.lexically_relative(projectOf(pendingFolder(scenario)));
+  return (place.empty() || *place.begin() == ".." ? file : place).generic_string();
+}
+
 /// golden/.pending/thesis/unique-four-1a2b3c4d.golden: a project's own and an installation's scenario may have one name, so a
 /// hash of the place follows it.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
-  const std::string place = absolutePath(scenario.file).string();
   return pendingFolder(scenario) /
-         (goldenName(scenario.file) + '-' + Hasher().add(place).digest().text().substr(0, 8) + extension);
+         (goldenName(scenario.file) + '-' + Hasher().add(placeOf(scenario)).digest().text().substr(0, 8) + extension);
 }
 
 void removeAll(fs::path file) {
@@ -50,7 +62,7 @@ struct Origin {
   friend bool operator==(const Origin&, const Origin&) = default;
 };
 
-Origin originOf(const Scenario& scenario) { return {absolutePath(scenario.file).string(), buildId(buildInfo())}; }
+Origin originOf(const Scenario& scenario) { return {placeOf(scenario), buildId(buildInfo())}; }
 
 Origin readOrigin(const fs::path& file) {
   Origin origin;
@@ -72,6 +84,7 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
   try {
     makeFolder(file.parent_path());
     overwriteFile(pendingFolder(scenario) / ".gitignore", "*\n");
+    removeFile(pendingPicture(scenario));  // of an earlier result
     overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
@@ -86,6 +99,12 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
   return beside ? beside->signal : 0;
 }
 
+std::optional<GoldenData> waitingResult(const Scenario& scenario) {
+  const fs::path file = fileOf(scenario, ".golden");
+  if (!fileExists(file)) return std::nullopt;
+  return readGoldenFile(file).data;
+}
+
 fs::path pendingFile(const Scenario& scenario) { return fileOf(scenario, ".golden"); }
 
 std::optional<GoldenData> findPending(const Scenario& scenario) {
@@ -98,18 +117,20 @@ std::optional<GoldenData> findPending(const Scenario& scenario) {
 
 void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".golden")); }
 
-std::vector<fs::path> pendingScenarios() {
-  std::vector<fs::path> scenarios;
+PendingResults pendingResults() {
+  PendingResults waiting;
   for (const char* folder : {"golden/.pending", ".pending"}) {  // the second: of scenarios beside their goldens
     if (!fileExists(folder)) continue;
     for (const fs::path& result : filesBelow(folder, ".golden")) {
-      const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
-      if (scenario.empty() || !fileExists(scenario)) removeAll(result);
-      else scenarios.push_back(scenario.lexically_proximate(currentFolder()));
+      const fs::path place = readOrigin(fs::path(result).replace_extension(".from")).scenario;
+      const fs::path scenario = projectOf(folder) / place;
+      if (place.empty() || !fileExists(scenario)) waiting.gone.push_back(result);
+      else waiting.scenarios.push_back(scenario.lexically_proximate(currentFolder()));
     }
   }
-  std::sort(scenarios.begin(), scenarios.end());
-  return scenarios;
+  std::sort(waiting.scenarios.begin(), waiting.scenarios.end());
+  std::sort(waiting.gone.begin(), waiting.gone.end());
+  return waiting;
 }
 
 }  // namespace morula

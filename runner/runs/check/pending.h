@@ -1,6 +1,7 @@
 #pragma once
 // Results that differ from their goldens and wait for a review: <family>/<name>-<hash of its place>.golden, a .png with the end
 // beside the golden's, and a .from with the scenario's file and the build. They lie in .pending of the project's golden folder.
+// Places are relative to the project, so that they hold in a project that was copied or moved.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -17,13 +18,19 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
                bool quiet);
 /// What waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
+/// What waits for this scenario, whatever build made it and whatever the scenario was then: the result that people were shown.
+/// Throws InputError if its file was damaged.
+std::optional<GoldenData> waitingResult(const Scenario& scenario);
 /// Where it lies, and the picture that was written with it; the paths may not exist.
 std::filesystem::path pendingFile(const Scenario& scenario);
 std::filesystem::path pendingPicture(const Scenario& scenario);
 /// Takes it away: accepted, rejected, or the golden is met again.
 void removePending(const Scenario& scenario);
-/// Files of the scenarios with results that wait in the project that one stands in, sorted. What waits for a scenario that is gone is taken
-/// away.
-std::vector<std::filesystem::path> pendingScenarios();
+/// What waits in the project of the current folder. Changes nothing.
+struct PendingResults {
+  std::vector<std::filesystem::path> scenarios;  // their files, sorted
+  std::vector<std::filesystem::path> gone;       // results whose scenario is not there, sorted
+};
+PendingResults pendingResults();
 
 }  // namespace morula

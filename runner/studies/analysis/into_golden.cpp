@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "golden/accept.h"
 #include "scenario/scenario.h"
+#include "store/build_info.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -49,18 +50,47 @@ StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario)
   return results;
 }
 
+/// The file that the scenario has now under a file's role and name, of which the condition ran with another content; "" if
+/// there is none.
+std::string changedFile(const Json& plan, const Json& condition, const Scenario& now) {
+  for (const Json& number : condition.at("files")) {
+    const Json& then = plan.at("files").at(number.get<std::size_t>());
+    const std::string name = std::filesystem::path(then.at("path").get<std::string>()).filename().string();
+    for (const NamedFile& file : now.files)
+      if (file.role == then.at("role").get<std::string>() && std::filesystem::path(file.path).filename() == name &&
+          file.content != then.at("text").get<std::string>())
+        return file.path;
+  }
+  return {};
+}
+
+/// Throws InputError unless this program has computed the results: a golden's values are of one program.
+void requireOwnBuild(const StudyResults& results, const std::filesystem::path& study) {
+  const std::string ours = buildId(buildInfo());
+  if (!results.buildId.empty() && results.buildId != ours)
+    throw InputError(study.string() + ": its runs were computed by another build of the program (" + results.buildId +
+                     ", this is " + ours + "); run the study again, into a new folder");
+}
+
 /// The scenario's golden with the statistics of its runs alone.
 Golden stated(const StudyResults& results, const CompareOptions& options, const std::filesystem::path& study,
               const std::filesystem::path& scenario) {
+  requireOwnBuild(results, study);
   const Scenario own = loadScenario(scenario);
   std::vector<bool> isOfScenario;  // [condition]
+  std::string changed;             // a file that the scenario names
   readStoredPlan(study, [&](const Json& plan) {
-    for (const Json& condition : plan.at("conditions"))
+    for (const Json& condition : plan.at("conditions")) {
       isOfScenario.push_back(plan.at("files").at(condition.at("scenario").get<std::size_t>()).at("text") == own.bytes);
+      if (isOfScenario.back() && changed.empty()) changed = changedFile(plan, condition, own);
+    }
   });
   if (std::ranges::find(isOfScenario, true) == isOfScenario.end())
     throw InputError(scenario.string() + ": " + study.string() +
                      " is a study of another scenario, or of this one before it was changed; run the study again");
+  if (!changed.empty())
+    throw InputError(scenario.string() + ": " + study.string() + " is a study of the scenario before " + changed +
+                     " was changed; run the study again");
   const StudyComparison comparison = compareStudy(ofBase(results, isOfScenario), options);
   if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
   refuseIntoGolden(own);

@@ -212,9 +212,9 @@ StudyResults readStudyResults(const std::filesystem::path& file) {
     return part == TablePart::record || part == TablePart::checks || part == TablePart::study;
   });
   StudyResults results;
-  Statement study(db, "SELECT name, summary, plan FROM study");
+  Statement study(db, "SELECT name, summary, plan, build_id FROM study");
   if (!study.start().next()) damaged(db, "the table study is empty");
-  results.name = study.line(0), results.summary = study.line(1);
+  results.name = study.line(0), results.summary = study.line(1), results.buildId = study.text(3);
   readMeasures(db, study.text(2), results);
   readAllowed(study.text(2), results);
   readAxes(db, results);

@@ -44,6 +44,7 @@ inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
 
 struct StudyResults {
   std::string name, summary;
+  std::string buildId;                // of the program that computed all runs; "" if there are none
   AllowedRuns allowed;                // failed and insane runs, by the study file
   std::vector<ResultAxis> axes;       // in the order of the study file, as their levels
   std::vector<std::string> measures;  // those that the study asks for, in its order

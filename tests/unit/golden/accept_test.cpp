@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "example_facts.h"
+#include "golden/project_files.h"
 #include "temporary_folder.h"
 
 using namespace morula;

@@ -136,6 +136,18 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
   CHECK(causes[1][0]->check == "tolerances");
 }
 
+TEST_CASE("The summary takes no HTML, links and images from names and messages") {
+  CheckReport report{"<img src=x>[a](b) & `c`", {failed("values", "COMPUTATION", "<b>g</b>:1: ![i](j)")}};
+  report.change = "  changed   name: <i>a</i> → [b](c)\n";
+  report.file = "a`b`.yaml";
+  const std::string page = summaryPage({report});
+  CHECK(page.find("<i") == page.npos);
+  CHECK(page.find("<b") == page.npos);
+  CHECK_THAT(page, ContainsSubstring("#### &lt;img src=x>\\[a](b) &amp; `c`") &&
+                       ContainsSubstring("| &lt;img src=x>") && ContainsSubstring("!\\[i](j)") &&
+                       ContainsSubstring("→ \\[b](c)") && ContainsSubstring("`` "));
+}
+
 TEST_CASE("The summary is a table, and below it stands what differs, in words") {
   CHECK(summaryPage({{"a", {passed("bits")}}}) ==
         "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 1 | pass |\n");

@@ -258,7 +258,13 @@ TEST_CASE("a long chain is thinned, and its last link stays") {
   CHECK(steps.back() == "12800");
 }
 
-TEST_CASE("line ends of another system") { complains("count cells 1", "count cells 1\r", "carriage return"); }
+TEST_CASE("line ends of another system are the same text, a mixture of both is not") {
+  const std::string text = writeGolden(exampleGolden());
+  std::string other;
+  for (const char c : text) other += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  CHECK(writeGolden(readGolden(other, "example.golden")) == text);
+  complains("count cells 1", "count cells 1\r", "*.golden -text");
+}
 
 TEST_CASE("lines that cannot be understood are named") {
   complains("morula golden 2", "morula golden 3", "no golden file of this version");
