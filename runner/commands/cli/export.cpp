@@ -9,12 +9,16 @@
 #include "export/ro_crate.h"
 #include "export/run_crate.h"
 #include "files/scratch_folder.h"
+#include "files/text.h"
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "report/study_part.h"
 #include "study_store/study_tables.h"
 #include "system/console.h"
+#include "system/installation.h"
+#include "system/usage_error.h"
 
 namespace morula::cli {
 
@@ -95,6 +99,10 @@ int act(const ExportOptions& options) {
   auto store = Store::openForReading(options.database);
   if (options.list) return listTables(store, options);
   if (options.crate.empty()) return listRuns(store, options);
+  if (options.request.run.empty() && isMergedStudy(options.database))
+    throw UsageError("--ro-crate: " + options.database + " holds " + std::to_string(store.runs().size()) +
+                     " runs of a study, and a crate holds one; --run ID names it (`" + programWord() + " export " +
+                     shellWord(options.database) + "` lists them)");
   const StoredRun run = store.find(options.request.run);
   requireToShow(store, run);
   const fs::path folder = options.crate;

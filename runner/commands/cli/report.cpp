@@ -8,6 +8,8 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "study/study_file.h"
+#include "study_verbs/study_verbs.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -37,6 +39,9 @@ int act(const ReportOptions& options) {
   question.execution = execution(options.execution);
   question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;
+  // A study file stands for the results that it has; where it lies decides nothing here.
+  for (std::string& what : question.what)
+    if (isStudyFile(what) && isPlainFile(what) && isStudy(what)) what = databaseOf(what, true).string();
   findExplorer(question);
   const fs::path file = options.output.empty() ? defaultName(question.what.front()) : fs::path(options.output);
   const ReportAnswer answer = makeReport(question);
@@ -60,8 +65,8 @@ void addReport(CLI::App& app, Action& action) {
             "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
   auto& options = verb.does<ReportOptions>(act);
   verb.needs("what", options.question.what, "WHAT",
-             "Databases of runs or of a merged study, report.json of a check, what accuracy --json printed, "
-             "or folders of these");
+             "Databases of runs or of a merged study, study files whose runs are there, report.json of a check, what "
+             "accuracy --json printed, or folders of these");
   verb.takes("-o,--output", options.output, "FILE", readPageName,
              "The page, a .html; default: report.html beside the first database");
   verb.takes("--run", options.question.run, "ID",

@@ -1,5 +1,7 @@
 // morula study emit: what a cluster, a workflow or GNU parallel runs a study with.
 
+#include <fmt/format.h>
+
 #include "files/folders.h"
 #include "files/write_file.h"
 #include "options/exit_codes.h"
@@ -33,6 +35,12 @@ int act(const EmitCommand& command) {
   // In the study's own folder stands what an earlier call has written.
   if (command.output.empty() || command.force) overwriteFile(out, text);
   else writeNewFile(out, text);
+  if (command.emit.site == Site::slurm && command.emit.shares > maxArrayJobs && study.plan.tasks.size() > maxArrayJobs)
+    tell(fmt::format(
+             "--jobs {}: the file asks for {} jobs, which is what Slurm takes in one array unless a site has raised "
+             "MaxArraySize",
+             command.emit.shares, maxArrayJobs),
+         command.of.output.quiet);
   const std::string start = howToStart(study, command.emit.site, out);
   printEither(command.of.output,
               {{"study", study.plan.study.name},

@@ -43,6 +43,9 @@ Json resolveMeaning(const Scenario& scenario);
 /// The hash of all that decides results, the mesh's vertices among it.
 Hash hashMeaning(const Scenario& scenario);
 
+/// Adds what `check.reference` says, nothing without.
+void addReference(Hasher& hasher, const Scenario& scenario);
+
 /// JSON with two spaces per level and numbers as std::to_chars writes them, the same on every machine.
 std::string writeJson(const Json& value);
 

@@ -24,15 +24,24 @@ bool refines(const std::string& section, const std::string& key) {
   return parameter && (!parameter->needs.empty() || parameter->beside);
 }
 
-/// What an unknown key was probably meant to be: a key of this section, or one of another.
+/// The path of a section or a parameter elsewhere that has this key; "" if there is none.
+std::string pathElsewhere(const std::string& key) {
+  for (const auto& s : parameterTable().sections)
+    if (s.key() == key) return s.path;
+  for (const auto& p : parameterTable().parameters)
+    if (p.key() == key) return p.path;
+  return {};
+}
+
+/// What an unknown key was probably meant to be. A key at the top that belongs into a section has been misplaced; one within a
+/// section may have been meant there, whatever else is called so.
 std::string remedy(const std::string& section, const std::string& key) {
   const auto here = keysOf(section);
   if (const auto near = closest(key, here); !near.empty()) return "did you mean " + near + "?";
-  for (const auto& s : parameterTable().sections)
-    if (s.key() == key) return "did you mean " + s.path + "?";
-  for (const auto& p : parameterTable().parameters)
-    if (p.key() == key) return "did you mean " + p.path + "?";
-  return here.empty() ? "this map takes no keys yet: write {}" : "known here: " + join(here);
+  const std::string other = pathElsewhere(key);
+  if (!other.empty() && (section.empty() || here.empty())) return "did you mean " + other + "?";
+  const std::string known = here.empty() ? "this map takes no keys yet: write {}" : "known here: " + join(here);
+  return other.empty() ? known : known + "; there is " + other + ", which is something else";
 }
 
 bool joins(const std::string& section, const std::string& key) {

@@ -95,6 +95,15 @@ Hash hashMeaning(const Scenario& scenario) {
   return hasher.digest();
 }
 
+void addReference(Hasher& hasher, const Scenario& scenario) {
+  const auto& reference = scenario.check.reference;
+  if (!reference) return;
+  hasher.field("contacts").add(std::uint64_t{reference->contacts.size()});
+  for (const auto& [a, b] : reference->contacts) hasher.add(a.text()).add(b.text());
+  hasher.field("positions").add(std::uint64_t{reference->positions.size()});
+  for (const auto& [path, x] : reference->positions) hasher.add(path.text()).add(x.x).add(x.y).add(x.z);
+}
+
 std::string writeJson(const Json& value) {
   std::string text;
   write(value, "", text);

@@ -77,6 +77,11 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
 void resolveAgain(Scenario& scenario) {
   scenario.resolved = writeJson(resolve(scenario));
   scenario.meaning = hashMeaning(scenario);
+  scenario.referenceMeaning.reset();
+  if (!scenario.check.reference) return;
+  Hasher hasher;
+  addReference(hasher, scenario);
+  scenario.referenceMeaning = hasher.digest();
 }
 
 Scenario withSeed(Scenario scenario, std::uint64_t seed) {

@@ -30,7 +30,7 @@ Scenario loadScenario(const std::filesystem::path& file, const std::vector<Overr
 /// The scenario as if it had been read with that seed.
 Scenario withSeed(Scenario scenario, std::uint64_t seed);
 
-/// What `resolved` and `meaning` are, once more: for who has changed any of the scenario's values.
+/// Computes `resolved`, `meaning` and `referenceMeaning` anew, after any of the scenario's values was changed.
 void resolveAgain(Scenario& scenario);
 
 /// The folder whose files a scenario or a study may name: its own, or the folder `scenarios` that it lies in, whose

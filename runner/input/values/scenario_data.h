@@ -104,6 +104,7 @@ struct Scenario {
   // Canonical JSON of every parameter, defaults included; itself a scenario that can be read
   std::string resolved;
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
+  std::optional<Hash> referenceMeaning;  // of check.reference, which decides measures and no state; absent without
 };
 
 }  // namespace morula

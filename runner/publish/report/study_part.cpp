@@ -67,8 +67,10 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
     const Words which =
         bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
     if (trouble.status == "done")
-      findings.push_back({Finding::Kind::bad,
-                          which + "not sane: bodies ended in a state that cannot be. The values count all the same"});
+      findings.push_back(
+          {Finding::Kind::bad,
+           which + "not sane: " + (trouble.reason.empty() ? "bodies ended in a state that cannot be" : trouble.reason) +
+               ". The values count all the same"});
     else if (trouble.status == "missing")
       findings.push_back({Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
     else {

@@ -33,7 +33,7 @@ std::string oneLine(const CheckResult& r) {
 
 /// Checks of one reason have one text here.
 std::string reasonOf(const CheckResult& r) {
-  if (r.kind == "sanity" || r.kind == "bullet") return r.kind;
+  if (r.kind == "bullet") return r.kind;
   if (r.kind != "golden" || r.check == "tolerances") return r.kind + ' ' + r.check;
   return r.failureClass == "CHAOS" ? "COMPUTATION" : r.failureClass;
 }

@@ -66,6 +66,7 @@ RunPart partOf(const std::string& column) {
 std::string runId(const RunRecord& record) {
   Hasher hasher;
   hasher.field("scenario_hash").add(record.scenarioHash);
+  if (!record.referenceHash.empty()) hasher.field("reference_hash").add(record.referenceHash);
   hasher.field("seed").add(record.seed);
   hasher.field("build_id").add(buildId(record.build));
   return hasher.digest().text().substr(0, 16);  // 64 bits: a million runs collide with probability 3e-8

@@ -42,8 +42,9 @@ struct SourceText {
 
 /// What is known before the first step.
 struct RunRecord {
-  std::string scenario;      // its name
-  std::string scenarioHash;  // semantic: formatting and key order do not count
+  std::string scenario;       // its name
+  std::string scenarioHash;   // semantic: formatting and key order do not count
+  std::string referenceHash;  // of what its measures compare with; "" without check.reference
   std::uint64_t seed = 0;
   std::vector<SourceText> documents;
   std::string command;  // as typed
@@ -54,7 +55,7 @@ struct RunRecord {
   std::string binaryHash = morula::binaryHash();
 };
 
-/// 16 hexadecimal digits over scenarioHash, seed and build: the same computation has the same id, anywhere.
+/// 16 hexadecimal digits over scenarioHash, referenceHash, seed and build: the same computation has the same id, anywhere.
 std::string runId(const RunRecord& record);
 
 /// How the run ended.
@@ -99,7 +100,8 @@ struct RunField : FieldInfo {
 template <IsA<StoredRun> T>
 void listFields(T& run, auto&& field) {
   auto& [id, record, status, started, ended, stateHash, steps, cells, time, failure, condition] = run;
-  auto& [scenario, scenarioHash, seed, documents, command, isa, threads, build, machine, binaryHash] = record;
+  auto& [scenario, scenarioHash, referenceHash, seed, documents, command, isa, threads, build, machine, binaryHash] =
+      record;
   auto& [version, sources, gitCommit, gitState, compiler, flags, target, libraries] = build;
   auto& [cpu, kernel, features, fpEnvironment] = machine;
   TextOf buildIdText{[&] { return buildId(run.record.build); }, notRead};
@@ -107,7 +109,9 @@ void listFields(T& run, auto&& field) {
                        [&](const auto& text) { run.record.build.libraries = librariesFrom(text); }};
   const bool runs = status == RunStatus::running;
   using enum RunPart;
-  field(RunField{{"run_id", "from scenario_hash, seed and build_id: the same computation, the same id"}, result, "run"},
+  field(RunField{{"run_id", "from scenario_hash, reference_hash, seed and build_id: the same computation, the same id"},
+                 result,
+                 "run"},
         id);
   field(RunField{{"scenario"}, result, "scenario"}, scenario);
   field(RunField{{"seed", "two's complement from 2^63 on"}, scene, "seed"}, AllBits{seed});
@@ -124,6 +128,9 @@ void listFields(T& run, auto&& field) {
       RunField{
           {"scenario_hash", "of the meaning: formatting and key order do not count"}, scene, "meaning of the scenario"},
       scenarioHash);
+  field(
+      RunField{{"reference_hash", "of check.reference, which measures compare with; NULL without"}, scene, "reference"},
+      NullIf{referenceHash.empty(), referenceHash});
   field(RunField{{"build_id", "from sources, compiler, flags, target and libraries"}, detail, "build id"}, buildIdText);
   field(RunField{{"version"}, detail, "version"}, version);
   field(RunField{{"sources", "digest of the program's sources"}, program, "sources"}, sources);

@@ -1,5 +1,5 @@
 #pragma once
-// All rows that a run's results make, table by table. Tests hold this list against the tables of a stored run.
+// All rows that a run's results make, table by table: what is stored, digested and held in goldens. A new table joins here.
 #include <algorithm>
 
 #include "base/error.h"

@@ -1,9 +1,11 @@
 #include "store/rows.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 
 #include "base/error.h"
-#include "store/run_tables.h"
+#include "store/result_rows.h"
 
 namespace morula {
 namespace {
@@ -25,42 +27,25 @@ class Documents {
   Statement text_, use_;
 };
 
-const std::string& stateText(const RunResults& results, StateId state) {
-  const auto found = results.stateTexts.find(state);
-  MORULA_CHECK(found != results.stateTexts.end(), "every state in the results has its text");
-  return found->second;
-}
-
-void insertCells(Database& db, const std::string& id, const RunResults& results) {
-  // In the order of the table's key, so that the table grows at its end: many times faster than by order of birth.
-  std::vector<const LineageEntry*> entries;
-  entries.reserve(results.lineage.size());
-  for (const LineageEntry& e : results.lineage) entries.push_back(&e);
-  std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) { return a->path < b->path; });
-  Statement insert(db, sqlTable<CellRow>().insert());
-  for (const LineageEntry* e : entries) {
-    const auto label = results.names.find(e->path);
-    insert.run(id, CellRow{*e, stateText(results, e->state),
-                           label == results.names.end() ? std::nullopt : std::optional(label->second)});
-  }
-}
-
 bool isNew(std::uint64_t step, std::optional<std::uint64_t> after) { return !after || step > *after; }
 
-void insertSamples(Database& db, const std::string& id, const RunResults& results, std::optional<std::uint64_t> after) {
-  Statement whole(db, sqlTable<WorldMeasures>().insert()), cell(db, sqlTable<CellSampleRow>().insert()),
-      contact(db, sqlTable<ContactMeasures>().insert()), more(db, sqlTable<TakenMeasure>().insert()),
-      surface(db, sqlTable<CellSurface>().insert());
-  for (const Sample& s : results.samples) {
-    const double time = s.world.time;
-    if (!isNew(s.world.step, after)) continue;
-    whole.run(id, s.world);
-    for (const TakenMeasure& m : s.more) more.run(id, time, m);
-    for (const CellSurface& c : s.surfaces) surface.run(id, time, c);
-    for (const CellMeasures& c : s.cells) cell.run(id, time, CellSampleRow{c, stateText(results, c.state)});
-    for (const ContactMeasures& c : s.contacts) contact.run(id, time, c);
+/// Stores rows of any table of a run, with one statement for each table.
+class Inserter {
+ public:
+  Inserter(Database& db, const std::string& id) : db_(db), id_(id) {}
+
+  template <class Row, class... Context>
+  void add(const Row& row, const Context&... context) {
+    auto& insert = inserts_[&sqlTable<Row>()];
+    if (!insert) insert = std::make_unique<Statement>(db_, sqlTable<Row>().insert());
+    insert->run(id_, context..., row);
   }
-}
+
+ private:
+  Database& db_;
+  const std::string& id_;
+  std::map<const SqlTable*, std::unique_ptr<Statement>> inserts_;
+};
 
 /// As documents: runs with one mesh share them. Those that the run's record has already are the same.
 void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
@@ -70,24 +55,6 @@ void insertFaces(Database& db, const std::string& id, const std::vector<MeshFace
   for (const MeshFaces& m : meshes)
     if (const std::string path = std::to_string(m.mesh); !known.start(id, path).next())
       documents.add(behindOthers + m.mesh, "faces", path, faceBytes(m));
-}
-
-void insertChain(Database& db, const std::string& id, const std::vector<ChainLink>& chain,
-                 std::optional<std::uint64_t> after) {
-  Statement link(db, sqlTable<ChainLink>().insert()), cell(db, sqlTable<CellHash>().insert());
-  for (const ChainLink& l : chain) {
-    if (!isNew(l.step, after)) continue;
-    link.run(id, l);
-    for (const CellHash& c : l.state.cells) cell.run(id, l.step, c);
-  }
-}
-
-template <class Row>
-void insertAll(Database& db, const std::string& id, const std::vector<Row>& rows, std::int64_t number = 0) {
-  Statement insert(db, sqlTable<Row>().insert());
-  for (const Row& row : rows)
-    if constexpr (std::string_view(tableInfo<Row>.context).ends_with("number")) insert.run(id, number++, row);
-    else insert.run(id, row);
 }
 
 }  // namespace
@@ -128,25 +95,33 @@ void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart)) {
 }
 
 void insertRecords(Database& db, const std::string& id, const RunResults& results, std::optional<std::uint64_t> after) {
-  insertSamples(db, id, results, after);
+  Inserter inserter(db, id);
+  visitRecords(results, [&](std::uint64_t step, const auto& row, const auto&... context) {
+    if (isNew(step, after)) inserter.add(row, context...);
+  });
   insertFaces(db, id, results.meshes);
-  insertChain(db, id, results.chain, after);
 }
 
 void insertResults(Database& db, const std::string& id, const RunResults& results) {
-  insertCells(db, id, results);
+  Inserter inserter(db, id);
+  std::vector<CellRow> cells;
+  visitEnd(results, 0, [&]<class Row>(std::uint64_t, const Row& row, const auto&... context) {
+    if constexpr (std::is_same_v<Row, CellRow>) cells.push_back(row);
+    else inserter.add(row, context...);
+  });
+  // In the order of the table's key, so that the table grows at its end: many times faster than by order of birth.
+  std::ranges::sort(cells, {}, [](const CellRow& c) -> const CellPath& { return c.cell.path; });
+  for (const CellRow& c : cells) inserter.add(c);
   insertRecords(db, id, results);
-  insertAll(db, id, results.connections);
-  insertAll(db, id, results.timeSteps);
-  insertAll(db, id, results.settlings);
-  insertAll(db, id, results.divisions);
   insertChecks(db, id, results.checks);
 }
 
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks) {
   Statement next(db, "SELECT coalesce(max(number), -1) + 1 FROM check_result WHERE run_id = ?");
   next.start(id).next();
-  insertAll(db, id, checks, next.integer(0));
+  std::int64_t number = next.integer(0);
+  Inserter inserter(db, id);
+  for (const CheckResult& check : checks) inserter.add(check, number++);
 }
 
 void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,

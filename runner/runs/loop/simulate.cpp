@@ -107,6 +107,7 @@ RunRecord recordOf(const Scenario& scenario, const Execution& execution, const s
   RunRecord record;
   record.scenario = scenario.scene.name;
   record.scenarioHash = scenario.meaning.text();
+  if (scenario.referenceMeaning) record.referenceHash = scenario.referenceMeaning->text();
   record.seed = scenario.scene.seed;
   record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
   for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});

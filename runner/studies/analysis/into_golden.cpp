@@ -65,7 +65,7 @@ std::string changedFile(const Json& plan, const Json& condition, const Scenario&
 }
 
 /// Throws InputError unless this program has computed the results: a golden's values are of one program.
-void requireOwnBuild(const StudyResults& results, const std::filesystem::path& study) {
+void refuseOtherBuild(const StudyResults& results, const std::filesystem::path& study) {
   const std::string ours = buildId(buildInfo());
   if (!results.buildId.empty() && results.buildId != ours)
     throw InputError(study.string() + ": its runs were computed by another build of the program (" + results.buildId +
@@ -75,7 +75,7 @@ void requireOwnBuild(const StudyResults& results, const std::filesystem::path& s
 /// The scenario's golden with the statistics of its runs alone.
 Golden stated(const StudyResults& results, const CompareOptions& options, const std::filesystem::path& study,
               const std::filesystem::path& scenario) {
-  requireOwnBuild(results, study);
+  refuseOtherBuild(results, study);
   const Scenario own = loadScenario(scenario);
   std::vector<bool> isOfScenario;  // [condition]
   std::string changed;             // a file that the scenario names

@@ -173,12 +173,7 @@ void finish(Condition& condition, const Study& study) {
   const std::uint64_t seed = std::exchange(s.scene.seed, 0);
   hasher.field("scene").add(scenario::hashMeaning(s));
   s.scene.seed = seed;
-  if (const auto& reference = s.check.reference) {
-    hasher.field("contacts").add(std::uint64_t{reference->contacts.size()});
-    for (const auto& [a, b] : reference->contacts) hasher.add(a.text()).add(b.text());
-    hasher.field("positions").add(std::uint64_t{reference->positions.size()});
-    for (const auto& [path, x] : reference->positions) hasher.add(path.text()).add(x.x).add(x.y).add(x.z);
-  }
+  scenario::addReference(hasher, s);
   if (study.keep.pictures != PicturesKept::none) {
     hasher.field("colours");
     for (const auto& [substance, colour] : s.colours) hasher.add(substance).add(colour);

@@ -78,18 +78,23 @@ MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& s
     if (part != TablePart::record && !isResult(part) && t != &sqlTable<ResultRow>() && t != &sqlTable<TimingRow>())
       continue;
     auto [select, insert] = copyOf(db_, *t);
-    copies_.push_back({std::move(select), Statement(db_, insert)});
+    copies_.push_back({std::move(select), Statement(db_, insert), t == &sqlTable<TimingRow>()});
   }
 }
 
 void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
+  TaskRow task = file.task();
+  // Tasks of one run differ in their pictures alone: its rows are stored once.
+  const bool isNew = runs_.insert(task.runId).second;
   for (Copy& copy : copies_) {
+    if (!isNew && !copy.isOfTask) continue;
     Statement rows(file.db(), copy.select);
     while (rows.next()) copy.insert.runWith(rows);
   }
-  Statement(db_, "UPDATE run SET condition_id = ? WHERE run_id = ?").run(planned.condition, file.task().runId);
-  sealRun(db_, file.task().runId);
-  TaskRow task = file.task();
+  if (isNew) {
+    Statement(db_, "UPDATE run SET condition_id = ? WHERE run_id = ?").run(planned.condition, task.runId);
+    sealRun(db_, task.runId);
+  }
   task.id = planned.id, task.number = planned.number, task.condition = planned.condition, task.seed = planned.seed;
   addMissing(task);
 }

@@ -3,6 +3,7 @@
 // the same order, make the same bytes, but for the table `timing`.
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,12 @@ class MergedStudy {
   struct Copy {
     std::string select;
     Statement insert;
+    bool isOfTask;  // by task, not by run
   };
   Draft draft_;
   Database db_;
   std::vector<Copy> copies_;
+  std::set<std::string> runs_;  // whose rows are stored
 };
 
 }  // namespace morula

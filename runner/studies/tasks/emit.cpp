@@ -12,7 +12,6 @@ namespace morula {
 namespace {
 
 constexpr double secondsPerJob = 600;
-constexpr std::size_t mostJobs = 1000;  // Slurm's MaxArraySize is 1001 unless a site has raised it
 
 /// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit for
 /// each run, what all of its runs may take, if that is less.
@@ -139,7 +138,7 @@ std::size_t sharesFor(const Plan& plan) {
   const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
   const auto cost = totalCost(plan);
   const double jobs = cost ? std::ceil(cost->seconds / secondsPerJob) : 100;
-  return std::min({static_cast<std::size_t>(std::clamp(jobs, 1.0, double(mostJobs))), tasks, mostJobs});
+  return std::min({static_cast<std::size_t>(std::clamp(jobs, 1.0, double(maxArrayJobs))), tasks, maxArrayJobs});
 }
 
 }  // namespace
@@ -155,7 +154,7 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
         "' has a brace in its name, where Snakemake and GNU parallel put in words of their own; rename it");
   const std::size_t tasks = std::max<std::size_t>(study.plan.tasks.size(), 1);
   const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
-  if (options.site == Site::slurm) return slurm(study, shares);
+  if (options.site == Site::slurm) return slurm(study, std::min(shares, maxArrayJobs));
   if (options.site == Site::snakemake) return snakemake(study, shares);
   // On one machine a job costs little: enough of them that all processors end at about the same time.
   return parallel(study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));

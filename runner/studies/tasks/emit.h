@@ -17,6 +17,9 @@ inline constexpr auto choices<Site> =
                                  {Site::snakemake, "snakemake", "a Snakefile, for Snakemake 7 and later"},
                                  {Site::parallel, "parallel", "a script that starts GNU parallel"}});
 
+/// Slurm's MaxArraySize is 1001 unless a site has raised it: a job array for Slurm has no more jobs than this.
+inline constexpr std::size_t maxArrayJobs = 1000;
+
 struct EmitOptions {
   Site site = Site::slurm;
   std::size_t shares = 0;  // into how many jobs; 0: of about ten minutes each, and no more than tasks

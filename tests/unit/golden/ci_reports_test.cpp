@@ -138,6 +138,7 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
 
 TEST_CASE("The summary takes no HTML, links and images from names and messages") {
   CheckReport report{"<img src=x>[a](b) & `c`", {failed("values", "COMPUTATION", "<b>g</b>:1: ![i](j)")}};
+  report.results[0].kind = "golden";
   report.change = "  changed   name: <i>a</i> → [b](c)\n";
   report.file = "a`b`.yaml";
   const std::string page = summaryPage({report});
