@@ -41,7 +41,7 @@ class CellPath {
   std::int32_t depth_ = 0;
 };
 
-/// What people read for a cell with this path: "the egg", or "cell AB". Data for programs keep the bare path.
+/// Returns the words for a cell with this path: "the egg", or "cell AB". Data for programs keep the bare path.
 std::string cellName(std::string_view path);
 
 }  // namespace morula

@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may choose between: an enumeration, and one row per value; and from a name to its value.
+// Choices of a scenario: an enumeration with one row per value, and the way from a name to its value.
 #include <array>
 #include <optional>
 #include <string>
@@ -26,13 +26,13 @@ constexpr auto valuesOf() {
   return values;
 }
 
-/// As scenarios call it.
+/// Returns the value's name in scenarios.
 template <class E>
 constexpr const char* nameOf(E value) {
   return choices<E>[static_cast<std::size_t>(value)].name;
 }
 
-/// For people: "pair or thesis".
+/// Returns all names for people: "pair or thesis".
 template <class E>
 std::string namesOf() {
   std::string list;

@@ -1,5 +1,5 @@
 #pragma once
-// For messages that end in "did you mean …?".
+// Suggestions for messages that end in "did you mean …?".
 #include <span>
 #include <string>
 #include <string_view>

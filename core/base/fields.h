@@ -16,7 +16,7 @@ namespace morula {
 class FieldWriter {
  public:
   void add(std::string_view name, std::span<const std::uint64_t> values);
-  /// With binary32 each is kept as a float, which it must be able to hold.
+  /// Adds numbers. With binary32 each is kept as a float, which must hold it exactly.
   void add(std::string_view name, std::span<const double> values, Precision precision = Precision::binary64);
   void add(std::string_view name, std::span<const std::string> values);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which instruction set the kernels use. It changes speed, never a bit of the result: the lanes of every set
+// The instruction set of the kernels. It changes speed, never a bit of the result: the lanes of every set
 // do the same IEEE operations in the same order.
 #include <string_view>
 #include <vector>

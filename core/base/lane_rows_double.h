@@ -130,8 +130,7 @@ MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
   return packed;
 }
 
-// With intrinsics where there are some: of __builtin_convertvector compilers make several conversions, by way
-// of memory.
+// Uses intrinsics where there are some: compilers turn __builtin_convertvector into several conversions by way of memory.
 MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   FloatLanes both;
   __builtin_memcpy(&both, &packed.v, sizeof both);

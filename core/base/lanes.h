@@ -98,7 +98,7 @@ MORULA_INLINE Lanes load(const Real* p) {
 }
 MORULA_INLINE void store(Real* p, Lanes a) { __builtin_memcpy(p, &a.v, sizeof a.v); }
 #if defined(MORULA_SINGLE)
-// What belongs to a whole cell is kept in doubles.
+// Values of a whole cell are kept in doubles.
 MORULA_INLINE Lanes load(const double* p) {
   WideLanes a;
   __builtin_memcpy(&a, p, sizeof a);
@@ -140,7 +140,7 @@ MORULA_INLINE Lanes sqrt(Lanes a) {
 #endif
 }
 
-/// Without the sign, which is the first bit.
+/// Clears the sign, which is the first bit.
 MORULA_INLINE Lanes abs(Lanes a) {
   constexpr MaskReal sign = static_cast<MaskReal>(1ULL << (8 * sizeof(MaskReal) - 1));
   return (RawLanes)((RawMask)a.v & ~(sign + RawMask{}));

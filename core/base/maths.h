@@ -61,7 +61,7 @@ struct SineAndCosine {
   double sine, cosine;
 };
 
-/// Of an angle [radian], each to within 2 ulp where |angle| ≤ 1e5: angle = k π/2 + r with |r| ≤ π/4, and there
+/// Sine and cosine of an angle [radian], each to within 2 ulp where |angle| ≤ 1e5: angle = k π/2 + r with |r| ≤ π/4, and there
 ///
 ///   sin r = r − r³/3! + … + r¹⁷/17!,   cos r = 1 − r²/2! + … + r¹⁶/16!
 ///

@@ -19,7 +19,7 @@ inline std::uint64_t firstMultipleAfter(double time, double every) {
   return n;
 }
 
-/// What is due at 0, every, 2·every, …; nothing is ever due without an interval.
+/// Decides when something is due: at 0, every, 2·every, …; never without an interval.
 class Schedule {
  public:
   explicit Schedule(std::optional<double> every) : every_(every) {}
@@ -28,7 +28,7 @@ class Schedule {
     return every_ ? std::optional(static_cast<double>(number_) * *every_) : std::nullopt;
   }
   bool isDue(double time) const { return every_ && time >= *next(); }
-  /// What was due at `time` or before has been done; the next multiple after `time` is the next that is due.
+  /// Notes that everything due at `time` or before has been done. The next multiple after `time` is due next.
   void pass(double time) {
     if (every_) number_ = firstMultipleAfter(time, *every_);
   }

@@ -5,7 +5,7 @@
 
 namespace morula {
 
-/// With `digits` significant digits; trailing zeros are left out.
+/// Writes a number with `digits` significant digits, without trailing zeros.
 inline std::string numberText(double a, int digits = 4) {
   char text[64];
   const auto result = std::to_chars(text, text + sizeof text, a, std::chars_format::general, digits);

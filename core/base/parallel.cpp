@@ -32,7 +32,7 @@ tbb::task_arena& arena(int threads) {
   return *slot;
 }
 
-// Of this thread in the innermost parallelFor, also one that is a plain loop within another one's body.
+// Number of this thread in the innermost parallelFor, also in one that is a plain loop within another one's body.
 thread_local int thisThread = 0;
 
 struct Numbered {

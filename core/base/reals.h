@@ -43,7 +43,7 @@ class Reals {
   }
   std::size_t bytes() const { return doubles_.size() * sizeof(double) + floats_.size() * sizeof(float); }
   double operator[](std::size_t i) const { return read(i); }
-  /// What is written is rounded to the nearest number of the array's precision.
+  /// Refers to a number of the array. A value that is written to it is rounded to the array's precision.
   Reference operator[](std::size_t i) { return {*this, i}; }
   /// From element i on.
   RealPointer from(std::size_t i) {

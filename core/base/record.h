@@ -19,7 +19,7 @@ namespace morula {
 template <class A, class T>
 concept IsA = std::same_as<std::remove_const_t<A>, T>;
 
-/// What is known of a field beside its type.
+/// The properties of a field beside its type.
 struct FieldInfo {
   const char* name;            // of the column, and of the member in JSON
   const char* meaning = "";    // for people, on one line; "": the name says it
@@ -37,7 +37,7 @@ concept Record = requires(T& record) {
   listFields(record, IgnoreFields{});
 };
 
-// What a list may say of a member, in place of the member itself.
+// Wrappers that a list may give in place of a member itself.
 
 /// Null where `isAbsent`, which may depend on fields before it and after it; null leaves the member as it is.
 template <class Member>
@@ -56,7 +56,7 @@ struct AnyReal {
 template <class Real>
 AnyReal(Real&) -> AnyReal<Real>;
 
-/// Of all 64 bits, which a signed column holds as two's complement.
+/// A number of 64 bits without a sign, which a signed column holds as two's complement.
 template <class Number>
 struct AllBits {
   Number& of;
@@ -73,7 +73,7 @@ struct TextOf {
 template <class Write, class Read>
 TextOf(Write, Read) -> TextOf<Write, Read>;
 
-/// The same of bytes.
+/// A member that is written and read as bytes.
 template <class Write, class Read>
 struct BytesOf {
   Write write;

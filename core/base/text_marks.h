@@ -1,5 +1,5 @@
 #pragma once
-// What editors and word processors leave in text files: byte order marks, and characters that show as nothing or as a blank.
+// Marks that editors leave in text files: byte order marks, and characters that show as nothing or as a blank.
 #include <cstddef>
 #include <optional>
 #include <string>

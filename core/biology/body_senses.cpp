@@ -1,4 +1,4 @@
-// What a cell perceives of itself.
+// Senses of the cell's own body.
 
 #include "base/error.h"
 #include "biology/physical_unit.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What a cell is and touches at one instant, as its biology, its division and the measures may know it. The
+// A cell and its surroundings at one instant, as its biology, its division and the measures see them. The
 // world stands still meanwhile, so the order in which cells are asked cannot matter.
 #include <optional>
 #include <span>
@@ -27,7 +27,7 @@ struct OtherCell {
   double distance;  // [length] of the two centres: the means of their vertices
 };
 
-/// Where a cell's centre lies in the shell.
+/// The place of a cell's centre in the shell.
 struct ShellPlace {
   Vector along;    // [1] along x, y and z, over how far the shell reaches that way: −1 to 1
   double out = 0;  // [1] 0 in the shell's middle, 1 on the shell
@@ -57,7 +57,7 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
-  /// The same of its grandmother.
+  /// The division by which its mother was made; null without one.
   virtual const DivisionRecord* grandmotherDivision() const { return nullptr; }
   /// The cells that it is connected to, by path; none in a scene without connections.
   virtual std::span<const CellContext* const> connected() const { return {}; }
@@ -79,10 +79,10 @@ class CellContext {
   /// (DivisionSize::Rule::adder); 0 elsewhere.
   virtual double sizeAtBirth() const { return 0; }
 
-  // What division planes ask for besides
+  // Further properties for division planes
   /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no such shell.
   virtual std::optional<Vector> shell() const { return {}; }
-  /// Of a shell that is a mesh, which has no semi-axes: the outward unit normal of its face nearest to the cell's
+  /// For a shell that is a mesh and has no semi-axes: the outward unit normal of its face nearest to the cell's
   /// centre; absent: no such shell.
   virtual std::optional<Vector> nearestShellNormal() const { return {}; }
   /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.

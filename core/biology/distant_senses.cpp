@@ -1,4 +1,4 @@
-// What a cell perceives of others from afar.
+// Senses of distant cells.
 #include <algorithm>
 #include <limits>
 

@@ -36,7 +36,7 @@ struct Dna {
   std::vector<std::string> warnings;    // what works, but may not be meant; each as a line of an InputError
 };
 
-/// What a scene does with substances outside its DNA.
+/// The scene's uses of substances outside its DNA.
 struct DnaSurroundings {
   std::set<std::string> given;    // to start cells, instead of START
   std::vector<std::string> read;  // by colours, cycle lengths …; a name, or its beginning and '*'

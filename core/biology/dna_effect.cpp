@@ -1,5 +1,5 @@
-// What is well written, could work, and yet has no effect. A misspelling must not become an organism that
-// silently does less than it should. What may be meant as it stands is a warning.
+// Finds DNA that is well written and could work, but has no effect. A misspelling must not become an organism that
+// silently does less than it should. DNA that may be meant as it stands is a warning.
 #include <algorithm>
 #include <map>
 

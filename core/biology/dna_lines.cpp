@@ -51,7 +51,7 @@ constexpr auto rangeExample = "; a range is written g{n}(a{n+1}|a{n}) for n in 0
 constexpr auto startExample = "; the egg's substances are written START: a0, a1";
 constexpr auto geneExample = "; a gene is written g1(product|input, input)";
 
-/// What `for n in 0..4` says, and the number that stands for n now.
+/// A range as `for n in 0..4`, and the number that stands for n now.
 struct Range {
   Place place;
   std::string variable;
@@ -237,7 +237,7 @@ std::size_t readLine(Cursor& cursor, Lines& lines) {
   return inName;
 }
 
-/// Where a range begins: `for` behind a complete line, where nothing else can stand. npos: there is none.
+/// Returns where a range begins: at a `for` behind a complete line, where nothing else can stand; npos without a range.
 std::size_t rangeBegin(std::string_view line) {
   for (std::size_t at = line.find("for", 1); at < line.size(); at = line.find("for", at + 1)) {
     const std::size_t before = line.find_last_not_of(" \t", at - 1);

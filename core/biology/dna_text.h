@@ -66,7 +66,7 @@ Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics);
 /// The meaning: whatever is well written but cannot work. `surroundings` may be null.
 void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics);
 
-/// What could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
+/// Reports what could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
 /// reads, an acting substance misspelt or in a scene that does nothing with it. `surroundings` may be null.
 void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
                  Diagnostics& warnings);

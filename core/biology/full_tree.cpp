@@ -24,7 +24,7 @@ std::string substanceOf(Node node) {
   return substanceOf(node / 2) + (isB(node) ? "b" : "a");
 }
 
-/// What makes a cell become this node in its next cycle: its mother's substance and its own asymmetry.
+/// The inputs by which a cell becomes this node in its next cycle: its mother's substance and its own asymmetry.
 std::string cause(Node node) { return node == 1 ? "egg" : substanceOf(node / 2) + ", " + (isB(node) ? "B" : "A"); }
 
 std::string gene(const std::string& name, Node node, const std::string& product, const std::string& inputs) {

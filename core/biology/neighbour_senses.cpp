@@ -1,4 +1,4 @@
-// What a cell perceives of those that it touches, is connected to or was born with.
+// Senses of cells that a cell touches, is connected to or was born with.
 #include <algorithm>
 
 #include "biology/sense.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may say about the pace of biology, and about what cells perceive.
+// The parameters of cycles and senses, as a scenario gives them.
 #include <map>
 #include <optional>
 #include <string>
@@ -41,7 +41,7 @@ enum class SenseKind {  // its number is part of what a scenario means: new ones
   sister,
 };
 
-/// What a measured number must be; all that is given must hold.
+/// A condition on a measured number; all bounds that are given must hold.
 struct Threshold {
   std::optional<double> below = {}, above = {}, atMost = {}, atLeast = {};
   // Beside one of the others: once it holds, it goes on holding until the number has passed this on the other side.

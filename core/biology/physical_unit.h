@@ -22,7 +22,7 @@ class PhysicalUnit {
  public:
   virtual ~PhysicalUnit() = default;
 
-  // As the last evaluation of the forces left it: free
+  // Values that the last evaluation of the forces has left. They cost nothing.
   virtual double getMass() const = 0;    // [mass]
   virtual double getVolume() const = 0;  // [length³]
   /// [force/length²] Inner minus outer pressure [Nilsson 2008, eq. 4.3]; 0 without fluid under pressure.

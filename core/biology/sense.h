@@ -1,5 +1,5 @@
 #pragma once
-// What a cell can perceive of itself and of others, kind by kind: one row for each in a table. To add one: its value in
+// The kinds of senses, by which a cell perceives itself and others: one row of a table for each. To add a kind: its value in
 // SenseKind (parameters.h), and its row in a file such as neighbour_senses.cpp.
 //
 // A kind measures one number of a cell, and a condition (Threshold) says of which numbers the cell takes note.
@@ -12,13 +12,13 @@
 
 namespace morula {
 
-/// Whether a cell is one of those that SenseParameters::of asks for.
+/// Returns true for a cell that SenseParameters::of asks for.
 using CountsCell = std::function<bool(const CellContext&)>;
 
 /// A part of a scene without which a kind of sense has nothing to measure.
 enum class SenseNeeds { nothing, bodies, membrane, mesh, contact, shell, connections };
 
-/// What the word in SenseParameters::of is called in a scenario, and whether it must be given.
+/// The key of SenseParameters::of in a scenario, and whether a scenario must give it.
 struct SenseOf {
   const char* key = nullptr;  // null: this kind has none
   bool required = false;
@@ -45,7 +45,7 @@ struct SenseKindRow {
   double most = std::numeric_limits<double>::infinity();
   /// The measured number; infinite where there is nothing that could be near.
   double (*measure)(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts);
-  /// What the number must be, of kinds whose condition the scenario does not spell; null: SenseParameters::is.
+  /// The condition on the number, for kinds whose scenario does not spell it; null: SenseParameters::is.
   Threshold (*threshold)(const SenseParameters& sense) = nullptr;
 };
 
@@ -53,11 +53,11 @@ struct SenseKindRow {
 std::span<const SenseKindRow* const> senseKinds();
 const SenseKindRow& kindOf(SenseKind kind);
 
-/// Whether a number is noted. `before`: whether the last one was [Threshold::until].
+/// Returns true if the threshold lets a number be noted. `before`: the last number was noted [Threshold::until].
 bool holds(const Threshold& threshold, double value, bool before);
 
-/// Whether a cell perceives this now. `before`: whether it did at its last cycle. A cell without a body perceives
-/// nothing that is of bodies: so a lineage may be asked what genes alone make of a scene that has some.
+/// Returns true if a cell perceives this now. `before`: the cell did at its last cycle. A cell without a body perceives
+/// nothing of bodies, so that a lineage alone can be computed of a scene with bodies.
 bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before);
 
 // Rows, by file. Private to this module.

@@ -8,11 +8,11 @@ namespace morula {
 /// [biology/substances.h]; '*' alone stands for all.
 bool fits(std::string_view pattern, std::string_view substance);
 
-/// Whether the pattern stands for any of `substances`: names with single spaces between them, as
+/// Returns true if the pattern stands for any of `substances`: names with single spaces between them, as
 /// CellContext::substances gives them.
 bool fitsAny(std::string_view pattern, std::string_view substances);
 
-/// Whether every substance that `narrow` stands for is one that `wide` stands for.
+/// Returns true if `wide` stands for every substance that `narrow` stands for.
 bool includes(std::string_view wide, std::string_view narrow);
 
 }  // namespace morula

@@ -19,7 +19,7 @@ inline const std::string shrink = "shrink";    // wantsToGrow −1; with `grow`:
 inline const std::string connect = "connect";  // wantsToConnect +1
 inline const std::string release = "release";  // wantsToConnect −1; with `connect`: 0
 
-/// Those that act when a gene produces them.
+/// Substances that act when a gene produces them.
 inline const std::array<std::string, 6> acting = {divide, die, grow, shrink, connect, release};
 
 /// True for the eight substances above. A pattern such as 'A*' means the names of its author, never these: every newborn holds A

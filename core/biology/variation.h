@@ -1,5 +1,5 @@
 #pragma once
-// What no two organisms do alike, and a seed decides [base/random.h, randomNormal]. Each deviation belongs to a
+// Deviations by which no two organisms are alike; a seed decides them [base/random.h, randomNormal]. Each deviation belongs to a
 // cell's lineage path and to what deviates, so a cell has the same one whatever else the scene does.
 
 namespace morula {

@@ -15,7 +15,7 @@ double shareOfEgg(const Bodies& b, int slot) {
   return std::min({1.0, b.mass(slot) / b.parameters.cell.mass, scale * scale * scale});
 }
 
-/// Which cells are connected, and the connections of each, in the order of the active ones.
+/// Finds the cells of each connection and the connections of each cell, in the order of the active connections.
 void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vector<CellPath>& paths) {
   const auto cellOf = [&](const CellPath& path) {
     return static_cast<int>(std::lower_bound(paths.begin(), paths.end(), path) - paths.begin());

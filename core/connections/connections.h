@@ -28,7 +28,7 @@ struct ConnectionRecord {
   ReleaseCause cause = ReleaseCause::none;
 };
 
-/// Of addConnectionForces; kept, so that a steady step allocates nothing.
+/// Scratch memory of addConnectionForces, kept so that a steady step allocates nothing.
 struct ConnectionScratch {
   std::vector<std::array<int, 2>> ends;  // [active connection] the numbers of its cells
   std::vector<int> first, next,

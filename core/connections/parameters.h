@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may say about connections between cells [Nilsson 2008, §4.4.3].
+// The parameters of connections between cells [Nilsson 2008, §4.4.3].
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ inline constexpr auto choices<MakeConnections> = std::to_array<Choice<MakeConnec
     {MakeConnections::pairs, "pairs", "such neighbours with one of the given pairs of substances"},
 });
 
-/// Where a dividing cell's connections go.
+/// The daughters that inherit a dividing cell's connections.
 enum class ConnectionsOnDivision { plane, both, nearest, a };
 template <>
 inline constexpr auto choices<ConnectionsOnDivision> = std::to_array<Choice<ConnectionsOnDivision>>({

@@ -33,7 +33,7 @@ void refit(TreeSearch& tree, const SearchInput& input, int slot) {
       boxes[n] = around(boxes[n + 1], boxes[node.second]);
       continue;
     }
-    // What is not a number compares with nothing, and so is left out.
+    // A NaN compares with nothing, so that it is left out.
     Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (std::int32_t i = base + node.first; i < base + node.last; ++i) {
       const Point x{tree.points.x[i], tree.points.y[i], tree.points.z[i]};

@@ -1,5 +1,5 @@
 #pragma once
-// Which pairs of the neighbour list may act for a while. Without adhesion a pair adds exactly nothing (pair_law_kernel.h)
+// Chooses the pairs of the neighbour list that may act for a while. Without adhesion a pair adds exactly nothing (pair_law_kernel.h)
 // unless
 //
 //   |a| < R_ij  and  min(g, g + τ ġ) < 0      with the gap g = a·h, ġ = u·h, u = v_i − v_j and the delay τ = C/K

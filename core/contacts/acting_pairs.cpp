@@ -12,14 +12,14 @@
 namespace morula {
 namespace {
 
-// Of the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with the margin M lasts M/ċ of
+// [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with the margin M lasts M/ċ of
 // them, and pairs that are kept for the margin cost as M does: both together cost least at M = 1.4 √(R ċ), measured.
 constexpr double marginScale = 1.4, leastMargin = 0.01, mostMargin = 0.07;
 // [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
-// Of all vertices: if more need a new choice at once, all get one.
+// Share of all vertices: if more of them need a new choice at once, all get one.
 constexpr double mostRenewed = 0.1;
-// Of a block's rows: after so many new lists all are chosen and cut anew, so that slices stay full.
+// After so many new lists for each of a block's rows all are chosen and cut anew, so that slices stay full.
 constexpr std::int64_t mostReplaced = 2;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }

@@ -14,7 +14,7 @@ namespace morula {
 
 struct Contacts;
 
-/// Which pairs were chosen, and since when; no bit of the result depends on it.
+/// The pairs that were chosen, and since when; no bit of the result depends on it.
 struct ActingPairs {
   AlignedVector<float> change, speeds;  // [vertex] since its pairs were chosen (ChangeCount)
   // Since pairs of all vertices were chosen
@@ -34,16 +34,16 @@ struct ActingPairs {
   std::vector<std::uint8_t> marked;  // scratch: [vertex]
 };
 
-/// Whether slices are cut of chosen pairs only.
+/// Returns true if slices are cut from chosen pairs only.
 bool choosesPairs(const Contacts& contacts);
 
-/// What a snapshot of this block counts. `sinceLast` [time]: how long surfaces have moved by the velocities of the last one.
+/// Prepares the count of changes in a snapshot of this block. `sinceLast` [time]: how long surfaces have moved by the velocities of the last one.
 ChangeCount countChanges(Contacts& contacts, const Bodies& bodies, int block, double sinceLast);
 
 /// Chooses among all pairs of the neighbour list anew, by all snapshots, and cuts them into slices.
 void choosePairs(Contacts& contacts, const Bodies& bodies, int threads);
 
-/// The same among pairs of those vertices alone whose choice does not hold any more; of all, if they are many.
+/// Chooses anew among pairs of vertices whose choice does not hold any more; among all pairs if these are many.
 void renewPairs(Contacts& contacts, const Bodies& bodies, int threads);
 
 }  // namespace morula

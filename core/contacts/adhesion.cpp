@@ -113,9 +113,9 @@ double adhesionStiffness(const Contacts& c, const Bodies& b) {
   for (const AdhesionPair& pair : c.parameters.adhesion->pairs) work = std::max(work, pair.strength);
   const auto& factor = c.adhesion.kinds.factor;
   if (!factor.empty()) work *= *std::max_element(factor.begin(), factor.end());
-  // Of spheres S/δ is at most 4πW, and (1 − u²)² at its steepest 1.54.
+  // For spheres S/δ is at most 4πW, and (1 − u²)² at its steepest 1.54.
   if (b.areSpheres()) return 1.54 * 4 * pi * work;
-  // Of all pairs that with the most different radii has the largest factor.
+  // The pair with the most different radii has the largest factor.
   const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
   const auto [least, most] = std::minmax_element(b.slots.begin(), b.slots.end(), smaller);
   const auto steepest = [&](int i, int j) {

@@ -34,7 +34,7 @@ struct Adhesion {
   AdhesionKinds kinds;
   std::vector<AlignedVector<double>> ofPairs;  // [block][as BlockLists::indices] T [energy]; of spheres S [force]
   bool isCurrent = false;                      // ofPairs
-  // With each set of cells
+  // Found anew for each set of cells
   std::vector<int> blockOfLine;        // [line]
   std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
 };

@@ -1,4 +1,4 @@
-// Which cells touch, and over which area. For measures and decisions, once in a while, not in each step.
+// Finds the cells that touch and the areas of their contacts. Measures and decisions need them now and then, not each step.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// What one vertex adds to the area of a pair of cells.
+/// The share of one vertex in the contact area of a pair of cells.
 struct Side {
   ContactArea pair;
   VertexNumber vertex;
@@ -69,7 +69,7 @@ int touchedSlot(const Contacts& c, const Bodies& b, const BlockLists& lists, con
   return touched;
 }
 
-/// Of the disc in which two spheres' surfaces meet; 0 if they do not. [length²]
+/// Area [length²] of the disc in which the surfaces of two spheres meet; 0 if they do not.
 double discArea(const SnapshotRow& i, double ri, const SnapshotRow& j, double rj) {
   const Vector apart{i.x - j.x, i.y - j.y, i.z - j.z};
   const double square = dot(apart, apart), distance = std::sqrt(square);
@@ -106,7 +106,8 @@ constexpr double mostCover = 2;              // of a vertex's area, and of what 
 // to 2, free or pressed together.
 constexpr double leastHeld = 0.1;     // of a vertex's share of W
 constexpr double stressOverWork = 3;  // σ A/W
-// Of the smaller cell's surface as a sphere. Less is the touch of a vertex or two, which hangs on how meshes lie.
+// A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the meshes'
+// orientation.
 constexpr double leastShare = 0.005;
 
 /// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both sides.
@@ -115,8 +116,9 @@ double coverOf(const PairSum& p, double work, double own, double atRest) {
   return std::clamp((held - leastHeld) / (1 - leastHeld), 0.0, 1.0);
 }
 
-/// What presses on the vertices of either side over the mean pressure in both cells; where that is less than what so
-/// little overlap bears, over this. No vertex counts for more than twice its area. Of cells that stick as the header says.
+/// Areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over the pressure that
+/// the overlap bears where that is larger. No vertex counts for more than twice its area. Areas of cells that stick are as the
+/// header says.
 std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
   std::vector<std::vector<double>> areas(b.blocks.size() * blockLanes);  // [slot][vertex]
   for (int slot : b.slots) areas[slot] = vertexAreas(b, slot);

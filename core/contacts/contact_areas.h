@@ -1,5 +1,5 @@
 #pragma once
-// Which cells touch, and over which area.
+// The cells that touch, and the areas of their contacts.
 #include <vector>
 
 #include "physics/bodies.h"

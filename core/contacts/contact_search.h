@@ -18,9 +18,8 @@ inline constexpr auto choices<ContactSearch> = std::to_array<Choice<ContactSearc
 /// Changes speed, never a bit of the result.
 struct SearchSettings {
   ContactSearch method = ContactSearch::grid;
-  /// Of the smallest influence radius: how much farther than it to look, so that what is found is good until
-  /// a vertex has moved half as far. More: longer lists, fewer searches; 0.3 is the measured optimum. 0: a
-  /// search at every step, for measurements.
+  /// [1] The skin, over the smallest influence radius: a list stays valid until a vertex has moved half of the skin. A larger
+  /// skin makes longer lists and fewer searches; 0.3 is the measured optimum. 0: a search at every step, for measurements.
   double skinShare = 0.3;
 };
 

@@ -95,7 +95,7 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
     const int slot = bodies.slots[cell];
     c.radius[slot] = radii[cell];
     const double inverse = 1 / (radii[cell] * radii[cell]);
-    // As rows hold it, so that each user of it sees the same number; rows of spheres hold their radius, too.
+    // Rounded as in rows, so that each user sees the same number. Rows of spheres also hold their radius.
     c.inverseRadiusSquared[slot] = bodies.areSpheres() ? inverse : static_cast<float>(inverse);
     smallest = std::min(smallest, radii[cell]);
   }
@@ -145,7 +145,7 @@ void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   const double limit = 0.25 * c.list.skin * c.list.skin;
-  // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
+  // The comparison is `<`, not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
   const bool choose = choosesPairs(c), search = !c.listIsValid || !still;
   if (search) {

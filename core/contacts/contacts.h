@@ -55,7 +55,7 @@ void resetContacts(Contacts& contacts, const Bodies& bodies);
 
 /// To be called when cells have grown: influence radii follow the rest lengths, and the list is void.
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies);
-/// The same with given radii, [cell] [length].
+/// Sets the influence radii to given ones, [cell] [length].
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies, std::span<const double> radii);
 
 /// Takes one block's snapshot, from the scratch that `advance` has just filled. `sinceLast` [time]: since the one before,
@@ -67,7 +67,7 @@ void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
 
 /// [1] How stiff the deepest overlap is, over K: as the last forces found it. The thesis' law and spheres: 1.
 double measureHardening(const Contacts& contacts);
-/// The same at an overlap B [pair_law_kernel.h].
+/// The factor by which a pair is stiffer at an overlap B [pair_law_kernel.h].
 double hardeningAt(double overlap);
 /// stiffness[slot]: how stiff that pair of a cell is whose repulsion ends most steeply with the distance, over K
 /// [pair_law_kernel.h]. By the last snapshots; 0 before the first search.

@@ -45,7 +45,7 @@ struct ContactConstants {
   const double* adhesion;               // [as indices] of each pair (adhesion.h); null without adhesion
 };
 
-/// By how much the snapshots of a block's vertices have changed since pairs were chosen (acting_kernel.h).
+/// The change of a block's snapshots since pairs were chosen (acting_kernel.h).
 struct ChangeCount {
   float* change;                                       // [vertex · blockLanes + lane] of gaps [length]
   float* speeds;                                       // the same: of velocities [length/time]
@@ -56,7 +56,7 @@ struct ChangeCount {
   std::int32_t endedCount;
 };
 
-/// Of lengths, for roundings in single precision (acting_kernel.h).
+/// Relative room in lengths for roundings in single precision (acting_kernel.h).
 constexpr double relativeRoom = 1e-5;
 
 /// Neighbour lists of one block, and which pairs to leave out (acting_kernel.h).
@@ -85,7 +85,7 @@ struct ContactKernels {
                              const ContactConstants&, RealPointer force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
   AddForces addSphereForces, addSphereForcesWithFriction;
-  // With adhesion, and without or with friction.
+  // Kernels with adhesion, without and with friction.
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 

@@ -7,7 +7,7 @@ namespace morula {
 void prepare(GridSearch& grid, const SearchInput& input) {
   const Box box = boundingBox(input);
   const Vector extent = box.high - box.low;
-  // Not so small that doubling it takes long, or never ends where reaches underflow.
+  // A bin has a min size, or doubling it would take long, and never end if reaches underflow.
   const double longest = std::max({extent.x, extent.y, extent.z});
   double binSize = std::max({safeBinSize(input.largestReach()), longest * 0x1p-30, 0x1p-1000});
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.

@@ -1,5 +1,5 @@
 #pragma once
-// Which points of the rows around a vertex are near. Rows are short, and a branch per hit would be unpredictable, so
+// Finds the points near a vertex among those of the rows around it. Rows are short, and a branch per hit would be unpredictable, so
 // there is none: of eight points at a time all places are written, and the list's end advances by the number of hits.
 #include "base/lanes.h"
 #include "contacts/search_kernels.h"
@@ -8,7 +8,7 @@ namespace morula::MORULA_ISA {
 
 typedef std::int32_t EightInts __attribute__((vector_size(32)));
 
-/// For each set of eight hits: which of the eight they are, and how many.
+/// For each set of hits among eight points: their places, and their number.
 struct HitTable {
   std::int32_t which[256][8] = {};
   std::uint8_t count[256] = {};

@@ -15,14 +15,14 @@ namespace {
 // snapshot: a little more than the mean of the radii is surely enough.
 constexpr double rounding = 1 + 1e-6;
 
-// Those that have use for threads take them.
+// Searches that can use threads take them.
 template <class Search>
 void prepareSearch(Search& search, const SearchInput& input, int threads) {
   if constexpr (requires { prepare(search, input, threads); }) prepare(search, input, threads);
   else prepare(search, input);
 }
 
-/// That all blocks may keep together.
+/// Max number of list entries that all blocks may keep together.
 std::int64_t mostNumbers(const NeighbourList& list) {
   // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices: 16. Acting ones
   // stand in BlockLists once more.
@@ -54,8 +54,8 @@ void requireRoomForLists(const NeighbourList& list) {
   }
 }
 
-/// Whether lists are too long, and where, must not depend on how many threads share what they may take: if they do not
-/// get along with their shares, one thread tells.
+/// The answer to whether lists are too long, and where, must not depend on the number of threads that share the memory. If
+/// the shares do not suffice, one thread searches again and decides.
 template <class Search>
 void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
   try {

@@ -4,7 +4,7 @@
 
 namespace morula {
 
-/// What vertex i's pairs with vertices of one other cell sum up to, damping and friction left out.
+/// The sum over vertex i's pairs with vertices of one other cell, without damping and friction.
 struct PairSum {
   VertexNumber vertex;   // i
   int slot, other;       // of i and of the other cell
@@ -15,8 +15,8 @@ struct PairSum {
   Vector force;          // −∂E/∂y_i
 };
 
-/// Of all vertices that any other cell's are within reach of: by the cells' numbers, the lower one of the two first,
-/// and then by vertex. From the last snapshot.
+/// Sums the pairs of all vertices that have another cell's vertices within reach: sorted by the cells' numbers, the lower one
+/// first, and then by vertex. Uses the last snapshot.
 std::vector<PairSum> sumPairs(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

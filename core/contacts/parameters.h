@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may say about cells that touch.
+// The parameters of contacts, as a scenario gives them.
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ struct AdhesionParameters {
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
 
-// What the pair law is made of, in kernels and measures; formulas: pair_law_kernel.h, surface_kernel.h.
+// Constants of the pair law, for kernels and measures; the formulas are in pair_law_kernel.h and surface_kernel.h.
 constexpr double retreat = 0.125, surfaceDepth = 0.65;                       // λ, γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²

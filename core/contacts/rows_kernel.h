@@ -47,14 +47,14 @@ MORULA_INLINE Rows loadRowInAllLanes(const RowMemory* row) {
           all(f[3])};
 }
 
-/// Not less than the length of `a`, and at most 16 % more, without a root: it is convex, linear where the order of sizes is
+/// Returns a bound on the length of `a`, at most 16 % above it, without a root. The bound is convex, linear where the order of sizes is
 /// the same, and right for (1, 0, 0) and (1, 1, 0); for (1, 1, 1) it is 1.83.
 MORULA_INLINE Lanes atMost(const Vec& a) {
   const Lanes x = abs(a.x), y = abs(a.y), z = abs(a.z);
   return 0.41421357 * (x + y + z) + 0.58578644 * max(x, max(y, z));
 }
 
-/// As rows hold velocities.
+/// Rounds a velocity as rows hold it.
 MORULA_INLINE Vec asStored(const Vec& v) {
 #if defined(MORULA_SINGLE)
   return v;
@@ -85,7 +85,7 @@ MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index
   for (int i = 0; i < width; ++i) __builtin_prefetch(rows + index[linesPrefetched * blockLanes + i]);
 }
 
-/// With each slice of a block, its share of the next block's rows and forces: sorted by length, slices name a block's
+/// Prefetches, with each slice of a block, its share of the next block's rows and forces: sorted by length, slices name a block's
 /// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Places and velocities are
 /// what the ring pass and the kick behind it wait for; with 2048 cells that is another 8 %.
 MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,

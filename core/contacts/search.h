@@ -1,5 +1,5 @@
 #pragma once
-// What every way of searching is asked, and what it answers. Each is a struct with the memory that it keeps,
+// The interface of all neighbour searches. Each is a struct with the memory that it keeps,
 // and two functions: `prepare` once per search, then `searchBlock` for each block of cells, on any thread.
 //
 // The answer is fixed, so that it does not matter who gives it: the neighbours of vertex i are the vertices j
@@ -20,8 +20,8 @@ namespace morula {
 struct SearchInput {
   const SearchKernels& kernels;
   const Bodies& bodies;
-  // As Bodies::position: where vertices stand, to other cells. One that is not finite has no neighbours; this
-  // step is the last.
+  // Positions of vertices as other cells see them, laid out as Bodies::position. A vertex that is not finite has no
+  // neighbours; such a step is the last.
   const Reals& points;
   const AlignedVector<double>& halfReach;  // [slot] [length]; 0 without a cell
   double largestHalfReach, skin;           // [length]
@@ -73,7 +73,7 @@ struct BlockLists : RowLists {
   std::vector<std::int32_t> chosen;
   std::int64_t chosenAgain = 0;  // rows, since all were chosen
 
-  // As kernels read them (slices.h): all, or the acting ones; vertices without neighbours have none.
+  // Slices for the kernels (slices.h), of all pairs or of the acting ones; vertices without neighbours have none.
   std::vector<NeighbourSlice> slices;
   AlignedVector<std::int32_t> indices;
   std::vector<std::int32_t> place;            // [row] its slice · blockLanes + lane, or −1
@@ -85,7 +85,7 @@ struct BlockLists : RowLists {
     used = 0, asked = 0;
     counters = {};
   }
-  /// Where the next list goes, with room for so many numbers. Throws ListsTooLong.
+  /// Returns the place of the next list, with room for so many numbers. Throws ListsTooLong.
   VertexNumber* room(std::int64_t numbers) {
     asked = std::max(asked, used + numbers);
     if (asked > most) throw ListsTooLong{};

@@ -9,7 +9,7 @@ namespace morula {
 /// Slices of one block from one kind of its lists. `far`: the number of the far row.
 void cutIntoSlices(BlockLists& block, const RowLists& lists, VertexNumber firstOfBlock, VertexNumber far);
 
-/// The same for all blocks and all that were found.
+/// Cuts the lists of all blocks into slices, with all pairs that were found.
 void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads);
 
 /// Writes the lists of these rows anew: where a vertex stands, or, if its slice is too short, in slices behind the others.

@@ -1,5 +1,5 @@
 #pragma once
-// What the contact laws read of a vertex: one cache line, copied of all vertices at one moment, so that forces
+// The snapshot of a vertex that contact laws read: one cache line, copied of all vertices at one moment, so that forces
 // are computed from data that no thread changes, in any order and on any number of threads.
 #include <cstdint>
 
@@ -15,7 +15,7 @@ struct SnapshotRow {
 };
 static_assert(sizeof(SnapshotRow) == 64);
 
-/// The same in a scene of single precision.
+/// A row of a snapshot in a scene of single precision.
 struct SingleSnapshotRow {
   float x, y, z;
   float nx, ny, nz;

@@ -28,7 +28,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// What the pairs of a vertex sum up to.
+/// The sum over the pairs of a vertex.
 struct SurfaceForce {
   Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and friction
   Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
@@ -56,8 +56,8 @@ inline void findEnded(ChangeCount& count, int rows, int liveLanes) {
     }
 }
 
-// Of a vertex that comes so many later, a snapshot prefetches what no other part of a step has just read. With 1024 cells this
-// takes a tenth off the step.
+// takeSnapshot prefetches this many vertices ahead what the step has not read yet. With 1024 cells this takes a tenth off the
+// step.
 constexpr int linesAhead = 16;
 
 /// [ContactKernels::takeSnapshot] of the surface.

@@ -1,6 +1,6 @@
 #pragma once
 // Both sides of a plane.
-// What projection onto the plane folds over, unfolded again.
+// Cuts a surface into halves by projection onto the plane, and unfolds what projection folds over.
 //
 // A mother that is not convex casts parts of her far side onto one another: faces of the flat side that lie
 // upside down. Most would spring open by themselves, some would stay as a dent. So the projected vertices are
@@ -20,15 +20,15 @@ int countFolds(Points vertices, Faces faces, const std::vector<char>& isProjecte
 int unfold(std::vector<Point>& vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward,
            int sweeps = 200);
 
-/// What a plane makes of a closed surface: a copy of it for each side, in which the vertices beyond the plane
-/// lie on it. Connectivity stays.
+/// The two halves of a closed surface: for each side of the plane a copy, in which the vertices beyond the plane lie on the
+/// plane. Connectivity stays.
 struct Halves {
   std::vector<Point> a, b;  // a on the side that the normal points to
   double volumeA, volumeB;  // [length³]
 };
 
 /// Projects the vertices beyond the plane along its unit normal, and takes out what that folds over.
-/// Where nothing folds, both volumes add up to the whole exactly: a face's shadow on the plane stays the same.
+/// Projects the surface onto the plane from both sides. If nothing folds, both volumes add up to the whole exactly: a face's shadow on the plane stays the same.
 Halves halve(Points vertices, Faces faces, const Point& onPlane, const Vector& normal);
 
 }  // namespace morula

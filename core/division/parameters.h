@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may say about where cells divide [Nilsson 2008, §4.4.2].
+// The parameters of division planes, as a scenario gives them [Nilsson 2008, §4.4.2].
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -72,7 +72,7 @@ struct DivisionPlaneKind {
   Takes takes = Takes::nothing;  // PlaneChoice::axis, ::substance, or an axis that may turn to a substance
   bool needsShape = false;       // looks for the direction in which a cell is longest: a sphere has none
   bool usesSeed = false;         // draws random numbers
-  // What a scene must have, for it could never have an effect otherwise
+  // Parts that the scene must have, without which the plane could never have an effect
   bool needsContact = false;
   bool needsLongShell = false;  // one that is no sphere
   bool needsConnections = false;
@@ -90,7 +90,7 @@ const DivisionPlaneKind& kindOf(DivisionPlane plane);
 /// True if a plane that some cells may be cut by keeps polarities.
 bool keepsPolarity(const DivisionParameters& parameters);
 
-/// That of the division of a cell with these substances; absent: its daughters do not turn.
+/// The chirality of the division of a cell with these substances; absent: its daughters do not turn.
 std::optional<Chirality> chiralityOf(const DivisionParameters& parameters, const std::string& substances);
 /// [time] The longest of all chiralities; 0: there are none.
 double longestChirality(const DivisionParameters& parameters);

@@ -1,5 +1,5 @@
 #pragma once
-// Where along its normal a plane cuts off a given share.
+// Places a plane along its normal so that it cuts off a given share.
 #include "mesh/measures.h"
 
 namespace morula {

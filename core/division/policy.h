@@ -1,5 +1,5 @@
 #pragma once
-// Where a cell divides.
+// Division policies: the plane along which a cell divides.
 #include <cstdint>
 #include <memory>
 
@@ -13,15 +13,15 @@ namespace morula {
 class DivisionPolicy {
  public:
   virtual ~DivisionPolicy() = default;
-  /// Where this cell, which has a body, is to be cut. Asked of the instant before any cell divides; the
-  /// answer depends on nothing else, so the order in which cells are asked cannot matter.
+  /// Returns the cut of this cell, which has a body. The call sees the instant before any cell divides, and the
+  /// answer depends on nothing else, so that the order of calls cannot matter.
   virtual Cut findCut(const CellContext& cell) const = 0;
 };
 
 /// One plane for all cells. Throws InputError for an axis of length 0.
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed);
 
-/// For each cell what the first rule that fits it says of its plane, share and tilt, and its deviations (rules.cpp).
+/// Returns the policy that takes plane, share, tilt and deviations of each cell from the first rule that fits it (rules.cpp).
 /// Throws InputError for an axis of length 0, and for a share that is or may vary below 0.1 or above 0.9.
 std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& parameters, std::uint64_t seed,
                                                    const VariationParameters& variation = {});

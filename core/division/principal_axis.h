@@ -13,7 +13,7 @@ double extentRatio(std::span<const Point> points);
 /// A direction to which no symmetric shape lies at right angles.
 constexpr Vector ownSide{1, 0.55, 0.2};
 
-/// Of a line's two directions the one to the side of `ownSide`: rounding must not decide.
+/// Returns the direction of a line that points to the side of `ownSide`, so that rounding does not decide.
 Vector towardsOwnSide(const Vector& line);
 
 /// The unit eigenvector of the largest eigenvalue of the points' covariance. It points to the side of `ownSide`. Where

@@ -1,5 +1,5 @@
 #pragma once
-// What is kept of a division: which way the cell was cut, and whether its shape decided that.
+// The record of a division: how the cell was cut, and whether its shape decided that.
 #include <cstdint>
 #include <optional>
 

@@ -1,4 +1,4 @@
-// Which divisions have chirality.
+// The rules of division and of chirality: which one holds for a cell.
 #include "division/rules.h"
 
 #include <algorithm>

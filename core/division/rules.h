@@ -1,5 +1,5 @@
 #pragma once
-// Which rule a cell divides by.
+// The rule by which a cell divides.
 #include <string_view>
 
 #include "division/parameters.h"

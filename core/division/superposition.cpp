@@ -49,7 +49,7 @@ std::optional<Superposition> superpose(std::span<const Point> points, std::span<
     left += (b - a).squaredNorm(), leftOfScaled += (b - scale * a).squaredNorm();
   }
   const double count = static_cast<double>(points.size());
-  return Superposition{std::sqrt(left / count), std::sqrt(leftOfScaled / otherSize)};
+  return Superposition{std::sqrt(left / count), std::sqrt(leftOfScaled / otherSize), scale};
 }
 
 }  // namespace morula

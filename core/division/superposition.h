@@ -10,6 +10,7 @@ namespace morula {
 struct Superposition {
   double distance;  // [length] root mean square of what is left between the points, turned and moved, not scaled
   double shape;     // [1] the same, the points also scaled, over the root mean square radius of the others
+  double scale;     // [1] by which the points are scaled for that
 };
 
 /// Turns and moves `points` so that the sum of their squared distances from `others` is least [Kabsch 1976], by the

@@ -23,7 +23,7 @@ bool isSampled(std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Measure<Of>& row) { return row.name == name; });
 }
 
-/// Of the world, or of the cell with this path.
+/// Takes a measure on demand of the world, or of the cell with this path.
 std::optional<double> takeOnDemand(const Observation& now, std::string_view name, Scope scope, const CellPath& path) {
   const auto all = measuresOnDemand();
   if (std::none_of(all.begin(), all.end(),

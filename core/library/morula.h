@@ -10,7 +10,7 @@
 //   while (!organism.finished()) organism.step(64);
 //   std::cout << organism.cells() << ' ' << organism.hash() << '\n';
 //
-// What goes wrong is thrown as a std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which the
+// Errors are thrown as std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which the
 // organism stays as it failed. Two simulators share nothing; one must not be used by two threads at once.
 #include <cstddef>
 #include <cstdint>
@@ -42,15 +42,16 @@ class Simulator {
   std::string hash() const;
 
   std::size_t cells() const;
-  /// Of the living cell with this number: A and B from division to division, "" the egg. Cells are sorted by it.
+  /// Returns the path of the living cell with this number: A or B for each division, "" for the egg. Cells are sorted by path.
   std::string path(std::size_t cell) const;
-  /// What it holds: substances, sorted, with blanks between.
+  /// Returns the substances that the cell holds, sorted, with blanks between.
   std::string substances(std::size_t cell) const;
   /// x, y and z of each vertex of its surface, one after the other, and three vertices for each face; empty without bodies.
   std::vector<double> vertices(std::size_t cell) const;
   std::vector<std::int32_t> faces(std::size_t cell) const;
 
-  /// Of the organism or of one cell, by its name in `morula schema --measures`; absent where there is nothing to measure.
+  /// Takes a measure of the organism or of one cell, by its name in `morula schema --measures`; absent if there is nothing
+  /// to measure.
   std::optional<double> measure(std::string_view name) const;
   std::optional<double> measure(std::string_view name, std::size_t cell) const;
 

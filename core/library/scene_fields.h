@@ -1,6 +1,6 @@
 #pragma once
-// What a scene consists of, struct by struct: the one list that writing and reading share (scene_format.cpp). A member that is
-// missing in it does not compile. Whatever changes here changes the format: raise its version.
+// The members of a scene, struct by struct: the one list that writing and reading share (scene_format.cpp). A missing member does
+// not compile. A change of this list changes the format: raise its version.
 #include <tuple>
 
 #include "simulation/scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their mother's
+// Connectivity: which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their mother's
 // template, so that cells share lanes and a kernel reads one ring structure for all of them.
 #include <array>
 #include <vector>

@@ -26,7 +26,7 @@ struct ConvexShell {
 /// vertex, 1e-6 to 1e6.
 ConvexShell readConvexShell(const std::string& text, const std::string& name);
 
-/// The same shape, `factor` > 0 times as large.
+/// Returns the shell `factor` > 0 times as large.
 ConvexShell scaleConvexShell(ConvexShell shell, double factor);
 
 /// [1] The largest normal·x / offset: at most 1 inside, and linear along a ray from the origin.

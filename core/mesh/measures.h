@@ -16,7 +16,7 @@ double measureVolume(Points vertices, Faces faces);
 /// The mesh, scaled about the origin, that encloses this volume [length³]. Its own must be positive.
 Mesh scaleToVolume(Mesh mesh, double volume);
 
-/// The same with the volume of a sphere of this radius [length]. An inscribed icosphere encloses less than
+/// Scales a mesh to the volume of a sphere of this radius [length]. An inscribed icosphere encloses less than
 /// its sphere (97 % with 162 vertices), so its vertices come to lie a little farther out than the radius.
 Mesh scaleToRadius(Mesh mesh, double radius);
 
@@ -26,7 +26,7 @@ double measureArea(Points vertices, Faces faces);
 /// [length] The mean of the vertices, which carry the mass: the thesis' centre of mass, not the volume's.
 Point measureCentroid(Points vertices);
 
-/// Of the solid that a closed surface encloses, of even density.
+/// Moments of the solid of even density that a closed surface encloses.
 struct SolidMoments {
   double volume = 0;  // [length³]
   Point centre;       // [length] of the volume, not of the vertices

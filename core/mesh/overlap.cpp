@@ -30,7 +30,7 @@ struct Triangle {
   int mesh, face;
 };
 
-// Where a line enters (sign −1) or leaves (+1) a mesh.
+// A point in which a line enters (sign −1) or leaves (+1) a mesh.
 struct Crossing {
   double z;
   int mesh, sign;

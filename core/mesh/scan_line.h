@@ -1,6 +1,6 @@
 #pragma once
-// Where a triangle meets a vertical line (x, y), so that every line meets an even number of faces of a closed
-// mesh: every decision is taken per edge, from the edge's own numbers in an order that both of its faces
+// Finds where a triangle meets a vertical line (x, y). Every line meets an even number of faces of a closed mesh,
+// for every decision is taken per edge, from the edge's own numbers in an order that both of its faces
 // share, by half-open rules. A line through an edge or vertex then belongs to one of the faces around it, and
 // crossings upwards and downwards balance exactly, whatever the rounding.
 #include <utility>

@@ -1,5 +1,5 @@
 #pragma once
-// What makes a mesh fit to be a cell, with the place in a file for the message if it came from one.
+// Checks that a mesh can be a cell. Messages name the place in its file if it came from one.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +19,7 @@ struct WrittenDigits {
   double roundingOf(double coordinate) const;
 };
 
-/// Where the parts of a mesh stand in its file. The vectors are empty for a mesh that is not from a file.
+/// The lines of a file in which the parts of a mesh stand. The vectors are empty for a mesh that is not from a file.
 struct MeshSource {
   std::string name;              // of the file, or of the mesh
   std::vector<int> vertexLines;  // 1-based, per vertex

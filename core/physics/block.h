@@ -37,14 +37,14 @@ struct TemplateView {
   const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
   double restVolume;          // [length³]
 
-  /// Of a vertex: the first so many of its ring.
+  /// Number of a vertex' neighbours, which are the first ones of its ring.
   int neighbours(int vertex) const {
     const int last = ringStart[vertex + 1];
     return last - ringStart[vertex] - (ring[last - 1].edgeOffset == edgeCount * blockLanes);
   }
 };
 
-/// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
+/// Pointers to a block's numbers. Shapes: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
 struct BlockView {
   int meshLevel;  // which of the scene's meshes these cells have (Bodies::meshAt)
   int liveLanes;  // living cells in this block, in the first lanes

@@ -47,7 +47,7 @@ struct Bodies {
   Mesh surface;                      // what a sphere is seen as, at scale 1; empty with other models
   std::vector<CoarserMesh> coarser;  // finer ones first; empty: all cells have the egg's mesh
 
-  // Where cells are
+  // Places of cells
   int count = 0;                   // living cells
   std::vector<int> slots;          // [cell] in the order of lineage paths
   std::vector<BlockPlace> blocks;  // coarser meshes behind finer ones
@@ -75,14 +75,14 @@ struct Bodies {
   const MeshTemplate& meshAt(int meshLevel) const { return meshLevel == 0 ? mesh : coarser[meshLevel - 1].mesh; }
   const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].meshLevel); }
   int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
-  /// Of every cell, in a scene with one mesh; a BugError otherwise.
+  /// Number of vertices of every cell, in a scene with one mesh; throws BugError in others.
   int vertexCount() const;
   int blockCount() const { return static_cast<int>(blocks.size()); }
   int liveLanes(int block) const { return blocks[block].liveLanes; }
   int verticesPerLane(int block) const { return meshAt(blocks[block].meshLevel).vertexCount(); }
-  /// Of all blocks: each is a vertex of eight lanes.
+  /// Number of lines of all blocks; a line is one vertex of eight lanes.
   int lineCount() const { return static_cast<int>(position.size() / vertexStride); }
-  /// Where component x of a vertex of a slot stands in position, velocity and acceleration; y and z follow at
+  /// Index of component x of a slot's vertex in position, velocity and acceleration; y and z follow at
   /// blockLanes.
   std::size_t at(int slot, int vertex) const {
     return std::size_t(blocks[slot / blockLanes].firstLine + vertex) * vertexStride + slot % blockLanes;

@@ -1,6 +1,6 @@
 #pragma once
-// What is to be known of each cell model: one row of a table per model (cell_model.cpp). Who has to do with a
-// cell's model asks what its cells have, and not which model it is. To add one: its value and its name in
+// The properties of each cell model: one row of a table per model (cell_model.cpp). Code that depends on the model asks
+// what its cells have, not which model it is. To add a model: its value and its name in
 // parameters.h, a file with its row, a line in the table.
 #include "physics/parameters.h"
 
@@ -12,7 +12,7 @@ struct PhysicsStages;
 struct StabilityLimits;
 
 struct CellModelKind {
-  // What its cells have. A scenario gives no parameters of what they have not.
+  // Parts that the model's cells have. A scenario gives no parameters of parts that they lack.
   bool hasMesh = true;        // the egg's surface; else one vertex, the centre of a sphere
   bool hasMembrane = false;   // springs along edges around a fluid: physics.membrane, physics.pressure
   bool hasRestShape = false;  // physics.shape-matching

@@ -1,5 +1,5 @@
 #pragma once
-// What the drifts of all integrators share: one pass over the vertices, and the shell.
+// The part that the drifts of all integrators share: one pass over the vertices, and the shell.
 #include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {

@@ -24,7 +24,7 @@ void growUntil(Bodies& b, int slot, double rate, double timeStep, double size) {
   const double missing = size / sizeAtRest(b, slot);
   if (!(missing > 1)) return;
   const bool byFluid = b.model().hasMembrane && b.parameters.pressure.constant > 0;
-  // Of k_p, or of lengths: three times their change.
+  // The relative change of k_p, or three times that of lengths.
   const double most = byFluid ? missing - 1 : 3 * (cubeRoot(missing) - 1);
   grow(b, slot, std::min(rate * timeStep, most), 1);
 }

@@ -17,7 +17,7 @@ double verletLimit(double k, double c, double m) {
   return 4 * m / (std::sqrt(sc * sc + 4 * k * m) + sc);
 }
 
-/// Whether Runge–Kutta of that order, 1 or 4, lets no solution of x'' + b x' + a x = 0 grow in a step of 1.
+/// Returns true if Runge–Kutta of this order, 1 or 4, lets no solution of x'' + b x' + a x = 0 grow in a step of 1.
 /// Its amplification R(z) = Σ zⁿ/n! up to the order, at both roots z of z² + b z + a = 0, is p + q z there;
 /// both |R| ≤ 1 if ΠR ≤ 1, Π(1 − R) ≥ 0 and Π(1 + R) ≥ 0.
 bool isStable(int order, double a, double b) {
@@ -30,7 +30,7 @@ bool isStable(int order, double a, double b) {
   return product(p) <= 1 && product(p - 1) >= 0 && product(p + 1) >= 0;
 }
 
-/// By bisection: both regions of stability are without gaps on the way from 0 to their border, and within 4
+/// Finds the stability limit by bisection: both regions of stability are without gaps on the way from 0 to their border, and within 4
 /// of 0. An undamped oscillator gives 0 for order 1, which is explicit Euler.
 template <int order>
 double rungeKuttaLimit(double k, double c, double m) {
@@ -80,7 +80,7 @@ constexpr IntegratorKind kinds[] = {
      .solvesForces = true,
      .oscillatorLimit = verletLimit<1>,
      .movement = moveByXpbd},
-    // Of a step of the relaxation, as of a time step: nothing is damped.
+    // The limits of one step of the relaxation, as of a time step without damping.
     {.title = "quasi-static relaxation",
      .order = 0,
      .settles = true,

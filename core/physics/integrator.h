@@ -1,5 +1,5 @@
 #pragma once
-// What is to be known of each integrator: one row of a table (integrator.cpp).
+// The properties of each integrator: one row of a table (integrator.cpp).
 #include <span>
 
 #include "physics/parameters.h"

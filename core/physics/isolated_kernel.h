@@ -1,5 +1,5 @@
 #pragma once
-// Of isolated cells: the end of one time step and the drift of the next in one pass. Between the two no other
+// Isolated cells: the end of one time step and the drift of the next in one pass. Between the two no other
 // force is added, so accelerations need not be stored, and velocities are read and written once, not twice.
 #include "physics/pressure_kernel.h"
 #include "physics/verlet_kernel.h"

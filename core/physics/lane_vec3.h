@@ -11,7 +11,7 @@ using Vec = Vec3<Lanes>;
 /// The vectors of `width` cells, from the first lane that `p` points to.
 MORULA_INLINE Vec loadVec(const Real* p) { return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)}; }
 
-/// The same from lane `lane` on, at vertex `v` of a [vertex][3][lane] array.
+/// Loads vertex `v` of a [vertex][3][lane] array, from lane `lane` on.
 MORULA_INLINE Vec loadVec(const Real* array, int v, int lane) { return loadVec(array + v * vertexStride + lane); }
 
 MORULA_INLINE void storeVec(Real* array, int v, int lane, const Vec& a) {

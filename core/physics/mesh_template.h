@@ -1,5 +1,5 @@
 #pragma once
-// What all cells of a scene share: connectivity and rest lengths, laid out for the kernels.
+// The mesh that all cells of a scene share: connectivity and rest lengths, laid out for the kernels.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace morula {
 
-/// What shape matching needs of the mesh at rest.
+/// The mesh at rest as shape matching needs it.
 struct RestShape {
   std::vector<double> vertices;     // [vertex][xyz] from their mean [length]
   std::array<double, 6> inverse{};  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]

@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario may say about one cell's mechanics. Units are the scene's own: a length, a mass and a time.
+// The parameters of one cell's mechanics, as a scenario gives them. Units are the scene's own: a length, a mass and a time.
 // Every field here changes results.
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// What is to be known of each: integrator.h.
+/// How a scene goes through time. The properties of each integrator are in integrator.h.
 enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd, fire };
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
@@ -26,7 +26,7 @@ inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
      "quasi-static: after each event cells relax to rest, and time goes to the next one [Bitzek et al. 2006]"},
 });
 
-/// What keeps a cell in shape. What is to be known of each: cell_model.h.
+/// The model that keeps a cell in shape. The properties of each model are in cell_model.h.
 enum class CellModel { shell, shapeMatching, sphere };
 template <>
 inline constexpr auto choices<CellModel> = std::to_array<Choice<CellModel>>({
@@ -83,7 +83,7 @@ struct GrowthParameters {
   std::optional<double> until = {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
 };
 
-/// What of a cell with a mesh cannot leave a sphere or an ellipsoid.
+/// The part of a meshed cell that cannot leave a sphere or an ellipsoid.
 enum class Held { vertices, surface };
 template <>
 inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({

@@ -6,10 +6,10 @@
 
 namespace morula {
 
-/// What a kick must know of the shell.
+/// The kind of shell that a kick is compiled for.
 enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAroundSpheres };
 
-/// What a relaxation knows of a block's cells, [lane] (relax_kernel.h).
+/// The state of a relaxation for a block's cells, [lane] (relax_kernel.h).
 struct Relaxation {
   const double* mostMove;  // [length] of any vertex in one step
   double* alpha;           // [1] α

@@ -18,7 +18,7 @@ namespace morula::MORULA_ISA {
 
 constexpr double leastDeterminant = 0.125;
 
-/// Of numbers from leastDeterminant to 10⁹, to rounding: a^(5/16) is off by 8 % to 54 %, and Newton's
+/// Cube root of numbers from leastDeterminant to 10⁹, exact to rounding: a^(5/16) is off by 8 % to 54 %, and Newton's
 /// iteration doubles the digits.
 MORULA_INLINE Lanes cubeRootOf(Lanes a) {
   Lanes x = sqrt(sqrt(a * sqrt(sqrt(a))));
@@ -26,7 +26,7 @@ MORULA_INLINE Lanes cubeRootOf(Lanes a) {
   return x;
 }
 
-/// What the sums over a cell's vertices tell.
+/// The motion of a cell as a whole, from sums over its vertices.
 struct Match {
   Vec centre, drift, omega;  // c, v_c, ω
   Matrix map, goal;          // A, and T times the scale of the shape at rest

@@ -29,7 +29,7 @@ void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
     s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
 }
 
-/// Of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of
+/// Limits of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of
 /// the sphere of the cell's volume, and of its breathing.
 StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double omega) {
   const auto& membrane = b.parameters.membrane;

@@ -32,7 +32,7 @@ struct FeltShell {
       inverseSquare[i] = 1.0 / (axis * axis);
     }
   }
-  /// As ShellSlope.
+  /// Returns the slope at x, as ShellSlope.
   MORULA_INLINE Vec operator()(const Vec& x) const {
     return {x.x * inverseSquare[0], x.y * inverseSquare[1], x.z * inverseSquare[2]};
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What a shell holds: of a cell, for those who measure (the step finds it in shell_kernel.h), and of all of them.
+// Contact with the shell: of one cell, for measures (the step uses shell_kernel.h), and of all cells.
 #include "mesh/mesh.h"
 #include "physics/parameters.h"
 

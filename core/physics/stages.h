@@ -7,13 +7,13 @@
 
 namespace morula {
 
-/// Of a stage that a scene does not need.
+/// A stage that does nothing, for what the scene leaves out.
 inline void noOp(const TemplateView&, const BlockView&, const KernelParameters&) {}
 
 /// The kernels that a scene's parameters call for, chosen once: none does what the scene has not.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
-  // Of the evaluations after the first in a time step: Runge–Kutta's second to fourth; none elsewhere.
+  // The drifts of the second to fourth evaluation in a step of Runge–Kutta; other integrators have none.
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
 
   // The inner forces, in this order

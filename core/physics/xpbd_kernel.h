@@ -27,7 +27,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// Of each cell, for the time of a sub-step.
+/// The motion of each cell as a whole during a sub-step.
 struct Spin {
   Vec origin[blockLanes / width];   // x₀ of the first vertex
   Vec angular[blockLanes / width];  // Σ (x₀ − origin) × v before the inner forces: angular momentum over m

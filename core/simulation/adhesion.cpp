@@ -1,4 +1,4 @@
-// Which cells stick to others alike: by the adhesion pairs that their substances fit, and by what the seed varies.
+// The sets of cells that stick to others alike: by the adhesion pairs that their substances fit, and by their deviations.
 #include <map>
 
 #include "base/random.h"
@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-/// Which ends of which pairs a cell fits: [2 · pair + end]. Cells of one kind fit the same.
+/// The ends of pairs that a cell fits: [2 · pair + end]. Cells of one kind fit the same ends.
 using Ends = std::vector<bool>;
 
 Ends endsOf(const AdhesionParameters& p, const std::string& substances) {

@@ -17,7 +17,7 @@
 namespace morula {
 
 struct AskedMeasure {
-  /// As results call it: "sphericity"; where rows of two tables have one name, with its scope: "cell.volume".
+  /// The name in results: "sphericity"; with its scope if rows of two tables have the same name: "cell.volume".
   std::string name;
   std::string row;   // in its table
   std::string unit;  // "length³"; "": a pure number
@@ -30,14 +30,14 @@ struct AskedMeasure {
 
   /// How many cells are selected: no row of a table.
   bool isCount() const { return row.empty(); }
-  /// For people, without its unit: "shell share of AAA*", "volume".
+  /// The title for people, without its unit: "shell share of AAA*", "volume".
   std::string title() const;
 };
 
 /// All rows of all tables: world, cell, pair; each in the order of its table.
 const std::vector<AskedMeasure>& allMeasures();
 
-/// What to do about a name that rows of two tables have.
+/// How findMeasure treats a name that rows of two tables have.
 enum class IfSeveral { refuse, first };
 
 /// Reads it. Throws InputError "what is wrong; the remedy" for a name that no row has, or those of two tables, for a selection

@@ -1,5 +1,5 @@
 #pragma once
-// What is measured of bodies, without asking how they came to be as they are. `slot`: Bodies::slots.
+// Measures of bodies as they are now. `slot`: Bodies::slots.
 #include "biology/cell_context.h"
 #include "biology/physical_unit.h"
 #include "mesh/measures.h"
@@ -16,7 +16,7 @@ double measureMeshVolume(const Bodies& bodies, int meshLevel);
 /// [length³] PhysicalUnit::getRestVolume; `meshVolume`: measureMeshVolume of its mesh.
 double measureRestVolume(const Bodies& bodies, int slot, double meshVolume);
 double measureRestVolume(const Bodies& bodies, int slot);
-/// Of the solid, as it is now; of a sphere the ball's.
+/// Moments of the solid that the surface encloses; of a sphere those of the ball.
 SolidMoments measureMoments(const Bodies& bodies, int slot);
 
 /// [force·length] ½ Σ m v² over a cell's vertices.
@@ -41,7 +41,7 @@ double measureInvertedShare(const BodyShape& shape);
 /// of its size: a vertex there stands for a third of the area of its faces. 0 of a ball, which touches it in a point.
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
 
-/// Of a place in the shell: over the semi-axes, or over how far the mesh reaches along each axis.
+/// Returns a place relative to the shell: over its semi-axes, or over how far its mesh reaches along each axis.
 ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place);
 
 /// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by the surfaces that contacts (null:

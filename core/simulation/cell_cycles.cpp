@@ -129,7 +129,7 @@ void runCellCycles(World& world, double before, double until) {
     if (world.contacts) setInfluenceRadii(*world.contacts, *world.bodies);
     chooseTimeStep(world);  // cells that shrink get lighter: an automatic step must follow
   }
-  // For who measures before the next step: what cells hold now, as a checkpoint of now will have it.
+  // Measures before the next step see the substances that cells hold now, as a checkpoint of now will have them.
   if (world.contacts && world.contacts->parameters.adhesion && !world.contacts->adhesion.isCurrent)
     findPairStrengths(*world.contacts, *world.bodies, world.execution.threads);
 }

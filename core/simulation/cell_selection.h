@@ -1,5 +1,5 @@
 #pragma once
-// Which of the living cells a measure is of: what stands behind "of" in "shell_share of AAA*".
+// The living cells that a measure is taken of: what stands behind "of" in "shell_share of AAA*".
 #include <string>
 #include <string_view>
 
@@ -21,13 +21,13 @@ struct CellSelection {
   int generation = 0;       // [divisions] from the egg
   std::string substance{};  // a pattern (biology/substance_pattern.h)
 
-  /// As it is written.
+  /// The selection as a scenario writes it.
   std::string text() const;
-  /// Whether a cell with this path is selected that holds these substances, as a state's text has them.
+  /// Returns true if the selection has a cell with this path and these substances, as a state's text gives them.
   bool has(const CellPath& cell, std::string_view substances) const;
 };
 
-/// What may stand behind "of", for messages.
+/// The selections that may stand behind "of", for messages.
 inline constexpr const char* selectionAllowed =
     "a path (AAA, or AAA* with all that descend from it), generation N, clones, or a substance (skin, s*)";
 

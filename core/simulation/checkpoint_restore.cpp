@@ -37,7 +37,7 @@ auto readSingle(FieldReader& in, const std::string& name) {
   return column[0];
 }
 
-/// Of all cells, in the order of lineage paths.
+/// Writes vectors of all cells' vertices, in the order of lineage paths.
 void writeVectors(const Columns& values, const Bodies& b, Reals& array) {
   std::size_t i = 0;
   for (int slot : b.slots)
@@ -189,7 +189,7 @@ class StateReader {
   std::vector<StateId> states_;  // [place among the descriptions]
 };
 
-/// As the last step saw the cells, for those who measure contacts before the next one. Writes over forces.
+/// Takes the snapshots that the last step saw, for measures of contacts before the next step. Overwrites forces.
 void takeSnapshots(World& world) {
   Bodies& b = *world.bodies;
   for (int i = 0; i < b.blockCount(); ++i) {
@@ -225,7 +225,7 @@ void restoreContacts(const SavedContacts& s, World& world) {
   for (std::uint64_t* own : countersOf(c)) *own = *counter++;
 }
 
-/// Those that hold, by pair.
+/// Restores the list of connections that hold, sorted by pair.
 void restoreActive(Connections& connections) {
   const auto& history = connections.history;
   connections.active.clear();

@@ -52,7 +52,7 @@ auto countersOf(T& contacts) {
                     &boxesRefitted,     &treesBuilt};
 }
 
-/// What a checkpoint keeps of contacts: the list is built anew from the positions that it was built at, and
+/// The part of contacts that a checkpoint keeps: the list is built anew from the positions that it was built at, and
 /// is then the same.
 struct SavedContacts {
   // [cell]; radii follow growth at cell cycles only, so they do not follow from the rest scales.
@@ -63,7 +63,7 @@ struct SavedContacts {
   Numbers counters;  // countersOf
 };
 
-/// What was read of a checkpoint: only the state of `world`, and of its Contacts nothing.
+/// The state that was read from a checkpoint. `world` holds its state alone, without Contacts.
 struct SavedState {
   World world;
   SavedContacts contacts;

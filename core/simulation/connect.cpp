@@ -10,12 +10,12 @@
 namespace morula {
 namespace {
 
-/// Whether one cell holds a substance of the pair, and the other one of the pair's other.
+/// Returns true if one cell holds a substance of one side of the pair, and the other cell one of the other side.
 bool fits(const ConnectedPair& pair, const std::string& one, const std::string& other) {
   return (fitsAny(pair.a, one) && fitsAny(pair.b, other)) || (fitsAny(pair.b, one) && fitsAny(pair.a, other));
 }
 
-/// Whether two cells that touch are to be connected. `wish`: the sum of their wantsToConnect.
+/// Returns true if two cells that touch get a connection. `wish`: the sum of their wantsToConnect.
 bool shallConnect(const ConnectionParameters& p, double wish, const CellContext& a, const CellContext& b) {
   if (p.make == MakeConnections::byContact) return wish >= 0;
   if (p.make != MakeConnections::pairs) return wish > 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene's energy consists of, and where it goes. A closed scene (contacts by the pair law; no drag, damping,
+// The parts of a scene's energy, and its dissipation. A closed scene (contacts by the pair law; no drag, damping,
 // friction, shell, growth or division) keeps the sum of all parts, but for the error of the time step, which is of its
 // second order.
 #include "simulation/world.h"
@@ -18,11 +18,11 @@ struct Energy {
   double total() const { return kinetic + membrane + contents + connections + contact + adhesion; }
 };
 
-/// Of the cells alone: motion, membranes and contents.
+/// Measures the energy of cells without contacts and connections: motion, membranes and contents.
 Energy measureEnergy(const Bodies& bodies);
 
-/// Of the world as it is; contacts as the last snapshot saw them. Models of cells other than shells with springs hold
-/// energy that is not told, and so do spheres in contact.
+/// Measures the energy of the world as it is, with contacts as the last snapshot saw them. The energy of cell models other than
+/// shells with springs, and of spheres in contact, is not included.
 Energy measureEnergy(const World& world);
 
 /// [force·length/time] What drag, the membranes' damping, and the damping and friction of contacts take from the motion

@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-/// What a state's substances are called, looked up once: a large lineage has few states.
+/// The texts of states, looked up once each: a large lineage has few states.
 class StateTexts {
  public:
   explicit StateTexts(const BiologicalUnit& biology) : biology_(biology) {}

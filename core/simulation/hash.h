@@ -42,7 +42,7 @@ struct ChainLink {
   friend bool operator==(const ChainLink&, const ChainLink&) = default;
 };
 
-/// What a link's hash must be; `before` is empty for the first.
+/// Returns the hash that a link must have; `before` is empty for the first link.
 Hash hashLink(const std::optional<Hash>& before, std::uint64_t step, const Hash& state);
 /// The next link. Throws as hashState does.
 ChainLink nextLink(const std::optional<Hash>& before, const World& world);

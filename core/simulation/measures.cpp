@@ -125,7 +125,7 @@ void describeRows(Scope scope, std::vector<MeasureOnDemand>& all) {
     if (row.taken == Taken::onDemand) all.push_back({scope, row.name, row.needs});
 }
 
-/// Which of the living cells; empty: all.
+/// True for each living cell that is selected, [cell]; empty: all are.
 using Selected = std::vector<char>;
 
 Selected selectedCells(const Observation& now, const AskedMeasure& measure) {
@@ -147,7 +147,7 @@ struct AskedRow {
   Selected selected;
 };
 
-/// Of one thing: nothing if there is nothing to measure.
+/// Takes a measure of one thing, and adds nothing if there is nothing to measure.
 template <class Of>
 void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, const CellPath& a, const CellPath& b,
              const Of& of, std::vector<TakenMeasure>& taken) {

@@ -1,5 +1,5 @@
 #pragma once
-// What can be read off a World: one row per measure, of the world, of a cell, of a pair of cells that touch. Columns of
+// The measures of a World: one row for each measure of the world, of a cell, and of a pair of cells that touch. Columns of
 // the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come from these rows; a new
 // measure is a new row. Measured on demand only: nothing here is computed unless it is asked for.
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Touch {
   std::optional<double> duration{};  // [time] as Observation::contactDurations; absent: not known
 };
 
-/// What a scene must have for a measure to be taken.
+/// The part that a scene must have for a measure.
 enum class Needs { nothing, bodies, contact, shell, referenceContacts, referencePositions };
 const char* name(Needs needs);
 
@@ -40,7 +40,7 @@ struct Measure {
   bool followsNumber =
       false;  // it changes with the number of cells, or with how small they are, though all else is alike
   std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
-  /// The same of the clones of cells so many divisions from the egg; null where it is not of clones.
+  /// Takes the measure of clones of cells that are `depth` divisions from the egg; null for measures that are not of clones.
   std::optional<double> (*ofClones)(const Of&, int depth) = nullptr;
 };
 using WorldMeasure = Measure<Observation>;
@@ -56,7 +56,7 @@ template <>
 std::span<const CellMeasure> measures<CellContext>();
 template <>
 std::span<const PairMeasure> measures<Touch>();
-/// Those that are taken with samples.
+/// The measures that every sample takes.
 template <class Of>
 std::span<const Measure<Of>> sampledMeasures();
 /// The row of this name; a BugError otherwise.
@@ -97,12 +97,12 @@ struct WorldMeasures : Measured<Observation> {
 };
 
 WorldMeasures measureWorld(const Observation& now);
-/// By lineage path; empty in a lineage-only world.
+/// Measures all cells, sorted by lineage path; empty in a lineage-only world.
 std::vector<CellMeasures> measureCells(const Observation& now);
-/// By (a, b); empty without contact.
+/// Measures all contacts, sorted by (a, b); empty without contact.
 std::vector<ContactMeasures> measureContacts(const Observation& now);
 
-/// What a measure is of. Those on demand have names that are no other's, of whatever scope.
+/// The thing that a measure is taken of. Names of measures on demand are unique over all scopes.
 enum class Scope { world, cell, pair };
 const char* name(Scope scope);
 

@@ -1,4 +1,4 @@
-// What is measured of one cell. To add one: a row here; those on demand stand last.
+// The measures of one cell. To add one: a row here; measures on demand stand last.
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// What is measured of two cells that touch. To add one: a row here; those on demand stand last.
+// The measures of two cells that touch. To add one: a row here; measures on demand stand last.
 #include <algorithm>
 
 #include "simulation/measures.h"

@@ -1,4 +1,4 @@
-// What is measured of the whole organism. To add one: a row here; those on demand stand last.
+// The measures of the whole organism. To add one: a row here; measures on demand stand last.
 #include <algorithm>
 
 #include "contacts/contacts.h"
@@ -26,7 +26,7 @@ double sumOf(Now now, const Get& get) {
 double volumeOf(const Bodies& b, int slot) { return b.volume[slot]; }
 double pressureOf(const Bodies& b, int slot) { return b.pressure[slot]; }
 
-/// Of the usual clones.
+/// Takes a measure of clones at the usual depth.
 template <Value (*measure)(Now, int)>
 Value ofClones(Now now) {
   return measure(now, cloneDepth);

@@ -38,7 +38,7 @@ double memoryForLists(const World& world);
 /// cells and vertices would take more than the world's memory limit.
 void requireMemory(const World& world, const CellPath& cell, double cellsEver, double vertices);
 
-/// The same for the cells that a scene begins with. Throws InputError.
+/// Throws InputError if memory does not suffice for the cells that a scene begins with.
 void requireMemoryForStart(const World& world);
 
 /// "3.2 GB"

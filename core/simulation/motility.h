@@ -9,7 +9,7 @@ namespace morula {
 
 struct World;
 
-/// Which way cells crawl; kept, so that a steady step draws no numbers.
+/// The directions in which cells crawl, kept so that a steady step draws no numbers.
 struct Motility {
   std::uint64_t interval = 0;     // of persistence, counted from time 0
   std::vector<Vector> direction;  // [cell]

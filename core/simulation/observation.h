@@ -43,7 +43,7 @@ class Observation {
     int cell;     // the other one
     double area;  // [length²]
   };
-  /// Those of one cell, by the other's number.
+  /// The contacts of one cell, sorted by the other cell's number.
   std::span<const Contact> contactsOf(int number) const;
 
   /// [length³] Of one of the scene's meshes at rest, at rest scale 1.
@@ -55,7 +55,8 @@ class Observation {
   /// [length] The mean of a cell's vertices; the world has bodies.
   const Point& centreOf(int number) const;
 
-  /// Of the surfaces of all cells, for a probe with half the radius of a ball with their mean volume; the world has bodies.
+  /// The cavities between the surfaces of all cells, for a probe with half the radius of a ball with their mean volume. Requires
+  /// bodies.
   const Cavities& cavities() const;
   /// [length] The probe's radius.
   double probe() const;

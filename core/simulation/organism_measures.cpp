@@ -65,7 +65,7 @@ bool touch(const Observation& now, int a, int b) {
   return std::ranges::any_of(now.contactsOf(a), [&](const Observation::Contact& c) { return c.cell == b; });
 }
 
-/// Of each value, less the mean of all ranks: the least is −(n − 1)/2, the largest (n − 1)/2.
+/// Returns the rank of each value less the mean of all ranks: −(n − 1)/2 for the smallest, (n − 1)/2 for the largest.
 std::vector<double> ranks(std::span<const double> values) {
   std::vector<std::uint32_t> order(values.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -257,7 +257,9 @@ std::optional<PositionsCompared> comparePositions(const Observation& now) {
   }
   const auto laid = superpose(here, there);
   if (!laid) return {};
-  return PositionsCompared{laid->distance, laid->shape};
+  std::vector<Point> mirrored = here;
+  for (Point& x : mirrored) x.x = -x.x;
+  return PositionsCompared{laid->distance, laid->shape, laid->scale, superpose(mirrored, there)->shape, here.size()};
 }
 
 std::optional<double> rankCorrelation(std::span<const double> x, std::span<const double> y) {

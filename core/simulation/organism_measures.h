@@ -1,6 +1,5 @@
 #pragma once
-// What is measured of all cells together: who touches whom, and where relatives lie. The observation's world has
-// bodies. Clones: the living descendants of each cell at some depth; cells nearer to the egg belong to none.
+// Measures of all cells together: contacts, and the places of relatives. The observation's world has bodies. Clones: the living descendants of each cell at some depth; cells nearer to the egg belong to none.
 #include <optional>
 #include <span>
 
@@ -49,14 +48,16 @@ std::optional<double> measureLineageInSpace(const Observation& now);
 /// [1] The largest over the second largest extent of all cells' vertices together.
 std::optional<double> measureOrganismElongation(const Observation& now);
 
-/// Contacts between the living cells that occur in the reference's, beside the reference's between living cells.
+/// Contacts between living cells that occur in the reference, compared with those of the reference between living cells.
 struct ContactsCompared {
   double both = 0, here = 0, there = 0;  // pairs that touch in both, in the world, in the reference
 };
 ContactsCompared compareContacts(const Observation& now);
 /// The centres of living cells laid upon the reference's, by those that both have.
 struct PositionsCompared {
-  double distance, shape;  // as Superposition
+  double distance, shape, scale;  // as Superposition
+  double mirroredShape;           // `shape` of the mirror image of the centres
+  std::size_t cells;              // that both have
 };
 std::optional<PositionsCompared> comparePositions(const Observation& now);
 

@@ -49,7 +49,7 @@ Division divide(const World& world, const ObservedCell& cell) {
   return {cut, {coarsen(bodies, std::move(a)), coarsen(bodies, std::move(b))}, record};
 }
 
-/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3].
+/// The daughters that keep a connection of a mother that has just divided [Nilsson 2008, §4.4.3].
 struct Heirs {
   bool a, b;
 };

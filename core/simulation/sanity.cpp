@@ -178,7 +178,7 @@ double selfOverlapOf(const BodyShape& shape) {
   return isStarShaped(surface, shape.centre) ? 0 : measureSelfOverlap(surface, linesPerCell);
 }
 
-/// What the surfaces themselves look like; cells without a surface have no such measure.
+/// Adds the measures of surfaces; cells without a surface have none.
 void addSurfaceMeasures(const World& world, const Observation& now, std::vector<SanityMeasure>& all) {
   const Bodies& b = *world.bodies;
   if (b.areSpheres()) return;

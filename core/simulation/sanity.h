@@ -1,6 +1,6 @@
 #pragma once
-// Whether a world with bodies is one that a reader of its results would take for fine. Bounds are plain and
-// wide: what lies outside of them is wrong unless the scene is about just that.
+// The sanity check: bounds on a world with bodies at its end. They are plain and wide, so that a world outside of them is
+// wrong unless the scene is about just that.
 #include <optional>
 #include <string>
 #include <vector>

@@ -10,7 +10,7 @@ namespace {
 
 std::string nameOf(const std::optional<CellPath>& cell) { return cell ? cellName(cell->text()) : "all cells"; }
 
-/// What holds cells apart in this scene, or that nothing does.
+/// Returns the advice on what holds cells apart in this scene, or says that nothing does.
 std::string contactAdvice(const MechanicsScene& m) {
   if (!m.contact) return "the scene has no physics.contact, so cells pass through one another";
   if (m.contact->law == ContactLaw::thesis)

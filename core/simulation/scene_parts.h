@@ -1,5 +1,5 @@
 #pragma once
-// Which scene is this? One hash for each part of it, so that two scenes can be told apart by name.
+// Hashes of a scene, one for each part, so that the parts in which two scenes differ can be named.
 #include <string>
 #include <vector>
 

@@ -31,7 +31,7 @@ void createFounders(World& world);
 /// Their bodies, in the same order; one egg for none.
 std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartCell>& cells);
 
-/// Where a start cell puts a vertex of the egg's mesh.
+/// Returns the place at which a start cell has a vertex of the egg's mesh.
 Point placeVertex(const StartCell& cell, const Point& ofEgg);
 
 }  // namespace morula

@@ -1,5 +1,5 @@
 #pragma once
-// What a seed does to the places of the first cells.
+// Deviations of the first cells' places, by the seed.
 #include <span>
 
 #include "base/cell_path.h"

@@ -188,7 +188,7 @@ void visitState(W& world, auto&& visit) {
 }
 
 /// Leaves out the parts that only checkpoints hold, because they tell how the state came about, or follow from positions.
-/// For visitors to derive from that hash or compare states.
+/// Base of visitors that hash or compare states.
 struct SavedParts {
   void operator()(const char*, const std::vector<TimeStepChange>&) const {}
   void operator()(const char*, const std::vector<DivisionRecord>&) const {}

@@ -39,7 +39,7 @@ bool moveIsolated(World& world, std::uint64_t steps) {
   return false;
 }
 
-/// Of the clock's own length: a shorter last one is made by itself.
+/// Returns the number of steps of the clock's own length; a shorter last step is made by itself.
 std::uint64_t wholeStepsUntilEnd(const World& world) {
   const std::uint64_t steps = stepsUntil(world.clock, plannedStop(world));
   if (world.bodies->parameters.timeStep || steps == 1) return steps;

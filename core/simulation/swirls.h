@@ -26,9 +26,9 @@ struct Swirl {
   double born = 0;  // [time]
 };
 
-/// Which living cells swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
-/// constants have passed, when 1/3000 of the angle is left. To be called whenever the living cells have changed.
-/// Returns at once, and there are none, where no rule has chirality.
+/// Finds the living cells that swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
+/// constants have passed and 1/3000 of the angle is left. Call it whenever the living cells have changed. Without a rule that
+/// has chirality it returns at once.
 void findSwirls(World& world);
 
 /// Adds their forces, at the clock's time.

@@ -28,7 +28,7 @@ struct Limit {
   int cell;
 };
 
-/// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with 1/stiffness.
+/// Combines the limits of all modes: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
   if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
@@ -76,8 +76,8 @@ double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   return hardening * c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
-/// Of a slot's cell. `held`, `contact`: stiffnesses of all its connections, and of a pair. `steepness`: of its steepest pair,
-/// over K.
+/// Returns the limits of the cell in a slot. `held`, `contact`: stiffnesses of all its connections, and of a pair. `steepness`:
+/// stiffness of its steepest pair over K.
 Limit limitOf(const World& world, int cell, int slot, double held, double contact, double steepness) {
   const Bodies& b = *world.bodies;
   const StabilityLimits own = measureLimits(b, slot);
@@ -158,7 +158,7 @@ struct ShortestCycle {
   std::string key;  // that gives it
 };
 
-/// Of all cells that the scene may bring, whatever its seed.
+/// Returns the shortest cycle of all cells that the scene may bring, whatever its seed.
 ShortestCycle shortestCycle(const Scene& scene) {
   const CycleParameters& cycle = scene.cycle;
   ShortestCycle shortest{cycle.length, "cycle.length"};
@@ -182,7 +182,7 @@ void refuseAboveCycle(const World& world, double timeStep) {
                            ", or give a longer " + cycle.key);
 }
 
-/// As refuseAboveCycle, of events that share a settling.
+/// Throws as refuseAboveCycle does, for events that share a settling.
 void refuseTogether(const World& world) {
   const double together = world.bodies->parameters.settle.together;
   const ShortestCycle cycle = shortestCycle(world.model);
@@ -212,7 +212,7 @@ struct Flight {
   int cell = 0;
 };
 
-/// Of the cell that moves fastest beside its reach, where there is another that it may meet.
+/// Returns the flight of the cell that moves fastest relative to its reach, if there is another cell that it may meet.
 Flight shortestFlight(const World& world) {
   Flight shortest;
   const Bodies& b = *world.bodies;
@@ -247,7 +247,7 @@ double restingLimit(const World& world) {
   return smallest;
 }
 
-/// What an automatic step may be: drag is a mode of its own, that adds to none of the others' stiffness.
+/// Returns the longest automatic step. Drag is a mode of its own, which adds nothing to the stiffness of others.
 double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
 }

@@ -66,7 +66,7 @@ struct TimeStepChange {
   double timeStep = 0;
 };
 
-/// What is kept of a living cell's beginning where its division asks for it (DivisionSize::Rule::adder).
+/// The size of a living cell at its birth, kept if its division needs it (DivisionSize::Rule::adder).
 struct BirthSize {
   double size = 0;  // [1] CellContext::sizeAtBirth
 };
@@ -114,7 +114,7 @@ struct World {
 /// run, for example when its fixed time step lies above the stability limit, which the text names.
 World makeWorld(const Scene& scene, const Execution& execution = {});
 
-/// As above, with cells controlled by another biology than the scene's DNA.
+/// Makes a world whose cells are controlled by another biology than the scene's DNA.
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
 /// Goes on by one time step, or in a lineage-only or quasi-static world to the next cell cycle, and does the

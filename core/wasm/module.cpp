@@ -16,12 +16,12 @@ std::vector<float> places;
 
 }  // namespace
 
-/// Where a text of so many bytes is to be put for `open`.
+/// Returns the place at which a page puts a text of so many bytes for `open`.
 MORULA_EXPORT(place) char* place(std::size_t bytes) {
   given.assign(bytes, '\0');
   return given.data();
 }
-/// What was said last: of `open` and `run` that failed why, else a hash.
+/// The last answer: a hash, or the error of an `open` or `run` that failed.
 MORULA_EXPORT(text) const char* text() { return said.data(); }
 MORULA_EXPORT(textSize) std::size_t textSize() { return said.size(); }
 
@@ -56,7 +56,7 @@ MORULA_EXPORT(nextHash) int nextHash() {
   });
 }
 
-/// Of all living cells, by path: their numbers in the lineage; and x, y, z of all vertices, cell after cell.
+/// The living cells by path: their numbers in the lineage, and x, y, z of all vertices, cell after cell.
 MORULA_EXPORT(lineageNumbers) const std::uint32_t* lineageNumbers() { return world->cells.entry.data(); }
 MORULA_EXPORT(vertices) const float* vertices() {
   places.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// What the functions of a module work on, and how they tell what went wrong.
+// The state that the functions of a module share, and how they report errors.
 #include <new>
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ inline std::string given, said;   // the text that came in last, and the one tha
 
 enum Outcome { good, wrongInput, noPhysics, noMemory, aBug };
 
-/// What comes of it; where it fails, `said` tells why.
+/// Runs `act` and returns its outcome. If it fails, `said` holds the error.
 template <class Act>
 Outcome outcomeOf(const Act& act) {
   try {

@@ -61,7 +61,7 @@ TEST_CASE("a run replayed by the same program gives the same bits under the same
                            {stored.id.substr(0, 6), "--db", stored.database}}) {
     const auto run = succeeds(joined({"replay"}, how));
     CHECK_THAT(run.out,
-               ContainsSubstring("conditions      all 18 the same") && ContainsSubstring("hashes on the way the same"));
+               ContainsSubstring("conditions      all 19 the same") && ContainsSubstring("hashes on the way the same"));
     CHECK(run.out.ends_with("\nthe same bits\n"));
   }
   CHECK((readWhole(stored.database) == before));  // nothing was written

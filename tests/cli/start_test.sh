@@ -47,7 +47,9 @@ unset MORULA_PRESET
 installed=$scratch/installed
 sed -n '/^\[build\]/,/^\[test\]/s/^\([a-z0-9+.-]*\).*/\1/p' "$source/.packages" | sed '/^$/d' >"$installed"
 
-for_tests=$(awk '/^\[/ { wanted = $1 == "[test]"; next } wanted && /^[a-z]/ { printf "%s%s", space, $1; space = " " }' "$source/.packages")
+# Without npm, which a stand-in brings from elsewhere: Debian's package refuses to lie beside another one's npm.
+for_tests=$(awk '/^\[/ { wanted = $1 == "[test]"; next } wanted && /^[a-z]/ && $1 != "npm" { printf "%s%s", space, $1; space = " " }' "$source/.packages")
+stand_in npm </dev/null
 
 stand_in dpkg-query <<'END'
 shift 3
@@ -151,7 +153,7 @@ MORULA_TEST_ID=1000 start test -R unit
 check "test: everything is built, with tests; sudo if not root; the test packages too" \
   "sudo;apt-get install --no-install-recommends $for_tests;configure release with tests;build all;" "$called"
 ctest="ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 3"
-check "test: ctest gets the arguments" "$ctest --label-exclude other-builds -R unit" "$out"
+check "test: ctest gets the arguments" "$ctest --label-exclude only-with-all -R unit" "$out"
 check "test: ctest's exit code passes through" 8 "$code"
 start && check "test: the program is built with everything" "" "$called"
 start test --all -R unit

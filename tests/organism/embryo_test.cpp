@@ -99,13 +99,9 @@ Embryo grow(int seed, const std::vector<Stage>& stages, bool whole) {
   return grown;
 }
 
-}  // namespace
-
-TEST_CASE(
-    "four and eight cells touch as in the real embryo, in 20 of 20 seeds; 12 and 15 lie near its places; ten seeds go through "
-    "the stages of 4, 6, 7, 8, 12, 15, 24, 26 and 28 cells") {
+/// Grows the embryo under the seeds 1 to `ofAll` to 15 cells, and the first `whole` of them to 28, and compares them with real ones.
+void compareWithReal(int ofAll, int whole) {
   const auto stages = realStages();
-  constexpr int ofAll = 20, whole = 10;
   std::vector<Embryo> seeds(ofAll);
   parallelFor(ofAll, 2, [&](int i) { seeds[i] = grow(i + 1, stages, i < whole); });
   // Of eight cells the three smallest faces of the real ones, a quarter of the mean at most, may be there or not: the
@@ -144,7 +140,20 @@ TEST_CASE(
     told += seeds[i].pharynx;
   }
   CAPTURE(told);
-  CHECK(told >= 18);  // [Hutter & Schnabel 1994]: both, in every embryo
+  CHECK(told >= 2 * whole - whole / 5);  // [Hutter & Schnabel 1994]: both, in every embryo
+}
+
+}  // namespace
+
+TEST_CASE("four and eight cells touch as in the real embryo; 12 and 15 lie near its places; all stages are gone through") {
+  compareWithReal(4, 2);
+}
+
+TEST_CASE(
+    "four and eight cells touch as in the real embryo, in 20 of 20 seeds; 12 and 15 lie near its places; ten seeds go through "
+    "the stages of 4, 6, 7, 8, 12, 15, 24, 26 and 28 cells",
+    "[.][all-seeds]") {
+  compareWithReal(20, 10);
 }
 
 TEST_CASE("mirrored rules give the mirrored embryo") {

@@ -22,13 +22,22 @@ std::map<std::string, int> arrangements(double aspect, int seeds, const std::str
   return found;
 }
 
-constexpr int seeds = 20;
-
 }  // namespace
 
+TEST_CASE("shell shapes: tetrahedra and diamonds in a round shell, the diamond in a long one, the line in a longer one") {
+  constexpr int seeds = 4;
+  auto round = arrangements(1, seeds, "");
+  CHECK(round["tetrahedron"] + round["diamond"] == seeds);
+  CHECK(arrangements(1.75, seeds, "")["diamond"] == seeds);
+  CHECK(arrangements(2.5, seeds, "")["linear"] == seeds);
+  CHECK(arrangements(2.5, seeds, "2")["diamond"] > 0);
+}
+
 TEST_CASE(
-    "shell shapes: from the tetrahedron over the diamond to the line, as the shell gets longer; cells that stick keep the "
-    "diamond in longer shells") {
+    "shell shapes in all seeds: from the tetrahedron over the diamond to the line, as the shell gets longer; cells that stick keep "
+    "the diamond in longer shells",
+    "[.][all-seeds]") {
+  constexpr int seeds = 20;
   const auto at = [&](double aspect, const std::string& adhesion = "") {
     return arrangements(aspect, seeds, adhesion);
   };

@@ -10,8 +10,7 @@ namespace {
 
 /// One cell that changes its shape a little.
 std::string cellOf(int drag) {
-  return "morula: 1\nname: cell\ndna: |\n  START: a0\n  g1(a1|a0)\nstop: {time: 0.125}\nphysics: {time_step: 0.0078125, mesh: "
-         "{icosphere: 1}, pressure: {constant: 5}, drag: " +
+  return "morula: 1\nname: cell\ndna: |\n  START: a0\n  g1(a1|a0)\nstop: {time: 0.125}\nphysics: {mesh: {icosphere: 1}, drag: " +
          std::to_string(drag) + "}\n";
 }
 

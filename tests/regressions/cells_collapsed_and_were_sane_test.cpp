@@ -18,7 +18,8 @@ std::map<std::string, std::string> failedOf(const std::string& scenario) {
   INFO(run.err);
   CHECK(run.code == 1);
   std::map<std::string, std::string> failed;
-  for (const auto& check : Json::parse(run.out).at("sanity"))
+  const Json told = Json::parse(run.out);
+  for (const auto& check : told.at("sanity"))
     if (!check.at("passed")) failed[check.at("check")] = check.at("message");
   return failed;
 }

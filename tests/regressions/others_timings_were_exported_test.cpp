@@ -14,7 +14,13 @@ TEST_CASE("the database in a crate holds its run's rows, and nothing of other ta
   succeeds({"study", "run", folder / "two.study.yaml", "--out", folder / "out", "--quiet"});
   const std::string merged = folder / "out/study.db";
   REQUIRE(integerIn(merged, "SELECT count(*) FROM timing") == 2);
-  succeeds({"export", merged, "--ro-crate", folder / "crate"});
+  const std::string run = [&] {
+    morula::Database db = opened(merged);
+    morula::Statement first(db, "SELECT run_id FROM run ORDER BY run_id LIMIT 1");
+    REQUIRE(first.next());
+    return first.text(0);
+  }();
+  succeeds({"export", merged, "--run", run, "--ro-crate", folder / "crate"});
   morula::Database copy = opened(folder / "crate/run.db");
   CHECK(copy.integer("SELECT count(*) FROM run") == 1);
   CHECK(copy.integer("SELECT count(*) FROM task") == 1);

@@ -1,4 +1,4 @@
-// Without oneTBB (MORULA_THREADS=OFF): one thread, whatever is asked for. The results are the same bits.
+// parallelFor without oneTBB (MORULA_THREADS=OFF): one thread, whatever is asked for, with the same bits.
 #include "base/parallel.h"
 
 namespace morula {

@@ -1,4 +1,4 @@
-// By a given axis.
+// Division planes by a given axis.
 #include "division/planes/directions.h"
 #include "division/record.h"
 

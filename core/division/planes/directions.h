@@ -1,5 +1,5 @@
 #pragma once
-// What several division planes go by, directions that a cell's shape, contacts and place give it, and how they are made.
+// Directions that a cell's shape, contacts and place give to division planes, and the makers of these planes.
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -28,7 +28,7 @@ Cut throughCentre(const CellContext& cell, const Vector& normal);
 /// The direction of the cell's largest extent [principalAxis]. What a plane takes that finds nothing to go by.
 Vector longestExtent(const CellContext& cell);
 
-/// Of the directions at right angles to a unit vector, the one of the cell's largest extent.
+/// Returns the direction of the cell's largest extent among those at right angles to a unit vector.
 Vector longestExtentAcross(const CellContext& cell, const Vector& normal);
 
 /// The unit vector along Σ area · (unit vector to the neighbour's centre), over the neighbours that hold a

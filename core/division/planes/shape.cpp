@@ -1,4 +1,4 @@
-// By the cell's own shape.
+// Division planes by the cell's own shape.
 #include "division/planes/directions.h"
 #include "division/planes/section.h"
 

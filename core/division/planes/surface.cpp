@@ -5,7 +5,7 @@
 namespace morula {
 namespace {
 
-/// Of the directions along the surface, the one of the cell's largest extent.
+/// Cuts across the direction along the surface in which the cell has its largest extent.
 struct ParallelToSurface final : DivisionPolicy {
   Cut findCut(const CellContext& cell) const override {
     const std::optional<Vector> out = outwardDirection(cell);

@@ -1,5 +1,5 @@
-// What the playground's module knows beside the simulator's (core/wasm/module.cpp): scenarios as people write them, what they will cost,
-// and what is to be shown of a run while it goes on. JSON goes in and out.
+// The part of the playground's module beside the simulator's (core/wasm/module.cpp): scenarios as people write them, their costs,
+// and the picture of a run while it goes on. JSON goes in and out.
 #include "wasm/module.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-// Which Bullet a scene is held against.
+// The baseline in Bullet that a scene is compared with.
 
 namespace morula {
 

@@ -1,6 +1,6 @@
 #pragma once
-// What people call the cells of an organism. Presentation alone: the simulator knows lineage paths, and nothing
-// that it does depends on a name.
+// Names of an organism's cells. They are presentation alone: the simulator knows lineage paths, and no result depends on a
+// name.
 #include <functional>
 #include <map>
 #include <optional>
@@ -42,7 +42,7 @@ std::string cellWords(const NameOf& nameOf, const CellPath& path);
 /// A message with "ABa (path AAB)" for each "cell AAB" in it that has a name.
 std::string withNames(std::string_view message, const NameOf& nameOf);
 
-/// Whether a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character, the
+/// Returns true if a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character, the
 /// first none of / = + - @. In words: nameAllowed.
 bool isCellName(std::string_view text);
 extern const char* const nameAllowed;

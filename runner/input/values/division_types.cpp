@@ -67,7 +67,7 @@ void readTurning(const Node& node, const std::string& path, Reading& reading, Pl
   if (const auto name = readPattern(turns->value, path + "." + turns->key, reading)) choice.substance = *name;
 }
 
-/// What stands behind the name of a plane that takes something.
+/// Reads what stands behind the name of a plane that takes something.
 std::optional<PlaneChoice> readTaken(const DivisionPlaneKind& kind, const Node& node, const std::string& path,
                                      Reading& reading) {
   PlaneChoice choice{.plane = kind.plane};

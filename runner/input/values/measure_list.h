@@ -14,8 +14,7 @@ std::string measuresAsMarkdown();
 std::string measuresAsJson();
 
 struct Scenario;
-/// What a scenario must get so that measures with these needs find something: "bodies: add a physics block"; "" if it has
-/// all that it takes.
+/// Returns the part that a scenario lacks for measures with these needs: "bodies: add a physics block"; "" if it lacks none.
 std::string lackingFor(Needs needs, const Scenario& scenario);
 
 /// Adds each value under its measure's name; null where it was not measured.
@@ -31,8 +30,8 @@ void addMeasures(Json& json, const Measured<Of>& measured) {
   }
 }
 
-/// For what shows values in a browser, [unit, how many are one of the scene's] as people see them: of the sampled measures by
-/// name, of "time", and of lengths of a "scale" bar and areas of a "contact", which go without a unit in the scene's own.
+/// Units for pages, as {name: [unit, how many of it are one of the scene's]}: for sampled measures, for "time", for lengths of a
+/// "scale" bar and for areas of a "contact"; the latter two have no name in the scene's own units.
 Json shownUnits(const Units& units);
 
 }  // namespace morula

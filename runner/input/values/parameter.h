@@ -19,7 +19,7 @@ struct SubstanceUse {
   bool isPattern = false;  // the beginning of names and '*'
 };
 
-/// Where the DNA's text comes from. Parsed after everything else is read.
+/// The source of the DNA's text, which is parsed after everything else is read.
 struct DnaSource {
   std::optional<Node> text;  // the scalar in the scenario
   std::optional<std::string> file;

@@ -1,4 +1,4 @@
-// What is recorded besides samples at regular times: at numbers of cells, and measures on demand.
+// Keys of `record` besides regular samples: samples at numbers of cells, and measures on demand.
 #include <algorithm>
 
 #include "values/value_types.h"

@@ -95,7 +95,7 @@ class ReferenceReader {
   Reading& reading_;
 };
 
-/// What always means the path, whatever names a scenario gives.
+/// Writes a path so that it always means the path, whatever names a scenario gives.
 std::string written(const CellPath& path) { return "/" + path.text(); }
 
 Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading& reading) {

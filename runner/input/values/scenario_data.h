@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario says once it is read and checked: what to compute (the Scene), what to record and check of it, and how to
+// A scenario that has been read and checked: what to compute (the Scene), what to record and check of it, and how to
 // show it.
 #include <cstdint>
 #include <map>
@@ -16,13 +16,13 @@
 
 namespace morula {
 
-/// Where the egg's mesh comes from: exactly one of the two.
+/// The source of the egg's mesh: exactly one of the two is given.
 struct EggMesh {
   std::optional<std::uint64_t> icosphere = 2;  // level 0 to 4: 12, 42, 162, 642, 2562 vertices
   std::optional<std::string> file;             // a Wavefront OBJ, relative to the scenario file
 };
 
-/// What is written down while the scene runs. Nothing here changes what the cells do.
+/// The parameters of recording. Nothing here changes what the cells do.
 struct RecordParameters {
   std::optional<double> every;         // [time] between samples; absent: only the start and the end
   std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
@@ -35,8 +35,8 @@ struct Bounds {
   double least = 0, most = 0;
 };
 
-/// The same scene in Bullet, and how far apart the two may be at the end. Without any tolerance those hold
-/// that fit the scene (engines/bullet_check.h).
+/// The comparison with the same scene in Bullet, and how far apart the two may be at the end. Without any tolerance, tolerances
+/// that fit the scene hold (engines/bullet_check.h).
 struct BulletCheck {
   Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
   double margin = 0.01;              // [radii of the egg] of each surface in Bullet: what touches is two of them apart
@@ -50,7 +50,7 @@ struct BulletCheck {
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
 };
 
-/// What must hold of a run besides its golden. Nothing here changes what the cells do; what is absent is not looked at.
+/// Conditions on a run besides its golden. Nothing here changes what the cells do; absent conditions are not checked.
 struct CheckParameters {
   // At every step, of every cell
   std::optional<Bounds> volume;    // [1] over the volume at rest: the egg's mesh with the cell's rest lengths
@@ -91,11 +91,11 @@ struct Scenario {
   RecordParameters record;
   CheckParameters check;
 
-  /// What works, but may not be meant: "file:line:column: path: what; what would be right".
+  /// Warnings on what works but may not be meant: "file:line:column: path: what; what would be right".
   std::vector<std::string> warnings;
 
   std::vector<NamedFile> files;
-  /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.
+  /// The place at which each value was written, for messages about them: "file:line:column" or "--set path", by path.
   std::map<std::string, std::string> places;
 
   std::string file;           // as given by the user

@@ -1,4 +1,4 @@
-// What holds cells together: adhesion by pairs of substances, and which cells connect.
+// Keys for tissues: adhesion by pairs of substances, and connections.
 #include <algorithm>
 #include <array>
 
@@ -28,7 +28,7 @@ std::optional<Pair> readPair(const Node& node, const std::string& path, Reading&
   return Pair{*a, *b};
 }
 
-/// Whether all cells that the narrow pair takes are taken by the wide one.
+/// Returns true if the wide pair takes all cells that the narrow one takes.
 bool covers(const Pair& wide, const Pair& narrow) {
   return (includes(wide[0], narrow[0]) && includes(wide[1], narrow[1])) ||
          (includes(wide[0], narrow[1]) && includes(wide[1], narrow[0]));

@@ -23,11 +23,11 @@ struct ShownUnit {
   std::string after(const std::string& title) const { return name.empty() ? title : title + " [" + name + "]"; }
 };
 
-/// Of a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other part, as
+/// Converts a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other part, as
 /// a force, or a part without a name stays what it is: nothing is said of masses.
 ShownUnit shownUnit(const Units& units, std::string_view unit);
 
-/// Those that all runs have, of which `of` gives each one's; the scenes' own where they differ.
+/// Returns the units that all runs have, where `of` gives those of each run; the scenes' own units if runs differ.
 template <class Runs, class Of>
 Units unitsOfAll(const Runs& runs, Of of) {
   for (const auto& run : runs)

@@ -84,12 +84,12 @@ std::optional<Chirality> readChirality(const Node& node, const std::string& path
 Json writeChirality(const Chirality& chirality);
 Json chiralitySchema();
 Parameter divisionRules();
-/// What division.plane may be, in words.
+/// Describes the values of division.plane in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
 Parameter adhesion();
 Parameter makeConnections();
-/// What a section `senses` holds, and the tables that explain it.
+/// The section `senses`, and the tables that explain it.
 Parameter senses();
 std::string sensesAsMarkdown();
 Parameter unitName(std::string path, std::string meaning, Field<std::string> field);
@@ -105,12 +105,12 @@ Parameter recordAtCells();
 Parameter recordMeasures();
 Parameter becauseText();
 
-// For the kinds themselves.
-/// Of one that is no part of what a scenario means; its schema and how it is read and written are still to come.
+// Parts for the kinds of parameters themselves.
+/// Makes a parameter that is no part of a scenario's meaning; its schema, `read` and `write` are still to be set.
 Parameter presented(std::string path, std::string allowed, std::string absent, std::string meaning);
-/// Of a list of these measures, also of some cells alone where they are of cells.
+/// Returns the schema of a list of these measures; measures of cells may name some cells alone.
 Json measuresSchema(const std::vector<AskedMeasure>& known);
-/// What readMeasure complained about.
+/// Adds the problem that readMeasure has thrown.
 void addReadError(const Place& place, const std::string& path, const InputError& error, Problems& problems);
 
 /// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
@@ -125,11 +125,11 @@ void refuseUnknown(const Node& node, const std::string& path, const std::vector<
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
-/// Of a list of so many of these.
+/// Returns the schema of a list of `count` items.
 Json listSchema(const Json& items, int count);
-/// Of a map of these members and no others, some of which must be there.
+/// Returns the schema of a map with these members and no others; `required` must be there.
 Json mapSchema(const Json& members, const std::vector<std::string>& required);
-/// Of a map of this member alone.
+/// Returns the schema of a map with this one member.
 Json onlySchema(const std::string& key, const Json& value);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
@@ -138,7 +138,7 @@ std::optional<double> readMember(const Node& map, const std::string& key, const 
                                  const std::string& path, Problems& problems);
 std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
                                          const std::string& allowed, Problems& problems);
-/// As many numbers as `count`.
+/// Reads a list of `count` numbers.
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
                                              const std::string& path, const std::string& allowed, Problems& problems);
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,

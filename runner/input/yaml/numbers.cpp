@@ -32,7 +32,7 @@ std::size_t numberLength(std::string_view text) {
   return at;
 }
 
-/// What is wrong with a text that should be one decimal number; empty if nothing is.
+/// Returns the mistake in a text that should be one decimal number; "" if there is none.
 std::string whatIsWrong(std::string_view text) {
   const auto length = numberLength(text);
   if (length == 0) {

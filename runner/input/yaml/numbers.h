@@ -39,7 +39,7 @@ struct Range {
 
 inline constexpr Range positive{.low = 0, .openLow = true, .ordinary = true};
 inline constexpr Range notNegative{.low = 0, .ordinary = true};
-/// What an ordinary number is, unless it is 0: its cube, and products of a few such numbers, are numbers still.
+/// The range of ordinary numbers other than 0: their cubes, and products of a few of them, do not overflow.
 inline constexpr Range ordinaryNumbers{.low = 1e-30, .high = 1e30};
 
 }  // namespace morula::scenario

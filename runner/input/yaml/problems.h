@@ -1,12 +1,12 @@
 #pragma once
-// What is wrong with a user's input: collected, sorted and told all at once.
+// Mistakes in a user's input, collected, sorted and told all at once.
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace morula::scenario {
 
-/// Where something was written: a line and column of the file (from 1, columns in characters), or an option.
+/// The place at which something was written: a line and column of the file (from 1, columns in characters), or an option.
 struct Place {
   int line = 1, column = 1;
   std::string option;  // "--set physics.time_step"; not empty: line and column mean nothing

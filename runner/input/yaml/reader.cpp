@@ -88,7 +88,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnMapEnd() override { open_.pop_back(); }
 
-  /// What stands in the line from the mark on.
+  /// Returns the line from the mark on.
   std::string_view rest(const YAML::Mark& mark) const {
     const auto line = source_.line(mark.line + 1);
     return line.substr(std::min<std::size_t>(mark.column, line.size()));
@@ -194,7 +194,7 @@ class TreeBuilder : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-/// What usually helps against yaml-cpp's messages.
+/// Returns the usual remedy for a message of yaml-cpp.
 std::string remedy(std::string_view message) {
   if (message.find("illegal map value") != message.npos)
     return "check the indentation, or quote a text that holds ': '";

@@ -1,6 +1,6 @@
 #pragma once
-// What is said of results, as blocks that a terminal, a page, Markdown and other programs each get in their own form. Nothing here is
-// markup: every text may come from anywhere.
+// Documents on results, as blocks that a terminal, a page, Markdown and other programs each get in their own form. Nothing here
+// is markup: every text may come from anywhere.
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,7 +37,7 @@ struct Sentence {
   Kind kind = Kind::plain;
 };
 
-/// What was found out, and below it why.
+/// A finding, and below it the reason.
 struct Finding {
   enum class Kind { good, note, warning, bad };
   Kind kind;
@@ -76,7 +76,7 @@ struct Swipe {
   std::string titles;  // "ours | Bullet's"
 };
 
-/// Which line of charts is of what.
+/// The key to the lines of charts.
 struct LineKey {
   struct Line {
     Colour colour;
@@ -129,7 +129,7 @@ Document& Document::add(Kind block) {
   return *this;
 }
 
-/// What is known first of all, and what was found.
+/// Makes a document of a verdict in one sentence, and of findings.
 Document verdict(Words sentence, std::vector<Finding> findings);
 /// Folded away until it is asked for by its title.
 Group folded(std::string title, Document body);
@@ -137,7 +137,7 @@ Group folded(std::string title, Document body);
 /// "31 bytes", "2.75 kB", "1.2 MB".
 std::string inBytes(std::size_t bytes);
 
-/// For a terminal. Pictures and downloads do not stand in it.
+/// Writes a document for a terminal, without pictures and downloads.
 std::string textOf(const Document& document);
 /// HTML, between the tags of a section.
 std::string htmlOf(const Document& document);

@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// What stands at one place: exactly, for programs, and as people read it.
+/// A cell of a table: exactly, for programs, and as people read it.
 struct Cell {
   Json value;
   Words words;
@@ -23,9 +23,9 @@ struct Cell {
   Cell(Json exact, Words shown) : value(std::move(exact)), words(std::move(shown)) {}
 };
 
-/// With so many significant digits for people; absent: null, and nothing is shown.
+/// Returns a cell with so many significant digits for people; an absent value is null, and shows as nothing.
 Cell number(const std::optional<double>& value, int digits = 4);
-/// For programs alone.
+/// Returns a cell for programs alone.
 inline Cell exact(Json value) { return {std::move(value), {}}; }
 
 struct Column {

@@ -27,7 +27,7 @@ class Words {
 
   bool empty() const { return pieces_.empty(); }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Without emphasis.
+  /// Returns the text without emphasis.
   std::string text() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a file holds, told from its first bytes: names do not say it.
+// The kind of a file's content, by its first bytes and not by its name.
 #include <filesystem>
 #include <string_view>
 
@@ -10,7 +10,7 @@ enum class Content { empty, picture, database, golden, scenario, dna, report, pa
 /// From the first bytes of a file; 4096 are enough.
 Content contentOf(std::string_view head);
 Content contentOfFile(const std::filesystem::path& file);
-/// For messages: "a picture", "a scenario", …
+/// Names a kind of content in messages: "a picture", "a scenario", …
 const char* name(Content content);
 
 /// How pictures begin: any PNG, but only an SVG that says it is Morula's, and a PDF made by cairo, as ours

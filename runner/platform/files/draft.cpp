@@ -31,13 +31,14 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
 std::mutex knownMutex;
 std::set<fs::path> known;
 
-/// Whether this process is the first time in the folder: each is searched for drafts of processes that died once.
+/// Returns true if this process meets the folder for the first time. Each folder is searched once for drafts of processes that
+/// died.
 bool isNewHere(const fs::path& folder) {
   const std::lock_guard lock(knownMutex);
   return known.insert(folder).second;
 }
 
-/// Of all names of this process's drafts.
+/// The beginning of all names of this process's drafts.
 std::string ownBeginning() {
   char host[65] = {};
   ::gethostname(host, sizeof host - 1);

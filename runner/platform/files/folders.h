@@ -7,7 +7,7 @@
 
 namespace morula {
 
-/// Whether the name leads anywhere, through links. Throws if that cannot be told: a folder on the way may not be searched,
+/// Returns true if the name leads to something, through links. Throws if that cannot be told: a folder on the way may not be searched,
 /// a name is too long, links lead in circles.
 bool fileExists(const std::filesystem::path& file);
 bool isFolder(const std::filesystem::path& path);
@@ -36,12 +36,12 @@ std::vector<std::filesystem::path> everyFileBelow(const std::filesystem::path& f
 std::filesystem::path currentFolder();
 /// From the root, without "." and "..", links as they are.
 std::filesystem::path absolutePath(const std::filesystem::path& path);
-/// Whether `path` leads to something in the folder or below it, with all links followed. What is not there yet counts by
+/// Returns true if `path` leads into the folder or below it, with all links followed. A path that is not there yet counts by
 /// its folder.
 bool liesWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
-/// Whether both are there, and are one file by whatever names.
+/// Returns true if both are there and are one file, by whatever names.
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
-/// Where a link leads.
+/// Returns the path to which a link leads.
 std::filesystem::path readLink(const std::filesystem::path& link);
 
 }  // namespace morula

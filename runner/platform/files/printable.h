@@ -12,7 +12,7 @@ namespace morula {
 /// that are not UTF-8 (\xff). Line ends and tabs stay.
 std::string printable(std::string_view text);
 
-/// The same where only one line is expected: line ends and tabs become \n, \r and \t, so that data cannot add lines of its
+/// Makes a text of one line printable: line ends and tabs become \n, \r and \t, so that data cannot add lines of its
 /// own to a message.
 std::string printableLine(std::string_view text);
 

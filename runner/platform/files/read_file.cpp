@@ -20,7 +20,7 @@ namespace {
   refuse(file, std::string("cannot be read: ") + std::strerror(errno));
 }
 
-/// What is wrong with a file of this type; "" if it is a regular one.
+/// Returns the problem of a file of this type; "" for a regular file.
 std::string typeProblem(const struct stat& status) {
   if (S_ISREG(status.st_mode)) return "";
   return "is " + std::string(typeName(status.st_mode)) + "; needs a file";

@@ -15,13 +15,13 @@ inline constexpr std::uint64_t maxInputBytes = std::uint64_t{64} << 20;  // of a
 /// cannot be read, or holds more than `maxBytes`. Never waits.
 std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes = maxInputBytes);
 
-/// The same of any size, piece by piece.
+/// Reads a file of any size, piece by piece.
 void readPieces(const std::filesystem::path& file, const std::function<void(std::string_view)>& take);
 
 /// The first `count` bytes, or as many as there are. Throws FileError if it is no regular file, or cannot be read.
 std::string readBeginning(const std::filesystem::path& file, std::size_t count);
 
-/// The same; "" if it is not there, or no regular file.
+/// Reads the first `count` bytes of a file; "" if it is not there, or no regular file.
 std::string readHead(const std::filesystem::path& file, std::size_t count);
 
 /// Throws FileError if there is something else than a regular file.

@@ -28,7 +28,7 @@ fs::path withoutSlash(const fs::path& folder) {
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-/// Where a draft of the folder is made.
+/// Returns the folder in which a draft of the folder is made.
 fs::path parentFor(const fs::path& folder) {
   requireAbsent(folder);
   makeFolder(folder.parent_path());

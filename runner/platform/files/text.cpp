@@ -90,7 +90,7 @@ std::string shellWord(std::string_view text) {
 
 std::string yamlText(std::string_view text) {
   const bool beginsAsWord = isMadeOf(text.substr(0, 1), "") && text[0] >= 'A';
-  // With one of these marks it is none of YAML's words for true, false and null.
+  // A text with one of these marks is none of YAML's words for true, false and null.
   if (beginsAsWord && isMadeOf(text, "-_./") && text.find_first_of("-_./") != text.npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text)

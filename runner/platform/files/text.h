@@ -12,16 +12,16 @@ std::string join(const std::vector<std::string>& words, const std::string& last 
 
 /// The texts between separators, empty ones too; but nothing for a separator at the end.
 std::vector<std::string> partsOf(std::string_view text, char separator);
-/// Without line feeds.
+/// Splits a text into lines, without their line feeds.
 std::vector<std::string> linesOf(std::string_view text);
 std::string firstLine(const std::string& text);
-/// What stands between blanks and tabs, up to a '#', which begins a comment.
+/// Splits a line into words at blanks and tabs, up to a '#', which begins a comment.
 std::vector<std::string> wordsOf(std::string_view line);
 
-/// Whether it holds letters and digits of ASCII and these others alone, and one at least.
+/// Returns true if the text is not empty and holds only letters and digits of ASCII and the characters of `others`.
 bool isMadeOf(std::string_view text, std::string_view others);
 
-/// As a cell of a Markdown table: a bar does not end it.
+/// Writes a text as a cell of a Markdown table, which a bar would end.
 std::string markdownCell(std::string text);
 /// A text of unknown origin in Markdown: what would begin HTML, a link or an image stands for itself.
 std::string markdownText(std::string_view text);

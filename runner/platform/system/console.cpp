@@ -73,7 +73,7 @@ void flushOutput() {
 }
 
 void reserveStandardStreams() {
-  // For reading only: what is written to a closed output must fail, not vanish.
+  // Opened for reading only: a write to a closed output must fail, not vanish.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != stream)
       throw FileError("/dev/null cannot be opened in place of a closed standard stream");

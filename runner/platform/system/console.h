@@ -1,5 +1,5 @@
 #pragma once
-// What is printed where: data on stdout, messages on stderr. The only file that writes to either. Every text passes through
+// Output: data on stdout, messages on stderr. Only console.cpp writes to either. Every text passes through
 // `printable`, because texts hold names, paths and messages that come from the files of others.
 #include <chrono>
 #include <iosfwd>
@@ -24,10 +24,10 @@ void tellError(const std::string& text);
 /// Lines that begin with "file:line:column:", as editors and other programs read them.
 void tellInputError(const std::string& text);
 
-/// The same for what may not be meant: "warning: file:line:column: …"; not said when `quiet`.
+/// Prints warnings on what may not be meant: "warning: file:line:column: …"; nothing when `quiet`.
 void tellWarnings(const std::vector<std::string>& lines, bool quiet);
 
-/// Where a worker that this program has started reads its question and writes its answer.
+/// The streams by which a worker that this program has started reads its question and writes its answer.
 std::istream& questionStream();
 std::ostream& answerStream();
 /// Throws FileError unless all that was printed has arrived: a full disk is no success.
@@ -43,7 +43,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Whether it is time to show something; looks at the clock.
+  /// Returns true if it is time to show something, by the clock.
   bool isDue() const;
   void show(const std::string& text);
   /// Removes what `show` left on a terminal.

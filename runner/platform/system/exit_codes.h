@@ -1,5 +1,5 @@
 #pragma once
-// What the program tells its caller by a number.
+// The exit codes of the program.
 namespace morula::cli {
 
 enum ExitCode : int {

@@ -28,7 +28,7 @@ std::uint64_t addressSpace() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Of this process; 1 where the system does not tell.
+/// Returns the number of this process's threads; 1 if the system does not tell.
 int threadsNow() {
   const std::string stat = readHead("/proc/self/stat", 1024);
   const std::vector<std::string> words =

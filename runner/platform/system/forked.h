@@ -19,7 +19,7 @@ struct ForkedLimits {
       {};  // [byte] of address space beyond this process's: then there is no more memory
 };
 
-/// What the work leaves: an exit code, and a text of at most 16 KiB that goes to the process that began it.
+/// The answer of a forked process: an exit code, and a text of at most 16 KiB for the process that began it.
 struct ForkedAnswer {
   int code = 0;
   std::string text = {};
@@ -54,7 +54,7 @@ class Forked {
 };
 
 /// Waits until one of the processes has something to say or has ended, a signal has come, or so much time [s] has passed.
-/// Which of them to wait for, by place.
+/// Waits for processes and returns the places of those that have ended.
 std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds);
 
 /// In such a process: memory is not limited any more, so that what has been computed can be written.

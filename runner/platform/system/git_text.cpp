@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// Not `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file
+/// Reads with plumbing commands, not with `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file
 /// system monitor, signatures, remotes that fetch what is missing).
 ChildEnd askGit(const std::filesystem::path& file, const std::vector<std::string>& question) {
   const std::string folder = absolutePath(file).parent_path().string();

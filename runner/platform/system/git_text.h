@@ -1,5 +1,5 @@
 #pragma once
-// What git remembers of a file.
+// Earlier versions of a file, from git.
 #include <filesystem>
 #include <optional>
 #include <string>

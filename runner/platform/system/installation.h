@@ -1,5 +1,5 @@
 #pragma once
-// Where this program stands: in its build folder, or installed, where nothing may be written.
+// The place of this program: its build folder, or an installation, in which nothing may be written.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ std::optional<std::filesystem::path> sharedFile(const std::string& name);
 /// share/morula of the installation that the program belongs to; absent in a build folder.
 std::optional<std::filesystem::path> installation();
 
-/// What people type to start the program: the name by which its start script in the sources was called, such as "./morula"
+/// Returns the words by which people start the program: the name by which its start script in the sources was called, such as "./morula"
 /// (the script says so in MORULA_CALLED_AS), else "morula".
 std::string programWord();
 

@@ -1,5 +1,5 @@
 #pragma once
-// What child_process.cpp and forked.cpp share: pipes, limits, and waiting for a process.
+// Parts that child_process.cpp and forked.cpp share: pipes, limits, and waiting for a process.
 #include <sys/resource.h>
 #include <sys/types.h>
 
@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// That a process could not be made or waited for, with the reason that errno holds.
+/// Returns the error that a process could not be made or waited for, with the reason in errno.
 FileError processError(const std::string& what);
 
 /// Both ends are closed when another program is started.
@@ -20,10 +20,10 @@ struct Pipe {
 };
 Pipe makePipe();
 
-/// What is written to the other end until it is closed.
+/// Reads what is written to the other end until that is closed.
 std::string readToEnd(const Descriptor& from);
 
-/// Of this process, as far as its hard limit goes.
+/// Sets a limit of this process, as far as its hard limit allows.
 void setLimit(decltype(RLIMIT_CPU) what, rlim_t most);
 
 struct ProcessEnd {

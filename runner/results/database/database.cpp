@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What would help, for the failures that people meet.
+/// Returns the remedy for failures that people meet.
 std::string remedy(int code, int systemError, const fs::path& file) {
   rlimit limit{};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -105,12 +105,12 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (!isFolder(file_)) requireRegularFile(file_);  // SQLite itself says what is wrong with a folder
   if (mode == Mode::existing && !fileExists(file_))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
-  // For writing, even if it is only to be read: after a crash the first to open the file must undo the unfinished
+  // The file is opened for writing even if it is only read: after a crash the first to open the file must undo the unfinished
   // transaction. SQLite opens a
   // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  // With its folder before it no name is a word of SQLite's: ":memory:" and "file:x.db" are files like others.
+  // SQLite takes names as ":memory:" and "file:x.db" for more than files, unless a folder stands before them.
   const fs::path plain = file_.is_relative() ? "." / file_ : file_;
   const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : plain.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
@@ -125,7 +125,7 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
 void Database::protect() {
   sqlite3* const db = db_.get();
   sqlite3_extended_result_codes(db, 1);
-  // What a stranger's file brings along is data: neither its triggers nor its views run, and its schema calls no function that
+  // The content of a stranger's file is data: neither its triggers nor its views run, and its schema calls no function that
   // could reach beyond the file.
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);

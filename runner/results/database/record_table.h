@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// What a table's rows mean to a run.
+/// The part of a run that a table's rows belong to.
 enum class TablePart {
   record,      // the run itself, and the documents that decided it
   samples,     // recorded while it goes on
@@ -47,9 +47,9 @@ struct SqlTable {
   TableInfo info;
   std::vector<SqlColumn> context, own;
 
-  /// With a comment on each column, for `.schema`.
+  /// Returns the statement that makes the table, by default with a comment on each column, for `.schema`.
   std::string create(bool withComments = true) const;
-  /// Of all columns, as `insert` fills them.
+  /// Returns the names of all columns, in the order of `insert`.
   std::string names() const;
   std::string insert() const;
   /// The row's own columns, of the context that the statement is started with; NULL for measures that an older file lacks.

@@ -1,5 +1,5 @@
 #pragma once
-// What can go wrong with a file of results. The runner turns these into exit codes.
+// Errors of a file of results. The runner turns these into exit codes.
 #include <string>
 
 #include "base/error.h"

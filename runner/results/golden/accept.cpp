@@ -60,7 +60,7 @@ void acceptGolden(const fs::path& file, Golden golden, const Acceptance& accepta
   requireAcceptable(file.string(), acceptance);
   golden.acceptedBy = acceptance.by, golden.why = acceptance.why, golden.file = file.string();
   const std::string text = writeGolden(golden);
-  // What is written must be readable and must hold for the very run it was taken from.
+  // The written text must be readable and must hold for the very run that it was taken from.
   const CheckReport report = compareGolden(readGolden(text, file.string()), golden.data);
   if (!report.passed()) throw InputError("the golden cannot be accepted as it is:\n" + describe(report));
   makeFolder(file.parent_path());

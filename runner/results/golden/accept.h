@@ -1,5 +1,5 @@
 #pragma once
-// Where goldens lie, and how a new one is accepted.
+// The places of goldens, and their acceptance.
 #include <filesystem>
 #include <string>
 

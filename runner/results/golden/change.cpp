@@ -108,7 +108,7 @@ Values endOf(const GoldenData& data) {
   return values;
 }
 
-/// Of the cell; without one, of the organism.
+/// Returns the value of the cell; without a cell that of the organism.
 std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell, const char* measure) {
   const auto found = values.find({{}, cell, measure});
   return found == values.end() ? std::nullopt : std::optional(found->second);

@@ -1,5 +1,5 @@
 #pragma once
-// What a check found: one row of `check_result`, one entry of `morula check --json`.
+// The result of a check: one row of `check_result`, one entry of `morula check --json`.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ struct CheckResult {
   std::string actual = {};
   std::string tolerance = "exact";  // or "rel 1e-9 scale 1"
   bool passed = true;
-  // Where, as far as it applies:
+  // The place, as far as it applies:
   // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, … (golden/README.md)
   std::string failureClass = {};
   std::optional<std::uint64_t> firstStep = {};  // the first step at which it differs
@@ -81,7 +81,7 @@ struct CheckReport {
   }
 };
 
-/// What a failed check means, in words: "the lineage differs". Classes that are not known stand as they are.
+/// Describes a failed check in words: "the lineage differs". Unknown classes stand as they are.
 std::string failedInWords(const CheckResult& failed);
 
 /// Failed checks that have one reason: first the one that tells it, then those that only follow from it, as bits do from a
@@ -89,11 +89,12 @@ std::string failedInWords(const CheckResult& failed);
 using Cause = std::vector<const CheckResult*>;
 /// In the order of their first checks.
 std::vector<Cause> causesOf(const CheckReport& report);
-/// Those that follow, in a line: "bits; step_hashes from step 0 on; costs 518 → 502". "" if there are none.
+/// Lists the results that follow from a cause, in a line: "bits; step_hashes from step 0 on; costs 518 → 502"; "" if there are
+/// none.
 std::string followingInWords(const Cause& cause);
 
-/// For people: the changes in words, then one entry per cause with what differs, and one line per check that passed,
-/// unless only what differs is wanted.
+/// Describes a report for people: the changes in words, one entry per cause with what differs, and one line per check that
+/// passed, unless only differences are wanted.
 std::string describe(const CheckReport& report, bool differingOnly = false);
 
 }  // namespace morula

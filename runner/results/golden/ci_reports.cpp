@@ -22,12 +22,12 @@ std::string escaped(const std::string& text, const std::map<char, std::string>& 
   return all;
 }
 
-/// What XML cannot hold, not even escaped, becomes visible.
+/// Escapes a text for XML. Characters that XML cannot hold, not even escaped, become visible.
 std::string xml(const std::string& text) {
   return escaped(printable(text), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\n', "&#10;"}});
 }
 
-/// What a workflow command would take for its own punctuation.
+/// Escapes characters that a workflow command would take for its own punctuation.
 std::string command(const std::string& text, bool property) {
   const std::string all = escaped(text, {{'%', "%25"}, {'\r', "%0D"}, {'\n', "%0A"}});
   return property ? escaped(all, {{':', "%3A"}, {',', "%2C"}}) : all;
@@ -67,7 +67,7 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
          '\n';
 }
 
-/// What to type next; "" where the file is not known.
+/// Returns the commands to type next; "" if the file is not known.
 std::string nextInWords(const CheckReport& report) {
   if (report.file.empty()) return {};
   const std::string file = ' ' + shellWord(report.file);

@@ -18,7 +18,7 @@ std::string annotations(const std::vector<CheckReport>& reports, std::size_t mos
 /// A Markdown table of the scenarios, and under it for each cause what changed, in words, and what to type next.
 std::string summaryPage(const std::vector<CheckReport>& reports);
 
-/// Where this runs in a workflow of GitHub: prints the annotations, unless what is printed is JSON, and adds the summary to the
+/// In a workflow of GitHub: prints the annotations, unless what is printed is JSON, and adds the summary to the
 /// workflow's page.
 void tellWorkflow(const std::vector<CheckReport>& reports, bool json);
 

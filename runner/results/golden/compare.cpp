@@ -35,7 +35,7 @@ class JoinedLater {
   std::set<std::string> measures_, tables_;
 };
 
-/// As format 1 holds it: 0 for what was not measured.
+/// Converts data to format 1, which holds 0 for values that were not measured.
 GoldenData asInFormat1(GoldenData data) {
   for (GoldenItem& item : data.items)
     if (auto* value = std::get_if<GoldenValue>(&item)) value->value = value->value.value_or(0);

@@ -59,7 +59,7 @@ struct RuleCheck {
   }
 };
 
-/// What is wrong with a rule itself, in its line.
+/// Returns the mistake in a rule itself, with its line.
 Difference ofRule(const Golden& golden, const ToleranceRule& rule, std::optional<std::uint64_t> step,
                   const std::string& what) {
   const std::string place = golden.file + ':' + std::to_string(rule.line);
@@ -100,7 +100,7 @@ class NumberComparison {
     if (holds < rules.size()) noteHorizon(golden_, rules[holds], number.step, blind_);
   }
 
-  /// What is wrong with the rules themselves.
+  /// Adds the mistakes in the rules themselves.
   void addTolerances(std::vector<CheckResult>& results) {
     const auto& rules = golden_.rules;
     if (rules.empty()) return;
@@ -187,7 +187,7 @@ void compareNumbers(const Golden& golden, const ItemPairs& values, const ItemPai
                   value->name.measure);
   }
 
-  // Where only one of the two has few enough rows to hold them by value, the columns tell it all.
+  // If only one of the two has few enough rows to hold them by value, the columns are compared alone.
   std::map<std::string, int> byValue;
   for (const ItemPair& pair : tables)
     for (const GoldenItem* item : {pair.golden, pair.observed})

@@ -1,5 +1,5 @@
 #pragma once
-// What a golden file records of a run, as plain data: no simulation is needed to fill or test it.
+// The facts of a run that a golden file records, as plain data: no simulation is needed to fill or test them.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -35,7 +35,7 @@ struct GoldenFacts {
 inline constexpr std::size_t goldenLineageLimit = 4096;
 /// Beyond this many living cells only the organism's values are recorded, not each cell's.
 inline constexpr std::size_t goldenCellLimit = 256;
-/// Of the chain of hashes every first, second, fourth … link is recorded, so that not more remain.
+/// Max number of recorded links of the chain of hashes: every first, second, fourth … link is kept so that no more remain.
 inline constexpr std::size_t goldenChainLimit = 64;
 
 GoldenData makeGoldenData(const GoldenFacts& facts);

@@ -15,8 +15,8 @@
 
 namespace morula {
 
-/// What a scenario's settings change at the end of a run, where chaos leaves only distributions to be compared, in a
-/// line `statistic`: the mean of a measure at the end under the scenario's settings, less that under other ones, over
+/// A line `statistic`: what a scenario's settings change at the end of a run, where chaos leaves only distributions to be
+/// compared. It holds the mean of a measure at the end under the scenario's settings, less that under other ones, over
 /// runs that differ by a small disturbance of the start.
 struct GoldenStatistic {
   std::string measure;       // [simulation/measures.h]
@@ -36,13 +36,13 @@ std::optional<GoldenStatistic> readStatistic(std::string_view line);
 
 void add(Hasher& hasher, const GoldenStatistic& statistic);
 
-/// What a run showed, in canonical order (makeGoldenData), or what a golden file says that it should show.
+/// The result of a run in canonical order (makeGoldenData), or the result that a golden file asks for.
 struct GoldenData {
   std::string scenario;      // "thesis/unique-four"
   std::string scenarioHash;  // semantic: formatting and key order do not count
   std::uint64_t seed = 0;
   std::vector<GoldenItem> items;
-  // What decided the result, key and value, as scenario/deciding_values.h tells it; empty: not recorded
+  // Keys and values that decided the result (scenario/deciding_values.h); empty: not recorded
   std::vector<std::pair<std::string, std::string>> parameters = {};
 };
 
@@ -66,7 +66,7 @@ struct GoldenGrowth {
   std::uint64_t step = 0;
 };
 
-/// Of the format. Version 1 holds no recorded tables.
+/// Version of the format. Version 1 holds no recorded tables.
 inline constexpr int goldenVersion = 2;
 
 struct Golden {
@@ -93,7 +93,7 @@ std::string writeGolden(const Golden& golden);
 /// Reads a golden file's text. Throws InputError "file:line: …" for a line that it does not understand, a truncated
 /// file, merge markers, items twice, edited items (the last line holds their digest), a tolerance without a reason.
 Golden readGolden(const std::string& text, const std::string& file);
-/// The same from a file; InputError also if there is none, FileError if it cannot be read.
+/// Reads a golden file. Throws InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
 
 /// The hash of the accepted end state; "" where the golden holds none.

@@ -19,7 +19,7 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
 /// those under no rule any more; empty if nothing is looser.
 std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& golden);
 
-/// What of the golden's items the observed data lacks or has more, changed lineage lines, changed bits: each
+/// Lists the golden's items that the observed data lacks or has more of, changed lineage lines and changed bits: each
 /// heading with a count and up to nine lines. "" if there is nothing.
 std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed);
 

@@ -18,7 +18,7 @@
 
 namespace morula {
 
-/// What stands last on a line, blanks and all; may be empty.
+/// The rest of a line, blanks and all; may be empty.
 struct RestOfLine {
   std::string text;
   friend bool operator==(const RestOfLine&, const RestOfLine&) = default;
@@ -164,7 +164,7 @@ std::string goldenText(const std::optional<Value>& value) {
   return value ? goldenText(*value) : "-";
 }
 
-// The same bits: −0 and 0 differ.
+// True for the same bits: −0 and 0 differ.
 template <class Value>
 bool agree(const Value& a, const Value& b) {
   return a == b;
@@ -219,7 +219,7 @@ inline std::string idOf(const GoldenItem& item) { return kindOf(item) + ' ' + ke
 inline std::string checkOf(const GoldenItem& item) {
   return std::visit([](const auto& i) { return i.check; }, item);
 }
-/// The same in all fields, whatever their lines.
+/// Returns true if all fields are the same, whatever their lines.
 bool agree(const GoldenItem& a, const GoldenItem& b);
 
 std::string write(const GoldenItem& item);

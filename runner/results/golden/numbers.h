@@ -17,7 +17,7 @@ struct GoldenNumber {
 
 /// The number of a line `value`, and those of a line `row`.
 std::vector<GoldenNumber> numbersIn(const GoldenItem& item);
-/// Those of all items.
+/// Returns the numbers of all items.
 std::vector<GoldenNumber> numbersIn(const GoldenData& data);
 
 /// The last rule that matches; null if none does.

@@ -34,7 +34,7 @@ inline bool isAcceptable(ResultState state) { return state <= ResultState::unche
 
 ResultState worstOf(std::span<const ResultState> states);
 
-/// What a verb returns: the exit code of a verb that judges several results or a stored one.
+/// Returns the exit code of a verb that judges several results or a stored one.
 cli::ExitCode exitCodeOf(ResultState state);
 /// The exit code of `run`, which differs only where the run failed: 4, the code of its NumericalError.
 cli::ExitCode exitCodeOfRun(ResultState state);

@@ -22,7 +22,7 @@ struct Tolerance {
   std::string text() const;
   /// How far a value may lie from `expected`.
   double allowed(double expected) const;
-  /// As a relative difference: what a chaos horizon is about. An ulp counts as 2.2e-16.
+  /// Returns the tolerance as a relative difference, for chaos horizons. An ulp counts as 2.2e-16.
   double size() const;
   /// The part of the tolerance that the difference uses: 0 equal bits, 1 at its edge, infinite when nothing
   /// is allowed (exact, or not a number).

@@ -1,5 +1,5 @@
 #pragma once
-// What this program was built from, fixed when it was built (build_info.cmake writes the values).
+// The sources and tools of this program, fixed when it was built (build_info.cmake writes the values).
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +20,8 @@ struct BuildInfo {
 
 const BuildInfo& buildInfo();
 
-/// What the sources had that their commit had not, as `git diff` tells it; "" for a clean tree. Longer ones
-/// are cut at 256 KiB, which their last line says.
+/// Returns the difference of the sources from their commit, by `git diff`; "" for a clean tree. Longer texts are cut at 256 KiB,
+/// which their last line says.
 const std::string& buildDiff();
 
 /// "Eigen 3.4.0; SQLite 3.40.1".

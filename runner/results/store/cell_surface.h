@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// Which vertices a mesh of the scene joins: one for all cells that have it.
+/// The faces of a mesh of the scene, stored once for all cells that have it.
 struct MeshFaces {
   int mesh = 0;                // Body::meshLevel: 0 the egg's mesh, 1 … the coarser ones
   std::uint64_t vertices = 0;  // as many as each surface has
@@ -34,7 +34,7 @@ struct CellSurface {
 CellSurface quantise(const CellPath& path, int mesh, const std::vector<Point>& vertices);
 std::vector<Point> vertexPositions(const CellSurface& surface);
 
-// As bytes, little-endian: x, y and z of each vertex; the corners of each face, in 16 bits where the mesh has at most 65536
+// The bytes of a surface, little-endian: x, y and z of each vertex; the corners of each face, in 16 bits where the mesh has at most 65536
 // vertices and in 32 where it has more.
 std::string numberBytes(const CellSurface& surface);
 std::string faceBytes(const MeshFaces& mesh);

@@ -1,6 +1,6 @@
 #pragma once
-// What a file of results consists of: per table its rows, its room on the disk, and why it is there; and values as they
-// stand in the tables, to be written down elsewhere or compared.
+// The tables of a file of results: rows, room on the disk, and the reason why each is there; and their values, to be written
+// elsewhere or compared.
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -32,7 +32,7 @@ struct FileColumn {
 };
 /// In their order; none if there is no such table.
 std::vector<FileColumn> fileColumns(Database& db, const std::string& table);
-/// As SQL lists them.
+/// Lists the names of columns for SQL.
 std::string namesOf(const std::vector<FileColumn>& columns);
 /// Throws StoreError for a value of another type than the column's.
 TableValue valueAt(const Statement& row, int place, const std::string& type);

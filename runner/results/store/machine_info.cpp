@@ -21,7 +21,7 @@
 namespace morula {
 namespace {
 
-/// What stands behind the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
+/// Returns the value of the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
 /// "model name"; others give no name there, so only the architecture (in `kernel`) is known.
 std::string cpuInfo(const std::string& name) {
   for (const std::string& line : linesOf(readHead("/proc/cpuinfo", 1 << 20)))

@@ -1,5 +1,5 @@
 #pragma once
-// Where and when a run took place. For the record only: nothing here may change a result.
+// The machine of a run and the time. They are for the record only: nothing here may change a result.
 #include <string>
 
 namespace morula {

@@ -1,5 +1,5 @@
 #pragma once
-// What a golden holds of the tables that a run records: of each column the number of rows and a hash over all values, and
+// The part of a golden on the tables that a run records: of each column the number of rows and a hash over all values, and
 // the rows of small tables themselves. Rows may come in any order and in parts, so a run need not keep them.
 #include <map>
 #include <string>

@@ -23,9 +23,9 @@ struct RecordOptions {
   bool atDivisions = false;                  // also after each step in which cells divided
   std::vector<std::string> measures{};       // on demand, at every sample
   std::optional<Reference> reference{};      // that some of them compare with
-  /// What people call a cell; empty: cells go by their paths. Nothing that is recorded depends on it but the names.
+  /// Returns the name of a cell; empty: cells go by their paths. Only recorded names depend on it.
   std::function<std::optional<std::string>(const CellPath&)> nameOf{};
-  // Of cells with bodies
+  // For cells with bodies
   std::optional<double>
       meshes{};  // [time] a sample with all surfaces at 0, meshes, 2·meshes, …, where atCells asks for
                  // one, and at the end; absent: none
@@ -34,8 +34,8 @@ struct RecordOptions {
 
 class Recorder {
  public:
-  /// What has been recorded goes to `sink` now and then, so that the memory it takes does not grow with the run; without
-  /// one it stays here until `take`.
+  /// `sink` receives records now and then, so that their memory does not grow with the run. Without a sink they are kept until
+  /// `take`.
   /// `enough` [byte]: it goes when it is so much.
   explicit Recorder(RecordOptions options = {}, RecordSink sink = {}, double enough = 1 << 20)
       : options_(std::move(options)),

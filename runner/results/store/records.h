@@ -1,5 +1,5 @@
 #pragma once
-// What is stored of a run, as plain data: no simulation and no database is needed to fill or read it.
+// The records of a run, as plain data: no simulation and no database is needed to fill or read them.
 // The tables are described in store/README.md.
 #include <cstdint>
 #include <functional>
@@ -40,7 +40,7 @@ struct SourceText {
   friend bool operator==(const SourceText&, const SourceText&) = default;
 };
 
-/// What is known before the first step.
+/// The part of a run's record that is known before the first step.
 struct RunRecord {
   std::string scenario;       // its name
   std::string scenarioHash;   // semantic: formatting and key order do not count
@@ -82,7 +82,7 @@ struct StoredRun {
   std::optional<std::uint64_t> condition = {};
 };
 
-/// What a field of a run is about.
+/// The subject of a run's field.
 enum class RunPart {
   result,       // what the computation decides
   scene,        // what is computed
@@ -156,7 +156,7 @@ void listFields(T& run, auto&& field) {
 
 /// The field's label with a capital.
 std::string headingOf(const RunField& field);
-/// Of a column of `run`.
+/// Returns the subject of a column of `run`.
 RunPart partOf(const std::string& column);
 /// visit(const RunField&, its value for people; "" where there is none) for each field.
 void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit);
@@ -166,9 +166,9 @@ struct Item {
   std::string name, label;  // of the column; for people
   std::string before, now;
 };
-/// What makes a run_id: scenario, seed and what the program was built from.
+/// Compares the parts of a run_id: scenario, reference, seed and the program's sources.
 std::vector<Item> compareIdentity(const RunRecord& before, const RunRecord& now);
-/// That, and everything else that is known of how and where the two were run.
+/// Compares the parts of a run_id and everything else that is known of how and where the two were run.
 std::vector<Item> compareConditions(const RunRecord& before, const RunRecord& now);
 
 /// The state of the organism at one moment, as far as it was measured.
@@ -188,7 +188,7 @@ struct TimeStepRecord {
   friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
 };
 
-/// What a run leaves behind. Every part may be empty: what was not asked for is not stored.
+/// The results of a run. Every part may be empty: only what was asked for is stored.
 struct RunResults {
   std::vector<LineageEntry> lineage;          // in any order; read back in order of birth
   std::map<StateId, std::string> stateTexts;  // the substances of each state in `lineage`
@@ -206,7 +206,7 @@ struct RunResults {
 /// Takes samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.
 using RecordSink = std::function<void(const RunResults& records)>;
 
-/// What a run that was stopped goes on from. Samples and hashes up to its step stand in their tables.
+/// The state from which a stopped run goes on. Samples and hashes up to its step stand in their tables.
 struct Checkpoint {
   std::uint64_t step = 0;
   std::optional<double> every;             // as RecordOptions

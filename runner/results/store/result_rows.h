@@ -30,7 +30,7 @@ void visitRecords(const RunResults& results, const Visit& visit) {
   }
 }
 
-/// The same for what is known when the run has ended. `step`: its last.
+/// Calls visit(step, row, context…) for each row that is known when the run has ended. `step`: its last.
 template <class Visit>
 void visitEnd(const RunResults& results, std::uint64_t step, const Visit& visit) {
   for (const LineageEntry& e : results.lineage) {

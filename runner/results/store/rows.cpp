@@ -47,7 +47,7 @@ class Inserter {
   std::map<const SqlTable*, std::unique_ptr<Statement>> inserts_;
 };
 
-/// As documents: runs with one mesh share them. Those that the run's record has already are the same.
+/// Stores faces as documents, which runs with the same mesh share. Faces that the run's record has already are not stored again.
 void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
   constexpr int behindOthers = 1000;
   Statement known(db, "SELECT 1 FROM run_document WHERE run_id = ? AND role = 'faces' AND path = ?");

@@ -17,10 +17,10 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
 void deleteRows(
     Database& db, const std::string& id,
     bool (*takes)(TablePart) = [](TablePart part) { return isResult(part) || part == TablePart::bullet; });
-/// Of samples and hashes, those of steps after `after`; all of them if there is none.
+/// Stores samples and hashes of steps after `after`, or all of them without `after`.
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after = {});
-/// Of the cells, what can be seen from outside.
+/// Stores the measures of Bullet's cells that can be seen from outside.
 void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,
                          const std::vector<Sample>& samples);
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks);

@@ -1,5 +1,5 @@
 #pragma once
-// Which state of the one list a stored run is in (golden/result_state.h), and the sentence for verbs that only show it.
+// The state of a stored run (golden/result_state.h), and the sentence of verbs that only show it.
 #include <string>
 #include <vector>
 
@@ -23,7 +23,7 @@ RunState stateOf(Store& store, const StoredRun& run);
 std::string remarkOn(const StoredRun& run, const RunState& state);
 std::string remarkOn(Store& store, const StoredRun& run);
 
-/// As `--json` of verbs that show runs says it: {"state": "not sane", "why": "…"}.
+/// Returns the state for `--json` of verbs that show runs: {"state": "not sane", "why": "…"}.
 Json toJson(const RunState& state);
 
 }  // namespace morula

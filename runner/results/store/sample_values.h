@@ -1,5 +1,5 @@
 #pragma once
-// What a sample holds of a measure as it was asked for.
+// The values of an asked measure in a sample.
 #include <map>
 #include <string>
 

@@ -16,7 +16,7 @@ void configure(Database& db);
 /// Throws StoreError for a database of another program or another version. `withComments`: on the columns, for `.schema`.
 void makeTables(Database& db, bool withComments = true);
 
-/// The same checks without writing: throws StoreError also for an empty file.
+/// Checks the tables without writing. Throws StoreError also for an empty file.
 void requireTables(Database& db);
 
 }  // namespace morula

@@ -45,7 +45,7 @@ void extendSeal(Database& db, const std::string& id, const RecordedUntil& until)
 /// were stored. `takes` null: of all tables.
 void requireSealed(Database& db, const std::string& id, bool (*takes)(TablePart) = nullptr);
 
-/// The same for all runs of a file, in one pass over each table.
+/// Checks the digests of all runs of a file, in one pass over each table.
 void requireAllSealed(Database& db, bool (*takes)(TablePart));
 
 /// The condition for rows of samples and hashes after `until`, whose one parameter is `until.time` or `until.step`: "time" or

@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-/// What the file says of a run that is already there.
+/// Returns a run that the file already has.
 std::optional<StoredRun> findEarlier(Database& db, const std::string& id) {
   Statement s(db, sqlTable<StoredRun>().select(db, "run_id = ?"));
   if (!s.start(id).next()) return std::nullopt;

@@ -91,7 +91,7 @@ class Store {
   RunResults results(const std::string& id);
   /// Its samples, with the faces of their surfaces, and hashes, in parts, so that they are not in memory at a time.
   void eachRecord(const std::string& id, const RecordSink& take);
-  /// Only the lineage, state texts and names.
+  /// Reads only the lineage, state texts and names.
   RunResults lineage(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);
@@ -99,10 +99,10 @@ class Store {
 
   /// Throws StoreError if the rows of the run are not those that were stored: every table is held against its digest.
   void requireIntact(const std::string& id);
-  /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
+  /// Lists the changes of a run's record since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
-  /// What shows that cells of a run that has ended are gone: a cell without its mother, a mother without both daughters, fewer
+  /// Lists the signs that cells of an ended run are gone: a cell without its mother, a mother without both daughters, fewer
   /// leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`: all tables that

@@ -1,4 +1,4 @@
-// What a file holds, back as plain data, and whether it is what was once stored.
+// Reads the content of a file back as plain data, and checks that it is what was stored.
 #include <algorithm>
 #include <set>
 

@@ -20,7 +20,7 @@ struct Form {
 /// A key that holds across two files: numbers of rows are given anew where other rows stand between.
 const char* naturalKey(const std::string& table) { return table == "check_result" ? "kind check" : nullptr; }
 
-/// Of the row `run`: what the computation decides. The rest says where and when it was made.
+/// Returns true for columns of the row `run` that the computation decides. The others say where and when it was made.
 bool isDecided(const std::string& column) {
   return partOf(column) == RunPart::result || partOf(column) == RunPart::scene;
 }

@@ -88,7 +88,7 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
     overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
-    tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
+    tellError(std::string(error.what()) + "; the result is not kept for a review");
     return 0;
   }
   tell("kept for `" + programWord() + " review " + shellWord(scenario.file) + "`: " + file.string(), quiet);

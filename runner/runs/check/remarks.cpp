@@ -7,6 +7,9 @@
 
 #include "division/rules.h"
 #include "document/words.h"
+#include "files/text.h"
+#include "simulation/observation.h"
+#include "simulation/organism_measures.h"
 
 namespace morula {
 
@@ -32,6 +35,37 @@ std::string distanceText(const std::vector<SettlingRecord>& settlings) {
       "{:.4g} with {}, which loses an energy of {:.2g}",
       counted(count, "settling") + (count == 1 ? " was" : " were"), *farthest.displacementLeft, farthest.time,
       counted(farthest.cells, "cell"), farthest.energyLeft.value_or(0));
+}
+
+std::string positionsText(const World& world, const Scenario& scenario) {
+  const auto& reference = scenario.check.reference;
+  if (!reference || !world.bodies || std::ranges::none_of(scenario.record.measures, [](const std::string& name) {
+        return name.starts_with("position_");
+      }))
+    return "";
+  Observation now(world);
+  now.reference = &*reference;
+  const auto compared = comparePositions(now);
+  if (!compared) return "";
+  std::vector<std::string> sentences;
+  constexpr double farFromOne = 2;
+  const double scale = compared->scale;
+  const bool comparesLengths =
+      std::ranges::find(scenario.record.measures, "position_rmsd") != scenario.record.measures.end();
+  if (comparesLengths && scale > 0 && (scale > farFromOne || scale < 1 / farFromOne))
+    sentences.push_back(fmt::format(
+        "check.reference.positions lie {:.3g} times as far apart as the cells, and position_rmsd compares lengths as they "
+        "are; give them in the scene's unit of length, or compare by position_shape_rmsd",
+        scale));
+  // Fewer cells, and those in a plane, are their own mirror images.
+  constexpr std::size_t fewest = 5;
+  constexpr double clearlyLess = 0.5, clearly = 0.02;
+  if (compared->cells >= fewest && compared->shape > clearly && compared->mirroredShape < clearlyLess * compared->shape)
+    sentences.push_back(fmt::format(
+        "the mirror image of the cells fits check.reference.positions better than they do (position_shape_rmsd {:.2g} in "
+        "place of {:.2g}); axes that turn the other way mirror what they measure",
+        compared->mirroredShape, compared->shape));
+  return join(sentences, "; ");
 }
 
 std::vector<DivisionRecord> ambiguousDivisions(const Scene& scene, const std::vector<LineageEntry>& lineage,

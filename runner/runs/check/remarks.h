@@ -11,6 +11,7 @@
 #include "physics/parameters.h"
 #include "simulation/scene.h"
 #include "simulation/world.h"
+#include "values/scenario_data.h"
 
 namespace morula {
 
@@ -20,6 +21,10 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
 
 /// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
 std::string distanceText(const std::vector<SettlingRecord>& settlings);
+
+/// Sentences on check.reference.positions at the end of a run: that they are in another unit than the scene, or in a frame
+/// that mirrors; "" where neither shows.
+std::string positionsText(const World& world, const Scenario& scenario);
 
 /// Those of `divisions` where the longest extent decides, and hardly differs from the next one. `describe` gives the
 /// substances of a state in `lineage`.

@@ -94,6 +94,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
   text += describeAmbiguous(outcome.ambiguous, scenario.units);
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
+  if (!outcome.reference.empty()) text += "  warning  " + outcome.reference + "\n";
   text += describeSanity(outcome, scenario);
   text += "  results  " + outcome.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
@@ -123,6 +124,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
             {"unsettled", outcome.unsettled},
+            {"reference", outcome.reference},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
             {"state", nameOf(outcome.state())},
             {"sane", orNull(outcome.isSane())},

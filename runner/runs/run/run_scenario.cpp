@@ -271,6 +271,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (run.world.settlings) outcome.unsettled = unsettledText(run.world.bodies->parameters.settle, *run.world.settlings);
   outcome.signal = run.signal;
   if (!done) return outcome;
+  outcome.reference = positionsText(run.world, scenario);
   try {
     if (settings.draw) {
       // Runs with the same folder draw one after the other, so that all pictures are of one run, the last.

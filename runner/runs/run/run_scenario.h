@@ -37,6 +37,7 @@ struct RunOutcome {
   std::vector<std::string> pictures;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::string unsettled;                  // [unsettledText]
+  std::string reference;                  // [positionsText]
   int signal = 0;                         // that ended it
   std::filesystem::path database;         // that holds the run: another one than asked for where a process held that
 };
