@@ -44,7 +44,7 @@ std::string shown(std::string_view text) {
 
 constexpr std::size_t longestName = 100;  // [letter] so that messages and pictures can show it
 
-constexpr std::size_t mostNames = 20'000;  // that all ranges may write: a short text must not fill the memory
+constexpr std::size_t maxNames = 20'000;  // that all ranges may write: a short text must not fill the memory
 constexpr int largestNumber = 1'000'000;
 
 constexpr auto rangeExample = "; a range is written g{n}(a{n+1}|a{n}) for n in 0..4";
@@ -281,8 +281,8 @@ void readRepeated(std::string_view line, Place begin, Range range, Lines& lines)
       throw Unreadable{range.place, "the range changes nothing, for no substance holds " + braces +
                                         "; write it where its number belongs, or remove the range"};
     lines.repeatedNames += cursor.words;
-    if (lines.repeatedNames > mostNames)
-      throw Unreadable{range.place, "ranges write more than " + std::to_string(mostNames) +
+    if (lines.repeatedNames > maxNames)
+      throw Unreadable{range.place, "ranges write more than " + std::to_string(maxNames) +
                                         " names in all (some 5000 genes); shorten them"};
   }
 }

@@ -32,7 +32,7 @@ struct State {
   std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by the bits sensed in it
 };
 
-constexpr std::size_t mostSenses = 64;
+constexpr std::size_t maxSenses = 64;
 
 /// One sense, and the substance that the simulator inserts for it.
 struct Sense {
@@ -137,9 +137,9 @@ std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, doub
 }
 
 void LogicalDna::readSenses(const Dna& dna, std::span<const SenseParameters> senses) {
-  if (senses.size() > mostSenses)
+  if (senses.size() > maxSenses)
     throw InputError("senses: " + std::to_string(senses.size()) + " of them; give at most " +
-                     std::to_string(mostSenses));
+                     std::to_string(maxSenses));
   for (const SenseParameters& parameters : senses) {
     const auto id = findSubstance(dna, parameters.substance);
     if (!id)

@@ -14,13 +14,13 @@ namespace {
 
 // [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with the margin M lasts M/ċ of
 // them, and pairs that are kept for the margin cost as M does: both together cost least at M = 1.4 √(R ċ), measured.
-constexpr double marginScale = 1.4, leastMargin = 0.01, mostMargin = 0.07;
+constexpr double marginScale = 1.4, minMargin = 0.01, maxMargin = 0.07;
 // [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
 // Share of all vertices: if more of them need a new choice at once, all get one.
-constexpr double mostRenewed = 0.1;
+constexpr double maxRenewed = 0.1;
 // After so many new lists for each of a block's rows all are chosen and cut anew, so that slices stay full.
-constexpr std::int64_t mostReplaced = 2;
+constexpr std::int64_t maxReplaced = 2;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
@@ -77,7 +77,7 @@ void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   }
   if (lists.chosen.empty()) return;
   lists.chosenAgain += static_cast<std::int64_t>(lists.chosen.size());
-  if (lists.chosenAgain > mostReplaced * rows) return chooseBlock(c, bodies, block, radius);
+  if (lists.chosenAgain > maxReplaced * rows) return chooseBlock(c, bodies, block, radius);
   findActing(c, bodies, block, radius, lists);
   replaceInSlices(lists, lists.acting, lists.chosen, first, bodies.lineCount() * blockLanes);
 }
@@ -173,7 +173,7 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
     timeStep = acting.blocks[0].time / evaluations;
   }
   const double lasts = perEvaluation > 0 ? std::sqrt(radius / perEvaluation) : double(farthestAhead);
-  acting.margin = std::clamp(marginScale * lasts * perEvaluation, leastMargin * radius, mostMargin * radius);
+  acting.margin = std::clamp(marginScale * lasts * perEvaluation, minMargin * radius, maxMargin * radius);
   acting.horizon = std::min(lasts, double(farthestAhead)) * timeStep;
   std::ranges::fill(acting.change, 0.0f);
   std::ranges::fill(acting.speeds, 0.0f);
@@ -189,7 +189,7 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
 
 void renewPairs(Contacts& c, const Bodies& bodies, int threads) {
   const auto ended = static_cast<double>(countEnded(c.acting));
-  if (isOver(c.acting) || ended > mostRenewed * bodies.livingVertices) return choosePairs(c, bodies, threads);
+  if (isOver(c.acting) || ended > maxRenewed * bodies.livingVertices) return choosePairs(c, bodies, threads);
   if (ended == 0) return;
   const double radius = smallestRadius(c, bodies);
   parallelFor(bodies.blockCount(), threads, [&](int block) { markEnded(c, bodies, block, radius); });

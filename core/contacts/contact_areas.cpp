@@ -100,20 +100,20 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
   return pairs;
 }
 
-constexpr double leastOverlap = 1.0 / 5000;  // of the influence radius
-constexpr double mostCover = 2;              // of a vertex's area, and of what forces say of a pair that sticks
+constexpr double minOverlap = 1.0 / 5000;  // of the influence radius
+constexpr double maxCover = 2;             // of a vertex's area, and of what forces say of a pair that sticks
 // [1] Both are chosen so that the areas of two cells on icospheres 2 to 4 are nearest to those on icosphere 5, for W from 0.1
 // to 2, free or pressed together.
-constexpr double leastHeld = 0.1;     // of a vertex's share of W
+constexpr double minHeld = 0.1;       // of a vertex's share of W
 constexpr double stressOverWork = 3;  // σ A/W
 // A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the meshes'
 // orientation.
-constexpr double leastShare = 0.005;
+constexpr double minShare = 0.005;
 
 /// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both sides.
 double coverOf(const PairSum& p, double work, double own, double atRest) {
   const double held = -2 * p.adhesion * own / (work * atRest * atRest);
-  return std::clamp((held - leastHeld) / (1 - leastHeld), 0.0, 1.0);
+  return std::clamp((held - minHeld) / (1 - minHeld), 0.0, 1.0);
 }
 
 /// Areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over the pressure that
@@ -129,9 +129,9 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
   for (const PairSum& p : sumPairs(c, b)) {
     if (!(p.pressing > 0) && !(p.adhesion < 0)) continue;
     const double own = areas[p.slot][placeOf(b, p.vertex).vertex];
-    const double least = c.parameters.stiffness * leastOverlap * c.radius[p.slot] / own;
+    const double least = c.parameters.stiffness * minOverlap * c.radius[p.slot] / own;
     const double pressure = std::max(0.5 * (pressureOf(p.slot) + pressureOf(p.other)), least);
-    const double byForce = std::min(p.pressing / pressure, mostCover * own);
+    const double byForce = std::min(p.pressing / pressure, maxCover * own);
     const auto [first, second] = std::minmax(cellOf[p.slot], cellOf[p.other]);
     if (pairs.empty() || pairs.back().a != first || pairs.back().b != second)
       pairs.push_back({first, second, 0}), pressed.push_back(0);
@@ -144,10 +144,10 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
     pairs.back().area += 0.5 * area;
     pressed.back() += 0.5 * byForce;
   }
-  for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].area = std::min(pairs[k].area, mostCover * pressed[k]);
+  for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].area = std::min(pairs[k].area, maxCover * pressed[k]);
   std::erase_if(pairs, [&](const ContactArea& p) {
     const double radius = b.parameters.cell.radius * std::min(b.restScale[b.slots[p.a]], b.restScale[b.slots[p.b]]);
-    return p.area < leastShare * 4 * std::numbers::pi * radius * radius;
+    return p.area < minShare * 4 * std::numbers::pi * radius * radius;
   });
   return pairs;
 }

@@ -117,12 +117,12 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.deepest.assign(bodies.blockCount(), 0);
   c.list.reference = bodies.position;
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
-  int mostVertices = 0;
+  int maxVertices = 0;
   for (int block = 0; block < bodies.blockCount(); ++block)
-    mostVertices = std::max(mostVertices, bodies.verticesPerLane(block));
+    maxVertices = std::max(maxVertices, bodies.verticesPerLane(block));
   c.scratch.resize(bodies.scratch.size(), {Reals(precision), Reals(precision)});
   for (auto& [force, turn] : c.scratch)
-    for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
+    for (Reals* a : {&force, &turn}) a->assign(std::size_t(maxVertices) * vertexStride, 0);
   if (!choosesPairs(c)) return;
   c.acting = {};
   c.acting.change.assign(vertices, 0);

@@ -23,17 +23,17 @@ void prepareSearch(Search& search, const SearchInput& input, int threads) {
 }
 
 /// Max number of list entries that all blocks may keep together.
-std::int64_t mostNumbers(const NeighbourList& list) {
+std::int64_t maxNumbers(const NeighbourList& list) {
   // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices: 16. Acting ones
   // stand in BlockLists once more.
-  return static_cast<std::int64_t>(std::clamp(list.mostBytes / list.bytesPerNeighbour, 0.0, 1e15));
+  return static_cast<std::int64_t>(std::clamp(list.maxBytes / list.bytesPerNeighbour, 0.0, 1e15));
 }
 
 /// Fills all blocks' lists. Each of the threads may use its share of what is left.
 template <class Search>
 void searchBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
   const Bodies& bodies = input.bodies;
-  std::atomic<std::int64_t> left = mostNumbers(list);
+  std::atomic<std::int64_t> left = maxNumbers(list);
   parallelFor(bodies.blockCount(), threads, [&](int block) {
     BlockLists& lists = list.perBlock[block];
     lists.clear(bodies.verticesPerLane(block) * blockLanes);
@@ -47,7 +47,7 @@ void searchBlocks(Search& search, const SearchInput& input, NeighbourList& list,
 
 /// Throws ListsTooLong where one thread, block after block, would have.
 void requireRoomForLists(const NeighbourList& list) {
-  std::int64_t left = mostNumbers(list);
+  std::int64_t left = maxNumbers(list);
   for (std::size_t block = 0; block < list.perBlock.size(); ++block) {
     if (list.perBlock[block].asked > left) throw ListsTooLong{static_cast<int>(block)};
     left -= list.perBlock[block].used;

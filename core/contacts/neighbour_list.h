@@ -23,9 +23,9 @@ struct NeighbourList {
   // Constant
   const SearchKernels* kernels = nullptr;
 
-  double mostBytes = INFINITY;    // [byte] that the lists may take
+  double maxBytes = INFINITY;     // [byte] that the lists may take
   double reach = 1;               // [1] influence reaches so many influence radii
-  double bytesPerNeighbour = 16;  // [byte] that an entry may take, see mostNumbers
+  double bytesPerNeighbour = 16;  // [byte] that an entry may take, see maxNumbers
   double skin = 0;                // [length] with 0, it is good for the positions it was built at
   Reals reference;                // points it is built from, as Bodies::position
   std::uint64_t pairs = 0;        // entries in all lists: each pair twice

@@ -24,7 +24,7 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
   const bool near = nearness < 1;
   if (!near && !(adhesion != 0 && w > 0)) return;
   const double u = near ? (1 - nearness) * (1 + nearness) : 0;
-  const double m = 1 - dot(i.n, j.n), t = std::min(m / leastFacing, 1.0), s = t * t * (3 - 2 * t);
+  const double m = 1 - dot(i.n, j.n), t = std::min(m / minFacing, 1.0), s = t * t * (3 - 2 * t);
   const double z = 0.25 * m * m * (3 - m), held = adhesion * w * w;
   const double depth = near ? std::max(0.0, -dot(a, h)) : 0.0, b = curvature * depth * depth * u;
   const double barrier = stiffness * depth * depth, hardened = 1 + b * (hardening1 + hardening2 * b);

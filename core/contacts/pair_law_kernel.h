@@ -92,11 +92,11 @@ struct PairLaw {
     deepest = max(b, deepest);
     const Lanes push = pressing * (1.0 + b * (2 * hardening1 / 4 + (3 * hardening2 / 16) * b)) + damped;
     Lanes su = u, byTurn = 0.0;
-    const bool turned = any(m < Lanes(leastFacing));  // s is 1 and ds/dm is 0 for normals 60° apart or more
+    const bool turned = any(m < Lanes(minFacing));  // s is 1 and ds/dm is 0 for normals 60° apart or more
     if (turned) {
-      const Lanes t = min((1 / leastFacing) * m, 1.0);
+      const Lanes t = min((1 / minFacing) * m, 1.0);
       su = ((t * t) * (3.0 - 2.0 * t)) * u;
-      byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
+      byTurn = ((3 / minFacing) * (t * (1.0 - t))) *
                ((barrier * (u * u)) * (1.0 + b * (hardening1 / 4 + (hardening2 / 16) * b)));
     }
     const Lanes half = (su * u) * max(push, Lanes(0.0));                                                   // E_D/2
@@ -137,7 +137,7 @@ inline void findSteepest(const BlockSlices& block, const std::int32_t* indices, 
         const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
         const Lanes nearness = min(curvature * dot(a, a), 1.0), square = nearness * nearness;
         const Lanes depth = max(select(nearness < Lanes(1.0), -0.5 * dot(a, j.n - i.n), 0.0), Lanes(0.0));
-        const Lanes t = min((1 / leastFacing) * (1.0 - dot(i.n, j.n)), 1.0), facing = (t * t) * (3.0 - 2.0 * t);
+        const Lanes t = min((1 / minFacing) * (1.0 - dot(i.n, j.n)), 1.0), facing = (t * t) * (3.0 - 2.0 * t);
         const Lanes overReach = curvature * (depth * depth), b = overReach * (1.0 - square);
         steepest = max(square * (nearness * facing) * (overReach * (1.0 + b * (3 * hardening1 + (6 * hardening2) * b))),
                        steepest);

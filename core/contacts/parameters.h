@@ -37,7 +37,7 @@ struct AdhesionParameters {
 constexpr double retreat = 0.125, surfaceDepth = 0.65;                       // λ, γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
-constexpr double leastFacing = 0.5;                                          // m₀
+constexpr double minFacing = 0.5;                                            // m₀
 constexpr double attractionReach = 1.5;                                      // α
 constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
 // B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
@@ -45,7 +45,7 @@ constexpr double hardening1 = 6, hardening2 = 200;                           // 
 constexpr double deepestHeld = 0.37, deepestBulk = 0.54;
 // [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no pair of
 // vertices face to face passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
-constexpr double mostFlight = 0.19;
+constexpr double maxFlight = 0.19;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

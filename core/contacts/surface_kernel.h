@@ -64,7 +64,7 @@ constexpr int linesAhead = 16;
 template <bool counting>
 inline double takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
                           RealPointer reference, RowMemory* rows, ChangeCount& count) {
-  Lanes farthest = 0.0, mostChanged = 0.0;
+  Lanes farthest = 0.0, maxChanged = 0.0;
   constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   constexpr std::int64_t ofRows = blockLanes * sizeof(RowMemory), ofReference = vertexStride * sizeof(Real);
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
@@ -91,15 +91,15 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
       const Vec y = ((1.0 - retreat) * x + share * around) - load(depths + lane) * n;
       const int row = v * blockLanes + lane;
       if constexpr (counting)
-        mostChanged = max(countChange(count, row, loadRows(rows + row, consecutive), {y, n, asStored(w), curvature}),
-                          mostChanged);
+        maxChanged =
+            max(countChange(count, row, loadRows(rows + row, consecutive), {y, n, asStored(w), curvature}), maxChanged);
       storeRows(rows + row, {y, n, w, curvature});
       const Vec moved = y - loadVec(reference, v, lane);
       farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
     }
   }
   if constexpr (counting)  // floats are rounded
-    if (any(mostChanged > Lanes(0.999999 * count.margin))) findEnded(count, mesh.vertexCount * blockLanes, b.liveLanes);
+    if (any(maxChanged > Lanes(0.999999 * count.margin))) findEnded(count, mesh.vertexCount * blockLanes, b.liveLanes);
   return largestOf(farthest);
 }
 

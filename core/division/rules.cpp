@@ -46,9 +46,9 @@ class RuledDivision final : public DivisionPolicy {
  private:
   void requireShare(const std::optional<double>& given) const {
     const double share = given.value_or(0.5), most = largestDeviate * variation_.share;
-    if (share - most >= leastShare && share + most <= largestShare) return;
+    if (share - most >= minShare && share + most <= largestShare) return;
     throw InputError("division.rules: a share of " + numberText(share) + (most > 0 ? " ± " + numberText(most) : "") +
-                     " leaves " + numberText(leastShare) + " to " + numberText(largestShare) +
+                     " leaves " + numberText(minShare) + " to " + numberText(largestShare) +
                      "; give one that is nearer to 0.5");
   }
 

@@ -13,6 +13,6 @@ const DivisionRule* ruleFor(const DivisionParameters& division, std::string_view
 const PlaneChoice& planeFor(const DivisionParameters& division, std::string_view substances);
 
 /// Daughter A's share as it can be cut.
-constexpr double leastShare = 0.1, largestShare = 0.9;
+constexpr double minShare = 0.1, largestShare = 0.9;
 
 }  // namespace morula

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double planeWithin = 1e-9;  // of the size, at least: corners of one polygon as decimal numbers put them
 constexpr double maxRounding =
-    1e-3;  // of the size, at most: what a file's digits explain; more is a shape, not rounding
-constexpr double leastOffset = 1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
+    1e-3;                           // of the size, at most: what a file's digits explain; more is a shape, not rounding
+constexpr double minOffset = 1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
 constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
 class Planes {
@@ -75,7 +75,7 @@ class Planes {
   }
 
   void checkOrigin(std::size_t f, const ShellPlane& plane) const {
-    if (plane.offset >= leastOffset * size_) return;
+    if (plane.offset >= minOffset * size_) return;
     fail(f, plane.offset <= 0 ? "the origin is not inside of this face; a shell lies around the origin, so move it"
                               : "the origin lies almost in this face; a shell has it well inside, so move it");
   }

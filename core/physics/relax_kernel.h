@@ -8,7 +8,7 @@
 //   P > 0:  v ← (1 − α) v + α √(V/A) a      turns the motion towards the force, at the same speed
 //           α ← 0.99 α                      from the fifth evaluation on that went downhill
 //   else:   v ← 0,  α ← ¼
-//   v½' = v + ½ a                           shortened where a vertex would move farther than `mostMove`
+//   v½' = v + ½ a                           shortened where a vertex would move farther than `maxMove`
 //   strain ← 63/64 strain, and + 1 where a cell goes uphill within five evaluations from where it last did
 //
 // Nothing but a cell's own sums decides how it moves, so the same bits come out of any number of threads.
@@ -42,7 +42,7 @@ inline void relaxVelocities(const TemplateView& mesh, const BlockView& b, const 
       storeVec(b.velocity, i, lane, next);
       farthest = max(dot(next, next), farthest);
     }
-    const Lanes most = load(r.mostMove + lane);
+    const Lanes most = load(r.maxMove + lane);
     const Mask tooFar = farthest > most * most;
     if (any(tooFar)) {
       const Lanes shortened = select(tooFar, most / sqrt(farthest), 1.0);

@@ -16,9 +16,9 @@
 
 namespace morula::MORULA_ISA {
 
-constexpr double leastDeterminant = 0.125;
+constexpr double minDeterminant = 0.125;
 
-/// Cube root of numbers from leastDeterminant to 10⁹, exact to rounding: a^(5/16) is off by 8 % to 54 %, and Newton's
+/// Cube root of numbers from minDeterminant to 10⁹, exact to rounding: a^(5/16) is off by 8 % to 54 %, and Newton's
 /// iteration doubles the digits.
 MORULA_INLINE Lanes cubeRootOf(Lanes a) {
   Lanes x = sqrt(sqrt(a * sqrt(sqrt(a))));
@@ -33,13 +33,13 @@ struct Match {
 };
 
 /// The spin of a needle thinner than about a millionth of its length, about its axis, cannot be determined.
-constexpr double leastInertia = single ? 1e-6 : 1e-12;  // determinant over trace³
+constexpr double minInertia = single ? 1e-6 : 1e-12;  // determinant over trace³
 
 /// ω of the rigid motion: I ω = angular momentum, or 0 where I has no inverse.
 MORULA_INLINE Vec findSpin(const Matrix& squares, const Vec& angular) {
   const Matrix inertia = inertiaOf(squares);
   const Lanes trace = inertia.x.x + inertia.y.y + inertia.z.z, none = 0.0;
-  const Mask sound = determinant(inertia) > leastInertia * (trace * trace * trace);
+  const Mask sound = determinant(inertia) > minInertia * (trace * trace * trace);
   const Vec omega = solve(inertia, angular);
   return {select(sound, omega.x, none), select(sound, omega.y, none), select(sound, omega.z, none)};
 }
@@ -71,7 +71,7 @@ MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, con
                               {Lanes(i[2]), Lanes(i[4]), Lanes(i[5])}};  // symmetric: rows are columns
   m.map = inverse * Matrix{inverseSquares * products.x, inverseSquares * products.y, inverseSquares * products.z};
   const Matrix rotation = nearestRotation((inverse * Lanes(i[0])) * products);
-  const Lanes linear = p.shapeLinear / cubeRootOf(max(determinant(m.map), Lanes(leastDeterminant)));
+  const Lanes linear = p.shapeLinear / cubeRootOf(max(determinant(m.map), Lanes(minDeterminant)));
   m.goal = (scale * linear) * m.map + (scale * Lanes(1 - p.shapeLinear)) * rotation;
   return m;
 }

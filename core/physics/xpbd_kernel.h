@@ -116,7 +116,7 @@ inline void solveFluid(const TemplateView& mesh, const BlockView& b, const Kerne
 }
 
 /// A cell that turns by more in a sub-step keeps what it has: J has no inverse near a quarter of a turn.
-constexpr double mostTurn = 0.5;  // [rad]
+constexpr double maxTurn = 0.5;  // [rad]
 
 /// The sums over a cell that tell how it has turned.
 struct Turn {
@@ -128,7 +128,7 @@ struct Turn {
 MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double h) {
   t.x = Lanes(1 / vertices) * t.x;
   const Vec omega = solve(inertiaOf(t.products - outer(t.x, t.s)), t.angular - angular);
-  const Mask sound = dot(omega, omega) < Lanes(mostTurn * mostTurn / (h * h));
+  const Mask sound = dot(omega, omega) < Lanes(maxTurn * maxTurn / (h * h));
   const Lanes none = 0.0;
   return {select(sound, omega.x, none), select(sound, omega.y, none), select(sound, omega.z, none)};
 }

@@ -77,15 +77,15 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-/// Throws NumericalError if a run that only stop.cells can end has taken mostCyclesForCells of its longest cycles without
+/// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles without
 /// reaching that number: its cells may have stopped dividing, and then it would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
-  if (!(world.clock.time > double(mostCyclesForCells) * longestCycle(scene.cycle))) return;
+  if (!(world.clock.time > double(maxCyclesForCells) * longestCycle(scene.cycle))) return;
   throw NumericalError("", world.clock.step,
                        "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
-                           std::to_string(mostCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +
+                           std::to_string(maxCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +
                            " live",
                        "give fewer stop.cells, or a stop.time or stop.cycles besides");
 }

@@ -44,7 +44,7 @@ void checkReach(const World& world) {
     if (!(c.farthest[slot / blockLanes] > most * most)) continue;
     const double move = farthestMove(world, slot);
     if (!(move > most && move < 1e300)) continue;  // another cell of its block, or checkBodies will see it
-    const double timeStep = powerOfTwoBelow(world.clock.timeStep * mostFlight * (c.radius[slot] / move));
+    const double timeStep = powerOfTwoBelow(world.clock.timeStep * maxFlight * (c.radius[slot] / move));
     BodyFailure failure(world.cells.path[cell].text(), world.clock.step,
                         "a vertex moves by " + numberText(move) + " in one step, farther than the " +
                             numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",

@@ -118,9 +118,9 @@ std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector
       const int a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
       const int smaller = volumes[b] < volumes[a] ? b : a;
       double share = boxVolume(boxes[a], boxes[b]) / volumes[smaller];
-      if (share > sanity::mostOverlap)
+      if (share > sanity::maxOverlap)
         share = std::min(share, turnedBoxVolume(surfaces[a], surfaces[b]) / volumes[smaller]);
-      if (share > sanity::mostOverlap) pairs.push_back({share, smaller, a + b - smaller});
+      if (share > sanity::maxOverlap) pairs.push_back({share, smaller, a + b - smaller});
     }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.share > b.share; });
   return pairs;
@@ -143,7 +143,7 @@ Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
   for (const Pair& pair : findPairs(surfaces, volumes)) {
     if (pair.share <= worst.value) break;  // no other can have more
     worst.raise(sharedVolume(b, surfaces, pair) / volumes[pair.smaller], pair.smaller, pair.larger);
-    if (worst.value > sanity::mostOverlap) break;
+    if (worst.value > sanity::maxOverlap) break;
   }
   return worst;
 }
@@ -166,7 +166,7 @@ Worst widestGap(const std::vector<Point>& centres, double radius) {
   return worst;
 }
 
-Worst mostBroken(const Bodies& b) {
+Worst maxBroken(const Bodies& b) {
   Worst broken{0};
   for (int cell = 0; cell < b.count; ++cell)
     if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
@@ -193,8 +193,8 @@ void addSurfaceMeasures(const World& world, const Observation& now, std::vector<
     folded.raise(measureFoldedShare(shape.surface.vertices, shape.surface.faces, own), i);
     selfOverlap.raise(selfOverlapOf(shape), i);
   }
-  all.push_back(measureOf(world, SanityKind::folded, folded, 0, sanity::mostFolded));
-  all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::mostSelfOverlap));
+  all.push_back(measureOf(world, SanityKind::folded, folded, 0, sanity::maxFolded));
+  all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::maxSelfOverlap));
 }
 
 /// Surfaces that touch hold W per area [contacts/adhesion.h], so that a cell of area A holds at most ½ W A: the other half
@@ -221,7 +221,7 @@ bool hasAdhesionEnergy(const World& world) {
 }
 
 SanityMeasure overlapOf(const World& world, const std::vector<Mesh>& surfaces) {
-  return measureOf(world, SanityKind::overlap, largestOverlap(*world.bodies, surfaces), 0, sanity::mostOverlap);
+  return measureOf(world, SanityKind::overlap, largestOverlap(*world.bodies, surfaces), 0, sanity::maxOverlap);
 }
 
 }  // namespace
@@ -229,7 +229,7 @@ SanityMeasure overlapOf(const World& world, const std::vector<Mesh>& surfaces) {
 std::optional<SanityMeasure> measureCellOverlap(const World& world) {
   if (!world.bodies || world.bodies->count < 2) return {};
   const Bodies& b = *world.bodies;
-  if (mostBroken(b).cell >= 0) return {};
+  if (maxBroken(b).cell >= 0) return {};
   std::vector<Mesh> surfaces;
   for (int slot : b.slots) surfaces.push_back(takeContactSurface(world.contacts.get(), b, slot));
   return overlapOf(world, surfaces);
@@ -238,7 +238,7 @@ std::optional<SanityMeasure> measureCellOverlap(const World& world) {
 std::vector<SanityMeasure> measureSanity(const World& world) {
   if (!world.bodies || world.bodies->count == 0) return {};
   const Bodies& b = *world.bodies;
-  std::vector<SanityMeasure> all{measureOf(world, SanityKind::finite, mostBroken(b), 0, 0)};
+  std::vector<SanityMeasure> all{measureOf(world, SanityKind::finite, maxBroken(b), 0, 0)};
   if (!all[0].holds()) return all;
 
   const Observation now(world);
@@ -259,23 +259,23 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     largest = std::max(largest, 0.5 * norm(box.high - box.low));
     centres.push_back(measureCentroid(surfaces[i].vertices));
   }
-  const bool crushed = !(least.value >= sanity::leastVolume);
+  const bool crushed = !(least.value >= sanity::minVolume);
   const Worst& worst = crushed ? least : most;
-  all.push_back(measureOf(world, SanityKind::volume, worst, sanity::leastVolume, sanity::mostVolume));
-  all.push_back(measureOf(world, SanityKind::inverted, inverted, 0, sanity::mostInverted));
+  all.push_back(measureOf(world, SanityKind::volume, worst, sanity::minVolume, sanity::maxVolume));
+  all.push_back(measureOf(world, SanityKind::inverted, inverted, 0, sanity::maxInverted));
   addSurfaceMeasures(world, now, all);
   if (hasAdhesionEnergy(world))
-    all.push_back(measureOf(world, SanityKind::adhesion, strongestAdhesion(world, now), 0, sanity::mostAdhesion));
+    all.push_back(measureOf(world, SanityKind::adhesion, strongestAdhesion(world, now), 0, sanity::maxAdhesion));
   if (b.count > 1) {
     all.push_back(overlapOf(world, surfaces));
-    all.push_back(measureOf(world, SanityKind::gap, widestGap(centres, largest), 0, sanity::mostGap));
+    all.push_back(measureOf(world, SanityKind::gap, widestGap(centres, largest), 0, sanity::maxGap));
   }
   if (b.parameters.shell) {
     Worst outermost{0};
     for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
-    all.push_back(measureOf(world, SanityKind::outermost, outermost, 0, sanity::mostOutermost));
+    all.push_back(measureOf(world, SanityKind::outermost, outermost, 0, sanity::maxOutermost));
     all.push_back(
-        measureOf(world, SanityKind::fill, {filled / measureShellVolume(*b.parameters.shell)}, 0, sanity::mostFill));
+        measureOf(world, SanityKind::fill, {filled / measureShellVolume(*b.parameters.shell)}, 0, sanity::maxFill));
   }
   return all;
 }

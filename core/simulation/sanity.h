@@ -43,18 +43,18 @@ inline constexpr auto choices<SanityKind> = std::to_array<Choice<SanityKind>>({
 
 namespace sanity {
 
-constexpr double leastVolume = 0.1, mostVolume = 10;  // [1] of a cell, over its volume at rest
-constexpr double mostInverted = 0.25;                 // [1] share of a cell's surface whose inner side shows outwards
-constexpr double mostFolded = 0.25;                   // [1] of the edges of a surface turn by more than 90°
-constexpr double mostSelfOverlap = 0.0025;            // [1] share of a cell's volume that it covers more than once
-constexpr double mostAdhesion = 2;                    // [1] of the energy that a surface holds that sticks everywhere
-constexpr double mostOverlap = 0.2;                   // [1] share of a cell's volume that one other cell has too
-constexpr double mostOutermost = 1 + 1e-6;            // [shell radii] vertices are projected onto it, up to rounding
+constexpr double minVolume = 0.1, maxVolume = 10;  // [1] of a cell, over its volume at rest
+constexpr double maxInverted = 0.25;               // [1] share of a cell's surface whose inner side shows outwards
+constexpr double maxFolded = 0.25;                 // [1] of the edges of a surface turn by more than 90°
+constexpr double maxSelfOverlap = 0.0025;          // [1] share of a cell's volume that it covers more than once
+constexpr double maxAdhesion = 2;                  // [1] of the energy that a surface holds that sticks everywhere
+constexpr double maxOverlap = 0.2;                 // [1] share of a cell's volume that one other cell has too
+constexpr double maxOutermost = 1 + 1e-6;          // [shell radii] vertices are projected onto it, up to rounding
 // [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 % where
 // cells of twice the shell's volume are pressed together (senses/pressed-and-old).
-constexpr double mostFill = 1.02;
+constexpr double maxFill = 1.02;
 // [radii of the largest cell] of empty space with cells on both sides: no picture shows both
-constexpr double mostGap = 1000;
+constexpr double maxGap = 1000;
 
 }  // namespace sanity
 

@@ -19,7 +19,7 @@
 namespace morula {
 
 /// [longest cycle] In so much time a number of cells must have come to life that alone ends a run.
-constexpr int mostCyclesForCells = 1000;
+constexpr int maxCyclesForCells = 1000;
 
 /// The run ends at the first of the limits that are given; at least one is.
 struct StopParameters {

@@ -17,10 +17,10 @@
 namespace morula {
 namespace {
 
-constexpr double mostMove = 0.1;     // [mean edge at rest] of a vertex, in one evaluation
-constexpr double leastStrain = 0.1;  // of k_s/R, in p̂
-constexpr double farOff = 10;        // [tolerance] of what no run goes on from
-constexpr double nearRest = 0.01;    // [tolerance] where a sampled settling is held to be at rest
+constexpr double maxMove = 0.1;    // [mean edge at rest] of a vertex, in one evaluation
+constexpr double minStrain = 0.1;  // of k_s/R, in p̂
+constexpr double farOff = 10;      // [tolerance] of what no run goes on from
+constexpr double nearRest = 0.01;  // [tolerance] where a sampled settling is held to be at rest
 constexpr double inertiaPerStrain = 2, clearlyMore = 1.5;
 constexpr std::uint64_t inertiaEvery = 64;  // evaluations
 using PerSlot = AlignedVector<double>;      // filled up to whole blocks
@@ -32,7 +32,7 @@ class Descent {
       : world_(world),
         bodies_(*world.bodies),
         masses_(bodies_.vertexMass),
-        mostMove_(masses_.size(), 1),
+        maxMove_(masses_.size(), 1),
         alpha_(masses_.size(), 0),
         descents_(masses_.size(), 0),
         squares_(masses_.size(), 0),
@@ -40,7 +40,7 @@ class Descent {
         factor_(masses_.size(), 1),
         hardening_(bodies_.blockCount(), 1) {
     for (int slot : bodies_.slots)
-      mostMove_[slot] = mostMove * bodies_.meshOf(slot).meanRestLength * bodies_.restScale[slot];
+      maxMove_[slot] = maxMove * bodies_.meshOf(slot).meanRestLength * bodies_.restScale[slot];
     stop();
     evaluateForces(world_);
     followInertia(world_, hardening_, factor_, true);
@@ -59,9 +59,8 @@ class Descent {
     parallelFor(bodies_.blockCount(), world_.execution.threads, [&](int i) {
       const BlockView block = bodies_.block(i, threadNumber());
       const std::size_t first = std::size_t(i) * blockLanes;
-      kernels.relaxVelocities(
-          bodies_.meshAt(block.meshLevel).view(), block,
-          {&mostMove_[first], &alpha_[first], &descents_[first], &strain_[first], &squares_[first]});
+      kernels.relaxVelocities(bodies_.meshAt(block.meshLevel).view(), block,
+                              {&maxMove_[first], &alpha_[first], &descents_[first], &strain_[first], &squares_[first]});
     });
   }
 
@@ -113,7 +112,7 @@ class Descent {
     const double stiffness = !bodies_.areSpheres() ? p.membrane.stiffness
                              : world_.contacts     ? world_.contacts->parameters.stiffness
                                                    : 1;
-    return std::max(std::abs(bodies_.pressure[slot]), leastStrain * stiffness / radius);
+    return std::max(std::abs(bodies_.pressure[slot]), minStrain * stiffness / radius);
   }
 
   void stop() {
@@ -123,7 +122,7 @@ class Descent {
 
   World& world_;
   Bodies& bodies_;
-  PerSlot masses_, mostMove_, alpha_, descents_, squares_, strain_, factor_;
+  PerSlot masses_, maxMove_, alpha_, descents_, squares_, strain_, factor_;
   std::vector<double> hardening_;  // [block] [1] that inertia counts with
 };
 
@@ -202,7 +201,7 @@ double nextEvent(const World& world) {
     for (double growth : world.cells.growth) fastest = std::max(fastest, std::abs(growth));
     // Cells that wait for a size are asked as often as if they grew.
     if (fastest > 0 || next == INFINITY)
-      next = std::min(next, clock.time + mostGrowth / (p.growth->rate * std::max(fastest, 1.0)));
+      next = std::min(next, clock.time + maxGrowth / (p.growth->rate * std::max(fastest, 1.0)));
   }
   return std::min(next, plannedEnd(world.model).value_or(INFINITY));
 }

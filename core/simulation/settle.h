@@ -18,10 +18,10 @@ namespace morula {
 bool settles(const World& world);
 
 /// One step of such a world, up to `SettleParameters::evaluations` of the forces long: time goes to the next event, or where
-/// cells grow until one has grown by mostGrowth; then all settles. Throws NumericalError as step does.
+/// cells grow until one has grown by maxGrowth; then all settles. Throws NumericalError as step does.
 void stepQuasiStatic(World& world);
 
 /// [1] of mass and k_p, between two settlings.
-constexpr double mostGrowth = 0.02;
+constexpr double maxGrowth = 0.02;
 
 }  // namespace morula

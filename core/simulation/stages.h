@@ -109,12 +109,12 @@ void followInertia(World& world, std::span<double> counted, std::span<const doub
 
 /// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the
 /// forces for it if it has changed. Quasi-static scenes have none: there it only evaluates the forces. Throws NumericalError if the scene's own lies above 0.8 of a stability
-/// limit, is longer than the shortest cell cycle or than the whole run, or moves a cell by more than mostFlight of its
+/// limit, is longer than the shortest cell cycle or than the whole run, or moves a cell by more than maxFlight of its
 /// contacts' reach; the text names both numbers.
 void chooseTimeStep(World& world);
 
 /// After a step: an automatic time step is chosen anew when contacts have become too stiff for it, and every 64 steps when
-/// a longer one would do or cells have become too fast for it (mostFlight).
+/// a longer one would do or cells have become too fast for it (maxFlight).
 void followContacts(World& world);
 
 }  // namespace morula

@@ -72,14 +72,14 @@ class LastStep {
 
 void refreshLists(World& world) {
   const Bodies& bodies = *world.bodies;
-  world.contacts->list.mostBytes = memoryForLists(world);
+  world.contacts->list.maxBytes = memoryForLists(world);
   try {
     refreshList(*world.contacts, bodies, world.execution.threads);
   } catch (const ListsTooLong& lists) {
     const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
     throw NumericalError(
         world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
-        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.mostBytes) +
+        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.maxBytes) +
             ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
             " leaves them: too many vertices are within reach of each other",
         "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "

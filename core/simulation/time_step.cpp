@@ -19,8 +19,8 @@
 namespace morula {
 namespace {
 
-constexpr double margin = 0.8;      // of a stability limit
-constexpr double mostSteps = 1e12;  // more than a week of one small cell
+constexpr double margin = 0.8;     // of a stability limit
+constexpr double maxSteps = 1e12;  // more than a week of one small cell
 
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
@@ -144,10 +144,10 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
 /// Masses and stiffnesses may be such that no run comes to its end.
 void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
-  if (!end || *end - world.clock.time <= mostSteps * timeStep) return;
+  if (!end || *end - world.clock.time <= maxSteps * timeStep) return;
   throw NumericalError(world.cells.path[cell].text(), world.clock.step,
                        "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
-                           ": more than " + numberText(mostSteps) + " steps",
+                           ": more than " + numberText(maxSteps) + " steps",
                        "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
                        "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
                        "stop earlier");
@@ -205,10 +205,10 @@ void refuseAboveRun(const World& world, double timeStep) {
           ", or give a later stop.time or more stop.cycles");
 }
 
-constexpr double mostCycles = 1e12;  // one after the other; more than a week of a cell without a body
+constexpr double maxCycles = 1e12;  // one after the other; more than a week of a cell without a body
 
 struct Flight {
-  double limit = INFINITY;  // [time] in which it moves by mostFlight
+  double limit = INFINITY;  // [time] in which it moves by maxFlight
   int cell = 0;
 };
 
@@ -219,7 +219,7 @@ Flight shortestFlight(const World& world) {
   if (!world.contacts || b.count < 2 || world.contacts->parameters.law == ContactLaw::thesis) return shortest;
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
-    const double limit = mostFlight * world.contacts->radius[slot] / norm(measureMeanVelocity(b, slot));
+    const double limit = maxFlight * world.contacts->radius[slot] / norm(measureMeanVelocity(b, slot));
     if (limit < shortest.limit) shortest = {limit, cell};
   }
   return shortest;
@@ -229,7 +229,7 @@ void refuseFlight(const World& world, double timeStep) {
   const Flight flight = shortestFlight(world);
   if (timeStep <= flight.limit) return;
   throw NumericalError(world.cells.path[flight.cell].text(), world.clock.step,
-                       "a cell moves by " + numberText(mostFlight * timeStep / flight.limit) +
+                       "a cell moves by " + numberText(maxFlight * timeStep / flight.limit) +
                            " of its contacts' reach in a time step of " + exactText(timeStep) +
                            ": cells could pass through each other unseen",
                        "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(flight.limit)) +
@@ -255,10 +255,10 @@ double longest(double combined, const PhysicsParameters& p) {
 /// [time] The longest automatic time step: stable, and short enough for the fastest cell. Steps are shortened for speed by
 /// 64 times at most: faster cells move farther than contacts reach in a step, and the run ends (checkReach).
 double automaticLimit(const World& world, double combined) {
-  constexpr double leastShare = 1.0 / 64;
+  constexpr double minShare = 1.0 / 64;
   const PhysicsParameters& p = world.bodies->parameters;
   const double stable = p.autoShare * longest(combined, p), flight = shortestFlight(world).limit;
-  return flight < stable && flight > leastShare * stable ? flight : stable;
+  return flight < stable && flight > minShare * stable ? flight : stable;
 }
 
 }  // namespace
@@ -291,10 +291,10 @@ double timeStepLimit(const World& world) {
 void refuseEndlessPace(const Scene& scene) {
   const ShortestCycle shortest = shortestCycle(scene);
   const double until = std::max(longestCycle(scene.cycle), plannedEnd(scene).value_or(0));
-  if (until <= mostCycles * shortest.length) return;
+  if (until <= maxCycles * shortest.length) return;
   throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " + exactText(until) +
-                   ", which is the run's end or another cycle: more than " + numberText(mostCycles) +
-                   " cell cycles; give a longer one, at least " + numberText(until / mostCycles) + ", or stop earlier");
+                   ", which is the run's end or another cycle: more than " + numberText(maxCycles) +
+                   " cell cycles; give a longer one, at least " + numberText(until / maxCycles) + ", or stop earlier");
 }
 
 double automaticTimeStep(const Scene& scene, double limit) {

@@ -114,7 +114,7 @@ class Shapes {
   explicit Shapes(const Chart& chart) {
     for (const ChartLine& line : chart.lines)
       if (std::find(colours_.begin(), colours_.end(), line.colour) == colours_.end()) colours_.push_back(line.colour);
-    shown_ = chart.dots || chart.lines.size() <= mostLines;
+    shown_ = chart.dots || chart.lines.size() <= maxLines;
   }
   Marker of(Colour colour) const {
     return seriesMarker(std::size_t(std::find(colours_.begin(), colours_.end(), colour) - colours_.begin()));
@@ -122,7 +122,7 @@ class Shapes {
   bool tellApart() const { return shown_ && colours_.size() > 1; }
 
  private:
-  static constexpr std::size_t mostLines = 200;  // without dots: markers of more lines would hide them
+  static constexpr std::size_t maxLines = 200;  // without dots: markers of more lines would hide them
   std::vector<Colour> colours_;
   bool shown_ = false;
 };

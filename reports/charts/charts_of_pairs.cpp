@@ -12,8 +12,8 @@
 namespace morula {
 namespace {
 
-constexpr double leastText = 6;    // [pixel] smaller letters cannot be read
-constexpr double leastFramed = 5;  // [pixel] a frame around less would hide the colour
+constexpr double minText = 6;    // [pixel] smaller letters cannot be read
+constexpr double minFramed = 5;  // [pixel] a frame around less would hide the colour
 
 struct Circle {
   Spot middle;
@@ -84,7 +84,7 @@ Drawing drawMatrix(const MatrixPicture& asked) {
     room = std::min(room, 0.3 * most);
     text = std::min(size, 0.8 * (most - room) / double(n));
   }
-  const bool named = text >= leastText;
+  const bool named = text >= minText;
   const double edge = named ? room + 0.6 * text : 0, side = (most - edge) / double(n);
   const Spot corner{0.5 * (picture.width - most) + edge, top + edge};
   Range range;
@@ -99,10 +99,10 @@ Drawing drawMatrix(const MatrixPicture& asked) {
     for (std::size_t column = 0; column < n; ++column)
       if (const auto& value = picture.values[row * n + column]) {
         // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
-        const double gap = side >= leastFramed ? 0.06 * side : 0, own = side - 2 * gap;
+        const double gap = side >= minFramed ? 0.06 * side : 0, own = side - 2 * gap;
         const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
         drawing.box({x, y}, own, own, scaleColour(range.shareOf(*value)));
-        if (side >= leastFramed)
+        if (side >= minFramed)
           drawing.line({{x, y}, {x + own, y}, {x + own, y + own}, {x, y + own}, {x, y}},
                        {.width = side < 12 ? 0.5 : 1, .colour = quietInk});
       }

@@ -77,7 +77,7 @@ void drawCounts(Drawing& drawing, const Strip& strip, const Axis& x, double midd
 void drawStrip(Drawing& drawing, const Strip& strip, const Axis& x, double top, bool counts) {
   const std::size_t n = strip.values.size();
   if (n == 0) return;
-  if (counts && n > mostPoints) return drawCounts(drawing, strip, x, top + 0.5 * row);
+  if (counts && n > maxPoints) return drawCounts(drawing, strip, x, top + 0.5 * row);
   for (std::size_t i = 0; i < n; ++i) {
     const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.5;
     drawMarker(drawing, {x.place(strip.values[i]), top + row * (0.12 + 0.42 * share)}, 2.6, strip.colour, strip.marker);
@@ -156,12 +156,12 @@ std::vector<int> rowHeights(const std::vector<Panel>& panels, std::size_t column
 
 Drawing drawSmallMultiples(const SmallMultiples& chart) {
   constexpr double page = 1.42;  // height over width
-  constexpr std::size_t mostColumns = 4;
+  constexpr std::size_t maxColumns = 4;
   std::size_t columns = 1;
   std::vector<int> heights;
   for (;; ++columns) {
     heights = rowHeights(chart.panels, columns);
-    if (columns == std::min(mostColumns, std::max<std::size_t>(1, chart.panels.size())) ||
+    if (columns == std::min(maxColumns, std::max<std::size_t>(1, chart.panels.size())) ||
         std::accumulate(heights.begin(), heights.end(), 0) <= page * static_cast<double>(columns) * chart.panelWidth)
       break;
   }

@@ -33,12 +33,12 @@ struct Panel {
   std::vector<Strip> strips;
   std::vector<PanelLine> lines;  // where there are no strips
   std::string xLabel = {};       // of lines
-  /// Of strips: of more than mostPoints values of one their median, quartiles and range take the place of points that
+  /// Of strips: of more than maxPoints values of one their median, quartiles and range take the place of points that
   /// would lie on each other.
   bool counts = false;
 };
 
-inline constexpr std::size_t mostPoints = 6;
+inline constexpr std::size_t maxPoints = 6;
 
 struct SmallMultiples {
   Annotations words;

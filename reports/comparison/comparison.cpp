@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr double leastArrow = 0.02;  // [radii of the egg] a shorter arrow is only a head
+constexpr double minArrow = 0.02;  // [radii of the egg] a shorter arrow is only a head
 
 /// For each cell of `of` the place in `beside` of the cell with the same path.
 std::vector<std::optional<std::size_t>> matchCells(const OrganismPicture& of, const OrganismPicture& beside) {
@@ -50,7 +50,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
     if (what.ofCentres) {
       const Point from = measureCentroid(partner.vertices), to = measureCentroid(cell.vertices);
       distances[i].assign(cell.vertices.size(), norm(to - from));
-      if (norm(to - from) > leastArrow * eggRadius) map.lines.push_back({from, to, ink, true, true});
+      if (norm(to - from) > minArrow * eggRadius) map.lines.push_back({from, to, ink, true, true});
     } else {
       distances[i] = measureDistances({cell.vertices, facesOf(of, cell)}, {partner.vertices, facesOf(beside, partner)});
     }

@@ -17,10 +17,10 @@ void check(const OrganismGrid& grid) {
   if (rows == 0 || columns == 0 || grid.tiles.size() != rows * columns)
     throw InputError(std::to_string(grid.tiles.size()) + " pictures do not fill " + std::to_string(rows) + " rows of " +
                      std::to_string(columns));
-  if (rows > mostGridRows || columns > mostGridColumns)
+  if (rows > maxGridRows || columns > maxGridColumns)
     throw InputError("a grid of " + std::to_string(rows) + " rows and " + std::to_string(columns) +
-                     " columns is too large for one picture; it has room for " + std::to_string(mostGridRows) +
-                     " and " + std::to_string(mostGridColumns));
+                     " columns is too large for one picture; it has room for " + std::to_string(maxGridRows) + " and " +
+                     std::to_string(maxGridColumns));
 }
 
 /// Gives all pictures one size and one framing, and returns it. All empty: nothing.
@@ -53,7 +53,7 @@ constexpr int heading = static_cast<int>(2 * textSize);
 
 /// With tiles of this side.
 Sheet layOut(const OrganismGrid& grid, int side) {
-  constexpr int mostWidth = 1250;
+  constexpr int maxWidth = 1250;
   constexpr double page = 1.42;  // height over width
   const int columns = static_cast<int>(grid.columns.size()), rows = static_cast<int>(grid.rows.size());
   double wordsWidth = 0;
@@ -68,7 +68,7 @@ Sheet layOut(const OrganismGrid& grid, int side) {
     const int words = heading + static_cast<int>(12 * textSize);  // with legend and scale bar
     return blocks * std::max(1, (static_cast<int>(page * std::max(blocks * sheet.block, 800)) - words) / sheet.pitch);
   };
-  while (rows > fitting(sheet.blocks) && (sheet.blocks + 1) * sheet.block <= mostWidth) ++sheet.blocks;
+  while (rows > fitting(sheet.blocks) && (sheet.blocks + 1) * sheet.block <= maxWidth) ++sheet.blocks;
   sheet.pages = (rows + fitting(sheet.blocks) - 1) / fitting(sheet.blocks);
   const int onPage = (rows + sheet.pages - 1) / sheet.pages;  // evenly, so that none is almost empty
   sheet.rows = (onPage + sheet.blocks - 1) / sheet.blocks;

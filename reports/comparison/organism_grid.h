@@ -27,7 +27,7 @@ struct OrganismGrid {
   double perLength = 1;                        // so many of it are one length; > 0
 };
 
-inline constexpr std::size_t mostGridRows = 40, mostGridColumns = 12;
+inline constexpr std::size_t maxGridRows = 40, maxGridColumns = 12;
 
 /// Pages that are no higher than a sheet of paper beside their width: where columns are few, rows go on beside each other,
 /// and then on further pages. One camera and one scale for all; each page has title, legend and scale bar. Tiles are smaller

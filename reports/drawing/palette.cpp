@@ -15,11 +15,11 @@ Colour seriesColour(std::size_t i) {
 }
 
 Colour cloneColour(std::string_view founder) {
-  static constexpr std::array<std::uint32_t, 1 << mostFounders> colours{
+  static constexpr std::array<std::uint32_t, 1 << maxFounders> colours{
       0x404291, 0xc75311, 0x92a7ec, 0xffcf35, 0x8a2be2, 0x6c0239, 0x938f65, 0x15d5c3,
       0x69c33c, 0xff0096, 0xff96b4, 0x005a69, 0xff004b, 0x0f4b00, 0xc35ac3, 0xffb478};
   std::size_t number = 0;
-  for (std::size_t i = 0; i < std::min(founder.size(), mostFounders); ++i)
+  for (std::size_t i = 0; i < std::min(founder.size(), maxFounders); ++i)
     if (founder[i] == 'B') number |= std::size_t{1} << i;
   return colourFrom(colours[number]);
 }

@@ -17,11 +17,11 @@ inline constexpr Colour gridInk{0xe6, 0xe6, 0xe2};
 Colour seriesColour(std::size_t i);
 inline constexpr std::size_t fewSeries = 7, manySeries = 24;
 
-/// Of a clone, by the lineage path of its founder: letters A and B, of which the first `mostFounders` count. Daughter A goes
+/// Of a clone, by the lineage path of its founder: letters A and B, of which the first `maxFounders` count. Daughter A goes
 /// on in her mother's colour, so that no two cells that live at one time share one. The first eight (of three divisions)
 /// are told apart by eyes of all kinds, and by lightness, for print in grey.
 Colour cloneColour(std::string_view founder);
-inline constexpr std::size_t mostFounders = 4;
+inline constexpr std::size_t maxFounders = 4;
 
 /// Of a quantity: `share` 0 (its least value) to 1 (its greatest); beyond, the colour of the nearer end.
 /// Lightness rises with the share, so that order is seen in grey and by any eyes: viridis [van der Walt &

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, always the first
-constexpr std::uint64_t mostPixels = 100'000'000;
+constexpr std::uint64_t maxPixels = 100'000'000;
 
 /// The chunk "Software: Morula" with its length before it and its check sum behind it [PNG specification, annex D].
 constexpr std::string_view ownMark{
@@ -102,10 +102,10 @@ Image readPng(const std::string& bytes, const std::string& name) {
   } png{};
   png.version = PNG_IMAGE_VERSION;
   if (!chunksFit(bytes) || !png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) throw damaged;
-  if (png.width > mostSide || png.height > mostSide || std::uint64_t{png.width} * png.height > mostPixels)
+  if (png.width > maxSide || png.height > maxSide || std::uint64_t{png.width} * png.height > maxPixels)
     throw InputError(name + ": a picture of " + std::to_string(png.width) + " x " + std::to_string(png.height) +
-                     " pixels is too large; needs at most " + std::to_string(mostPixels) + " pixels, and " +
-                     std::to_string(mostSide) + " along a side");
+                     " pixels is too large; needs at most " + std::to_string(maxPixels) + " pixels, and " +
+                     std::to_string(maxSide) + " along a side");
   png.format = PNG_FORMAT_RGBA;
   std::vector<png_byte> pixels(PNG_IMAGE_SIZE(png));
   Image image(static_cast<int>(png.width), static_cast<int>(png.height), paper);

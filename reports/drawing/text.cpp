@@ -66,7 +66,7 @@ struct Letters {
 /// What is not UTF-8 is U+FFFD, a byte at a time.
 Letters lettersOf(std::string_view text) {
   Letters letters;
-  while (!text.empty() && letters.starts.size() < mostLetters) {
+  while (!text.empty() && letters.starts.size() < maxLetters) {
     const int length = text[0] == 0 ? 0 : utf8Length(text);
     letters.starts.push_back(letters.text.size());
     letters.text += length > 0 ? text.substr(0, length) : "\uFFFD";
@@ -100,7 +100,7 @@ double textWidth(std::string_view text, const TextStyle& style) { return edgesOf
 std::string shortened(std::string_view text, const TextStyle& style, double width) {
   const Letters letters = lettersOf(text);
   const std::vector<double> edges = edgesOf(letters, style);
-  if (edges.back() <= width && letters.starts.size() <= mostLetters) return letters.text;
+  if (edges.back() <= width && letters.starts.size() <= maxLetters) return letters.text;
   const double dots = textWidth(ellipsis, style);
   std::size_t kept = edges.size() - 1;
   while (kept > 0 && !(edges[kept] + dots <= width)) --kept;

@@ -22,7 +22,7 @@ struct TextStyle {
 };
 
 /// Of a text, however long it is, no more than this is looked at: no picture has room for it.
-inline constexpr std::size_t mostLetters = 8192;
+inline constexpr std::size_t maxLetters = 8192;
 
 /// How far the text runs. [pixel]
 double textWidth(std::string_view text, const TextStyle& style);

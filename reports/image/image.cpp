@@ -5,7 +5,7 @@
 namespace morula {
 
 void checkSides(int width, int height) {
-  if (width < 1 || height < 1 || width > mostSide || height > mostSide)
+  if (width < 1 || height < 1 || width > maxSide || height > maxSide)
     throw InputError("an image of " + std::to_string(width) + " x " + std::to_string(height) +
                      " pixels cannot be made; each side must be 1 to 16384");
 }

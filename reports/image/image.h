@@ -6,8 +6,8 @@
 
 namespace morula {
 
-inline constexpr int mostSide = 16384;  // [pixel] of a picture
-/// Throws InputError unless both sides of a picture are 1 to `mostSide` pixels.
+inline constexpr int maxSide = 16384;  // [pixel] of a picture
+/// Throws InputError unless both sides of a picture are 1 to `maxSide` pixels.
 void checkSides(int width, int height);
 
 /// Pixels, row by row from the top left.

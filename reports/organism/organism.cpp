@@ -53,12 +53,12 @@ void check(const OrganismPicture& picture) {
   if (picture.samples < 1 || picture.samples > 4)
     throw InputError("a picture cannot have " + std::to_string(picture.samples) +
                      " samples per pixel side; it must be 1 to 4");
-  constexpr long long mostSamples = 50'000'000;  // of some 40 bytes each
-  if (1LL * picture.width * picture.height * picture.samples * picture.samples > mostSamples)
+  constexpr long long maxSamples = 50'000'000;  // of some 40 bytes each
+  if (1LL * picture.width * picture.height * picture.samples * picture.samples > maxSamples)
     throw InputError("a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                      " pixels with " + std::to_string(picture.samples) +
                      " samples per pixel side takes too much memory; width · height · samples² must not exceed " +
-                     std::to_string(mostSamples));
+                     std::to_string(maxSamples));
   if (picture.shell &&
       !(finite(*picture.shell) && picture.shell->x > 0 && picture.shell->y > 0 && picture.shell->z > 0))
     throw InputError("the shell's semi-axes must be greater than 0");

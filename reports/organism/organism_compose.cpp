@@ -10,8 +10,8 @@ namespace {
 
 /// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what is
 /// looked at would lie too thin in the picture.
-double occlusionRadius(const OrganismPicture& picture, double mostInPicture) {
-  return std::min(0.8 * meanRadius(picture, picture.cells.size()), mostInPicture);
+double occlusionRadius(const OrganismPicture& picture, double maxInPicture) {
+  return std::min(0.8 * meanRadius(picture, picture.cells.size()), maxInPicture);
 }
 
 /// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a sample,

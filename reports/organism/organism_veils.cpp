@@ -9,9 +9,9 @@
 namespace morula {
 namespace {
 
-constexpr int samplesAtOnce = 4 << 20;                   // that are counted
-constexpr std::uint64_t fragmentsAtOnce = 4 << 20,       // that are kept and sorted; a row at least
-    mostFragments = (128 << 20) / sizeof(VeilFragment);  // as many as llvmpipe can address
+constexpr int samplesAtOnce = 4 << 20;                  // that are counted
+constexpr std::uint64_t fragmentsAtOnce = 4 << 20,      // that are kept and sorted; a row at least
+    maxFragments = (128 << 20) / sizeof(VeilFragment);  // as many as llvmpipe can address
 
 /// A translucent cell's triangles and where they are: rows of the sample grid, and the depth of its nearest point.
 struct Veil {
@@ -124,7 +124,7 @@ void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
       };
       for (last = first + 1; last < blockEnd && fragmentsOf(last + 1) <= fragmentsAtOnce;) ++last;
       const std::uint64_t many = fragmentsOf(last);
-      if (many > mostFragments)
+      if (many > maxFragments)
         throw InputError(
             "too many translucent cells lie behind each other; draw a smaller picture, or fewer samples per pixel");
       const auto [from, to] = around(first, last);

@@ -39,9 +39,9 @@ using namespace morula::chance;
 
 namespace {
 
-constexpr double mostWork =
+constexpr double maxWork =
     4e6;  // vertices times evaluations of the forces, of one run: 0.3 s; longer ones end before their end
-constexpr double mostGain = 0.05;  // of the energy: check/sanity.cpp
+constexpr double maxGain = 0.05;  // of the energy: check/sanity.cpp
 constexpr std::uint64_t fewSteps = 40;
 
 /// [force·length] Of what is closed between events, since the last one.
@@ -127,7 +127,7 @@ Course run(const Scenario& scenario, bool diagnoses = false, std::optional<std::
   double work = 0;
   try {
     energy.see(world);
-    while (!finished(world) && work < mostWork && (!lastStep || world.clock.step < *lastStep)) {
+    while (!finished(world) && work < maxWork && (!lastStep || world.clock.step < *lastStep)) {
       const std::uint64_t before = world.clock.step;
       takeSteps(world, lastStep ? std::min<std::uint64_t>(16, *lastStep - before) : 16);
       if (world.bodies) work = settles(world) ? workOf(world, 0) : work + workOf(world, world.clock.step - before);
@@ -282,7 +282,7 @@ Course runWithHalfTheStep(const Scenario& scenario, const World& end) {
 
 /// What is gained by the error of the time step falls with it; it may be large where a cell has just been cut.
 std::string gainIn(const Course& course, const Course& half) {
-  if (!(course.gain > mostGain && half.sane && half.gain > 0.7 * course.gain)) return "";
+  if (!(course.gain > maxGain && half.sane && half.gain > 0.7 * course.gain)) return "";
   return fmt::format("by {:.3g}, and by {:.3g} with half the step", course.gain, half.gain);
 }
 

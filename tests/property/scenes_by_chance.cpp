@@ -236,12 +236,12 @@ bool repair(Json& scenario, const std::string& messages) {
 
 /// Nothing that makes a scene of many cells, or of many vertices.
 void keepSmall(Json& scenario) {
-  constexpr int mostCells = 16, mostLevel = 1;
+  constexpr int maxCells = 16, maxLevel = 1;
   const Json* cells = find(scenario, "stop.cells");
-  setKey(scenario, "stop.cells", std::min(cells ? cells->get<std::int64_t>() : mostCells, std::int64_t{mostCells}));
+  setKey(scenario, "stop.cells", std::min(cells ? cells->get<std::int64_t>() : maxCells, std::int64_t{maxCells}));
   if (const Json* level = find(scenario, "physics.mesh.icosphere");
-      level && *level > mostLevel && !find(scenario, "physics.mesh.coarsen"))
-    setKey(scenario, "physics.mesh.icosphere", mostLevel);
+      level && *level > maxLevel && !find(scenario, "physics.mesh.coarsen"))
+    setKey(scenario, "physics.mesh.icosphere", maxLevel);
 }
 
 }  // namespace

@@ -63,10 +63,10 @@ physics:
 connections: {release-age: 1.2}
 )";
 
-constexpr double mostMissing = 1e-3;  // [1] of the energy, in a while without events
-constexpr double mostCreep = 1.25;    // [1] the mean energy in any tenth, over that in the first one with all cells
-constexpr double mostMemory = 16e6;   // [byte] more than after a tenth: what is kept of 8000 divisions, and more
-constexpr int watched = 128;          // [steps] a while
+constexpr double maxMissing = 1e-3;  // [1] of the energy, in a while without events
+constexpr double maxCreep = 1.25;    // [1] the mean energy in any tenth, over that in the first one with all cells
+constexpr double maxMemory = 16e6;   // [byte] more than after a tenth: what is kept of 8000 divisions, and more
+constexpr int watched = 128;         // [steps] a while
 
 double memoryTaken() {
   std::ifstream file("/proc/self/statm");
@@ -149,14 +149,14 @@ int soak(std::uint64_t steps, std::uint64_t pieces) {
             fmt::format("{} steps, {} divisions, {} deaths, {} connections made; {} to {} cells", world.clock.step,
                         world.divisions.size(), died, world.connections->history.size(), least, most));
   fine &= holds(least >= 32 && most <= 128, "cells: as many as were meant");
-  fine &= holds(grown <= mostMemory, fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
-  fine &= holds(balance.whiles > 0 && balance.worst <= mostMissing,
+  fine &= holds(grown <= maxMemory, fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
+  fine &= holds(balance.whiles > 0 && balance.worst <= maxMissing,
                 fmt::format("energy: {:.2g} of it missing at most, in {} whiles of {} steps without events",
                             balance.worst, balance.whiles, watched));
   double early = 0, late = 0;
   for (const auto& [sum, times] : energies)
     if (times > 0) (early == 0 ? early : late) = std::max(late, sum / times);
-  fine &= holds(late <= mostCreep * early,
+  fine &= holds(late <= maxCreep * early,
                 fmt::format("energy: {:.4g} in the mean of a tenth, at most {:.4g} later", early, late));
 
   std::string state = saveState(makeWorld(scenario.scene, execution));

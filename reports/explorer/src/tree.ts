@@ -5,7 +5,7 @@ import type { State } from "./state";
 import { drawn } from "./tools";
 
 const topRoom = 22, leftRoom = 8, readableRow = 15; // [pixel]
-const mostLetters = 21; // of a name
+const maxLetters = 21; // of a name
 
 /** Round numbers, about `wanted` of them, from 0 to `most`. */
 export function ticks(most: number, wanted: number): number[] {
@@ -63,7 +63,7 @@ export class Tree {
     const w = Math.max(200, this.pane.clientWidth - 2), h = Math.max(120, this.pane.clientHeight - 2);
     const fitted = (h - topRoom - 10) / Math.max(1, this.leaves), row = this.whole ? Math.min(34, fitted) : Math.max(readableRow, Math.min(34, fitted));
     const height = Math.round(topRoom + 10 + row * this.leaves), labels = row >= 9;
-    const longest = Math.max(1, ...this.run.cells.filter((c) => !c.daughters.length).map((c) => Math.min(mostLetters + 1, c.label.length)));
+    const longest = Math.max(1, ...this.run.cells.filter((c) => !c.daughters.length).map((c) => Math.min(maxLetters + 1, c.label.length)));
     const rightRoom = labels ? 12 + Math.min(0.4 * w, 6.8 * longest) : 10, end = this.run.end || 1;
     this.place = (time) => leftRoom + ((w - leftRoom - rightRoom) * time) / end;
     const y = (cell: Cell) => topRoom + row * (this.rows.get(cell)! + 0.5);
@@ -95,12 +95,12 @@ export class Tree {
       node.append(drawn("path", { class: "hit", d: `M${x1} ${at}H${x2 + (cell.daughters.length ? 0 : rightRoom - 4)}`, "stroke-width": Math.max(3, Math.min(14, row)) }));
       if (labels && !cell.daughters.length) {
         const text = drawn("text", { x: x2 + 5, y: at + 4 });
-        text.textContent = cell.label.slice(0, mostLetters);
+        text.textContent = cell.label.slice(0, maxLetters);
         node.append(text);
-        if (cell.label.length > mostLetters) {
+        if (cell.label.length > maxLetters) {
           // The rest is there for those who do not see it: what is written must be a part of the line's name.
           const rest = drawn("tspan", {}), more = drawn("text", { x: w - 2, y: at + 4, "text-anchor": "end", "aria-hidden": "true" });
-          rest.textContent = cell.label.slice(mostLetters);
+          rest.textContent = cell.label.slice(maxLetters);
           rest.style.fill = "transparent";
           text.append(rest);
           more.textContent = "…";

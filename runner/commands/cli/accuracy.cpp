@@ -52,7 +52,7 @@ std::optional<double> endBefore(World world, double time) {
   } catch (const NumericalError&) { return {}; }
 }
 
-/// What is to be tried beside what was asked for.
+/// Completes the options with settings to try.
 AccuracyOptions optionsOf(const AccuracyWords& words, const Scenario& scenario, World start) {
   AccuracyOptions options = words.options;
   const bool only = words.only || words.quick;
@@ -91,7 +91,7 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
   };
 }
 
-/// Where the numbers come from: seconds of CPU time are of one machine.
+/// Returns the origin of the numbers: seconds of CPU time belong to one machine.
 Json provenance(const Scenario& scenario, const Execution& how) {
   const RunRecord record = recordOf(scenario, how, commandLine());
   Json json = Json::object();
@@ -155,7 +155,7 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   return held ? fine : differs;
 }
 
-/// What golden files state, of scenes with bodies.
+/// Prints the errors that golden files of scenes with bodies state.
 int tellStated(const AccuracyWords& words) {
   std::vector<Golden> goldens;
   for (const std::string& file : words.scenarios) goldens.push_back(readGoldenFile(file));

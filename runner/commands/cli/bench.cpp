@@ -41,7 +41,7 @@ int readLevel(const std::string& text) {
   throw InputError(text + " is no icosphere's number; needs 42, 162 or 642");
 }
 
-/// With all that was not asked for.
+/// Completes the options with defaults.
 BenchOptions optionsOf(const BenchWords& words) {
   BenchOptions options = words.options;
   if (options.levels.empty() && !words.quick && options.cells.empty()) options.extraLevels = {1, 3};

@@ -38,7 +38,7 @@ struct CheckOptions {
   int cpuLimit = usualCpuSeconds;
 };
 
-/// As the contract of `morula check --json` says.
+/// Writes a result for `morula check --json`.
 Json toJson(const CheckReport& report, const CheckResult& result) {
   Json json{{"scenario", report.scenario}};
   json.update(morula::toJson(result));
@@ -136,7 +136,7 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   return report;
 }
 
-/// By what name each scenario's results are reported: "thesis/unique-four" for …/scenarios/thesis/…, the path
+/// Returns the names under which results are reported: "thesis/unique-four" for …/scenarios/thesis/…, the path
 /// as it was given for a file that lies elsewhere, or whose name another one has, too.
 std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   std::map<std::string, int> count;
@@ -153,7 +153,7 @@ std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   return names;
 }
 
-/// What `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end states.
+/// Adds what `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end states.
 void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   std::size_t i = 0;
   report["changes"] = report["files"] = report["states"] = Json::object();
@@ -176,7 +176,7 @@ int writePage(const std::filesystem::path& folder, const Execution& how, bool qu
   return page.signal;
 }
 
-/// With the names that the scenario gives its cells.
+/// Puts the names that the scenario gives its cells into a report.
 CheckReport withNames(CheckReport report, const CellNames& names) {
   report.change = morula::withNames(report.change, names.function());
   for (CheckResult& r : report.results) {
@@ -189,7 +189,7 @@ CheckReport withNames(CheckReport report, const CellNames& names) {
 
 constexpr const char* reportFiles[] = {"junit.xml", "report.json", "summary.md", "report.html"};
 
-/// Those of an earlier check: they must not be taken for this one's, however it ends. Files of others stay.
+/// Removes the reports of an earlier check, which must not be taken for this one's, however it ends. Files of others stay.
 void removeReports(const std::filesystem::path& folder) {
   makeFolder(folder);
   for (const char* name : reportFiles) {

@@ -50,7 +50,7 @@ int listRuns(Store& store, const ExportOptions& options) {
   return fine;
 }
 
-/// What the file consists of. Of one run only if it is named.
+/// Lists the tables of the file, or of one run if it is named.
 int listTables(Store& store, const ExportOptions& options) {
   using Row = TableContents;
   static const std::vector<FieldOf<Row>> fields{

@@ -44,7 +44,7 @@ std::string readDnaKind(const std::string& text) {
 int act(const InitOptions& options) {
   const auto file = options.file + options.output;
   if (!options.dna.empty()) return write(makeFullTreeDna(options.levels), file, options.force);
-  // What is written has no mistakes; a name or a base that would make one is refused here.
+  // Written files have no mistakes: a name or a base that would make one is refused here.
   if (!options.study.empty()) {
     const std::string text = starterStudy(options.study, options.base);
     readStudy(text, file.empty() ? "init --study" : file);

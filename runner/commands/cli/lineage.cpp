@@ -43,7 +43,7 @@ const LineageEntry* entryOf(const Tree& tree, const CellPath& path) {
   return at == tree.results.lineage.end() ? nullptr : &*at;
 }
 
-/// Of the cells of the tree that have one.
+/// Returns the names of the tree's cells that have one.
 NameOf nameIn(const Tree& tree) {
   return [&names = tree.results.names](const CellPath& path) -> std::optional<std::string> {
     const auto named = names.find(path);
@@ -59,7 +59,7 @@ CellPath pathOf(const CellNames& names, const std::string& text) {
   }
 }
 
-/// That there never was such a cell, and where its line of descent ends.
+/// Throws that there never was such a cell, and says where its line of descent ends.
 [[noreturn]] void refuseUnborn(const Tree& tree, const NameOf& nameOf, const CellPath& path) {
   CellPath last = path;
   while (!entryOf(tree, last) && !last.isEgg()) last = last.mother();
@@ -126,7 +126,7 @@ Json cellAsJson(const LineageEntry& cell, const Tree& tree) {
           {"state", tree.results.stateTexts.at(cell.state)}};
 }
 
-/// The same: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree; "mother" and
+/// Writes a cell as JSON: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree; "mother" and
 /// "sister" as {"path", "name"}, or null; "daughters", a list of such.
 Json lifeAsJson(const CellLife& life, const Tree& tree) {
   const NameOf nameOf = nameIn(tree);
@@ -165,7 +165,7 @@ void draw(const Tree& tree, const LineageOptions& options) {
   writePicture(drawLineage(picture), options.picture);
 }
 
-/// What the genes prescribe: without bodies a thousand cells take a moment. Where cells sense, or wait for a size, bodies
+/// Computes the lineage by genes alone: without bodies a thousand cells take a moment. If cells sense or wait for a size, bodies
 /// decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
@@ -202,7 +202,7 @@ int act(const LineageOptions& options) {
   if (!options.picture.empty()) draw(tree, options);
   if (!options.picture.empty() && options.output.quiet && !options.output.json) return fine;
   auto& cells = tree.results.lineage;
-  // By path: a mother stands before her daughters, and a subtree is one block of lines.
+  // Sorted by path: a mother stands before her daughters, and a subtree is one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   const Units units =
       options.output.json ? Units{} : anyScenario(options.file, options.run, options.input.allowOutside).units;

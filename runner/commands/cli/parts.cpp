@@ -37,7 +37,7 @@ double secondsPerPicture(const Scenario& scenario, const World& world) {
     drawOrganism(small);
     return seconds(ClockKind::process) - before;
   };
-  // Of width/6 and width/3: 1 and 4 parts of 36.
+  // Widths of width/6 and width/3 are 1 and 4 parts of 36.
   const double few = secondsOf(picture.width / 6), more = secondsOf(picture.width / 3);
   return few + std::max(more - few, 0.0) / 3 * 35;
 }

@@ -115,7 +115,7 @@ Shown show(const std::string& file, const RenderOptions& options,
   return shown;
 }
 
-/// The same moment of two runs, side by side with the distance of their surfaces.
+/// Draws the same moment of two runs side by side, with the distance of their surfaces.
 int compare(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::vector<OrganismPicture> pictures;
   double radius = 1;

@@ -63,7 +63,7 @@ std::vector<ForceKind> readForces(const std::string& text) {
   return {parseChoice<ForceKind>(text)};
 }
 
-constexpr double mostSamples = 50e6;  // as in organism.h
+constexpr double maxSamples = 50e6;  // as in organism.h
 
 }  // namespace
 
@@ -71,11 +71,11 @@ PictureWishes wishesOf(const RenderOptions& options) {
   PictureWishes wishes = options.wishes;
   if (options.size) wishes.width = options.size->width, wishes.height = options.size->height;
   if (const double samples = 1.0 * wishes.width * wishes.height * wishes.samples * wishes.samples;
-      options.style != PictureStyle::lineage && samples > mostSamples)
+      options.style != PictureStyle::lineage && samples > maxSamples)
     throw UsageError(
         fmt::format("--size: {}x{} pixels with --supersample {} take too much memory; width · height · samples² must "
                     "not exceed {:.0f}",
-                    wishes.width, wishes.height, wishes.samples, mostSamples));
+                    wishes.width, wishes.height, wishes.samples, maxSamples));
   for (const auto& kinds : options.forces)
     for (const ForceKind kind : kinds)
       if (std::ranges::find(wishes.forces, kind) == wishes.forces.end()) wishes.forces.push_back(kind);

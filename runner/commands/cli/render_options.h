@@ -1,5 +1,5 @@
 #pragma once
-// What `morula render` is asked for, read strictly.
+// The options of `morula render`, read strictly.
 #include <string>
 #include <vector>
 
@@ -28,7 +28,7 @@ struct RenderOptions {
 
 void add(Verb& verb, RenderOptions& options);
 
-/// What is to be seen. Throws UsageError for what takes too much memory.
+/// Returns the wishes for the picture. Throws UsageError for pictures that take too much memory.
 PictureWishes wishesOf(const RenderOptions& options);
 
 /// Throws UsageError unless `output` has an ending that can be written: films only of what moves, and where ffmpeg is.

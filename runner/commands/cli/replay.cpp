@@ -20,7 +20,7 @@ struct ReplayOptions {
   OutputOptions output;
 };
 
-/// Which run of which file: `morula replay FILE [--run ID]` or `morula replay ID --db FILE`.
+/// A run and its file: `morula replay FILE [--run ID]` or `morula replay ID --db FILE`.
 struct Target {
   std::string database, run;
 };
@@ -33,7 +33,7 @@ Target targetOf(const ReplayOptions& o) {
   return {o.database, o.what};
 }
 
-/// As the run was executed, as far as this machine can and the command line does not want it otherwise.
+/// Returns the execution of the stored run, as far as this machine can and the command line does not change it.
 Execution executionOf(const ExecutionOptions& options, const RunRecord& before) {
   Execution how = execution(options);
   if (!options.threads) how.threads = before.threads;

@@ -35,7 +35,7 @@ fs::path defaultName(const std::string& what) {
 
 int act(const ReportOptions& options) {
   ReportQuestion question = options.question;
-  question.mostBytes = static_cast<std::size_t>(options.limit);
+  question.maxBytes = static_cast<std::size_t>(options.limit);
   question.execution = execution(options.execution);
   question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;

@@ -35,7 +35,7 @@ struct ReviewOptions {
   std::string why, by = usersName();
 };
 
-/// What is to be looked at: the named scenarios, or those whose results wait. What is accepted or rejected must be named.
+/// Returns the scenarios to look at: the named ones, or those whose results wait. `--accept` and `--reject` need names.
 std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   if (!options.scenarios.empty()) return options.scenarios;
   std::vector<std::string> waiting;

@@ -4,7 +4,7 @@
 namespace morula::cli {
 namespace {
 
-/// As roff shows it: no character of a text is an order.
+/// Escapes a text for roff, so that no character of it is a request.
 std::string roffText(const std::string& text) {
   std::string roff = !text.empty() && (text[0] == '.' || text[0] == '\'') ? "\\&" : "";
   for (const char c : text) roff += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);

@@ -64,7 +64,7 @@ void printEither(const OutputOptions& options, const Json& json, const std::stri
 
 namespace {
 
-/// Of the text, which means a number, what `allowed` says. Throws InputError.
+/// Reads a number that `allowed` describes. Throws InputError.
 template <class Number>
 Number checked(const std::string& text, const scenario::Parsed<Number>& parsed, const std::string& allowed,
                bool holds) {

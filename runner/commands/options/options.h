@@ -16,7 +16,7 @@ struct OutputOptions {
   bool json = false, quiet = false;
 };
 
-/// What a scenario may reach.
+/// The files that a scenario may reach.
 struct InputOptions {
   bool allowOutside = false;
 };

@@ -26,7 +26,7 @@ std::string versionText() {
          build.target + ")";
 }
 
-/// Those for people.
+/// Returns the names of the verbs that are not hidden.
 std::vector<std::string> verbNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -62,7 +62,7 @@ void checkVerb(const CLI::App& app, const std::string& word) {
                    (near.empty() ? "one of " + join(names) : "did you mean " + near + "?"));
 }
 
-/// What the verb did not expect, with the option that was probably meant.
+/// Throws for words that the verb did not expect, with the option that was probably meant.
 void checkLeftovers(const CLI::App& verb) {
   auto leftovers = verb.remaining();
   std::erase(leftovers, "--");  // CLI11 took what follows it as files, and left the mark itself
@@ -77,7 +77,7 @@ void checkLeftovers(const CLI::App& verb) {
       (near.empty() ? "morula " + titleOf(verb) + " --help lists the options" : "did you mean " + near + "?"));
 }
 
-/// What CLI11 says, in a sentence.
+/// Turns an error of CLI11 into a sentence.
 std::string sentenceOf(const CLI::ParseError& error, const CLI::App& verb) {
   const std::string text = error.what(), option = text.substr(0, text.find(':'));
   if (text.find(" required but received ") != text.npos) return option + ": given more than once; keep one";

@@ -14,14 +14,14 @@ namespace {
 /// that was not given.
 std::string refuseEmpty(const std::string& word) { return word.empty() ? "is empty; needs a value" : ""; }
 
-/// Whether an option was given, or with "--style lineage" whether it was given this value.
+/// Returns true if an option was given, or for "--style lineage" if it was given this value.
 bool isGiven(const CLI::App& verb, const std::string& option) {
   const auto blank = option.find(' ');
   const auto& words = verb.get_option(option.substr(0, blank))->results();
   return blank == option.npos ? !words.empty() : !words.empty() && words.back() == option.substr(blank + 1);
 }
 
-/// What the option was given, as values.
+/// Hands each value that the option was given to `take`.
 void takeAll(const CLI::Option& option, const std::function<void(const std::string&)>& take) {
   for (const std::string& text : option.results()) try {
       take(text);

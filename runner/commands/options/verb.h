@@ -22,7 +22,7 @@ namespace morula::cli {
 /// All that may be given for an option, where that is a list of names; else empty.
 const std::vector<std::string>& choicesOf(const CLI::Option& option);
 
-/// What is to be done once the command line is understood. Returns the exit code.
+/// The action of a verb, called once the command line is understood. Returns the exit code.
 using Action = std::function<int()>;
 
 /// Adds a verb, and what is to be done when it is chosen, to the program or to the verb above.
@@ -39,7 +39,7 @@ class Verb {
  public:
   Verb(CLI::App& above, Action& chosen, const std::string& name, const std::string& purpose);
 
-  /// What is done when the verb is chosen. Returns its options, which hold their defaults: declare each with `needs` or
+  /// Sets the action of the verb. Returns its options, which hold their defaults: declare each with `needs` or
   /// `takes`.
   template <class Options>
   Options& does(int (*act)(const Options&)) {
@@ -49,14 +49,14 @@ class Verb {
   }
   void does(Action action);
 
-  /// What must be given; takes what `takes` takes. No word may be empty.
+  /// Declares a required option; parameters as for `takes`. No word may be empty.
   template <class... Rest>
   void needs(const std::string& name, Rest&&... rest) {
     takes(name, std::forward<Rest>(rest)...);
     require(name);
   }
 
-  /// What may be given: a word, of which the help shows what stands in it as the default; or as many as wanted, where the
+  /// Declares an option: a word, of which the help shows what stands in it as the default; or as many as wanted, where the
   /// type ends in ",..." also several with commas or blanks between.
   template <class Words>
   void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
@@ -85,23 +85,23 @@ class Verb {
     setChoices(name, namesOfChoices<T>());
   }
 
-  /// What the help shows as an option's default where that is no value which could be given: "as then".
+  /// Sets the default that the help shows if it is no value which could be given: "as then".
   void showDefault(const std::string& name, const std::string& text);
 
-  /// Of these at most one may be given.
+  /// Allows at most one of these options.
   void oneOf(const std::vector<std::string>& names);
-  /// With `name`, which may be an option and its value ("--style lineage"), none of `others`; `why` is part of a sentence.
+  /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a sentence.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
   /// Each of `names` says something only where one of `owners` is given, too.
   void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);
 
-  /// Not among the verbs for people.
+  /// Takes the verb out of the list for people.
   void hide();
 
  private:
   using Take = std::function<void(const std::string& text)>;
 
-  /// As the help shows a default.
+  /// Writes a default for the help.
   template <class T>
   static std::string textOf(const T& value) {
     if constexpr (std::is_arithmetic_v<T>) return numberText(static_cast<double>(value), 12);

@@ -159,7 +159,7 @@ void addCompare(CLI::App& above, Action& action) {
       "--colour", command.moments.colouring, "WHAT", parseColouring,
       "Colour of cells in --pictures, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
       "default: substance");
-  verb.takes("--moments", command.moments.count, "N", natural(1, mostGridColumns),
+  verb.takes("--moments", command.moments.count, "N", natural(1, maxGridColumns),
              "Number of moments, evenly from the start to the end; 1: the end of each; default: 5");
   verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "Draw these times");
   verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),

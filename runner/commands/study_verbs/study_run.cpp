@@ -53,7 +53,7 @@ Execution executionOf(const RunCommand& command) {
   return how;
 }
 
-/// By the study file as it is now, where one is named; a plan that is gone on with may hold an older text.
+/// Returns the limits of the study file as it is now, if one is named; a plan that is continued may hold an older text.
 AllowedRuns allowedOf(const RunCommand& command, const Plan& plan) {
   return isFolder(command.of.study) ? plan.study.allowed
                                     : loadStudy(command.of.study, command.of.input.allowOutside).allowed;

@@ -10,7 +10,7 @@ AddVerb addStudy, addCompare;
 // Below `study`.
 AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit, addStudyCheck;
 
-/// What all verbs that work on a study's folder are told.
+/// The options of all verbs that work on a study's folder.
 struct StudyOptions {
   std::string study, out;
   InputOptions input;
@@ -21,7 +21,7 @@ void add(Verb& verb, StudyOptions& options);
 /// `--out` alone, of `study plan`, which takes no folder of a study.
 void addStudyFolder(Verb& verb, std::string& out);
 
-/// Of a database, the folder of a study, or a study file.
+/// Returns the database of a study: `named` is the database, the folder of a study, or a study file.
 std::filesystem::path databaseOf(const std::string& named, bool allowOutside = false);
 inline bool isStudyFile(const std::string& named) { return named.ends_with(".yaml") || named.ends_with(".yml"); }
 

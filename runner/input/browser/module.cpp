@@ -16,7 +16,7 @@ namespace morula::module {
 namespace {
 
 constexpr double memoryLimit = 1.5e9;      // [byte] browsers have less than programs
-constexpr std::size_t mostCells = 4096;    // that are looked at beforehand
+constexpr std::size_t maxCells = 4096;     // that are looked at beforehand
 constexpr double evaluationsToRest = 400;  // of the forces, after a division: 100 to 800 with up to 64 cells
 
 std::optional<Scenario> scenario;
@@ -39,7 +39,7 @@ Json costOf(const Scenario& of) {
   }
   World world = makeWorld(lineage);
   std::size_t cells = world.cells.path.size();
-  while (!finished(world) && world.cells.path.size() <= mostCells) {
+  while (!finished(world) && world.cells.path.size() <= maxCells) {
     cells = world.cells.path.size();
     step(world);
     if (timeStep > 0) vertexSteps += (world.clock.time - before) / timeStep * double(cells) * vertices;
@@ -52,7 +52,7 @@ Json costOf(const Scenario& of) {
   }
   cells = std::max(cells, world.cells.path.size());
   return {{"cells", cells},
-          {"isMore", cells > mostCells},
+          {"isMore", cells > maxCells},
           {"vertexSteps", vertexSteps},
           {"steps", settles        ? settlingSteps
                     : timeStep > 0 ? before / timeStep

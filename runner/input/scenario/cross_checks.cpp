@@ -234,9 +234,9 @@ void checkReason(const SceneCheck& check) {
 
 /// A text of a letter or two stands in nearly every message, so that any failure would do.
 void checkFails(const SceneCheck& check) {
-  constexpr std::ptrdiff_t leastLetters = 3;
+  constexpr std::ptrdiff_t minLetters = 3;
   for (const std::string& text : check.scenario.check.fails)
-    if (std::ranges::count_if(text, [](unsigned char c) { return c >= 0x80 || std::isalnum(c); }) < leastLetters)
+    if (std::ranges::count_if(text, [](unsigned char c) { return c >= 0x80 || std::isalnum(c); }) < minLetters)
       check.refuse("check.fails", "'" + text + "' stands in nearly every message",
                    "give words that name the reason, with at least 3 letters or digits");
 }

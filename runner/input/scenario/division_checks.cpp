@@ -52,10 +52,10 @@ class DivisionCheck {
   /// What variation leads out of what can be cut.
   void checkShare(const std::optional<double>& given, const Place& place, const std::string& path) {
     const double share = given.value_or(0.5), most = largestDeviate * check_.scene().variation.share;
-    if (!(most > 0) || (share - most >= leastShare && share + most <= largestShare)) return;
+    if (!(most > 0) || (share - most >= minShare && share + most <= largestShare)) return;
     check_.reading.problems.add(place, path,
-                                exactText(share) + " ± 3 times variation.share leaves " + exactText(leastShare) +
-                                    " to " + exactText(largestShare) + ", which a cut can give",
+                                exactText(share) + " ± 3 times variation.share leaves " + exactText(minShare) + " to " +
+                                    exactText(largestShare) + ", which a cut can give",
                                 "needs a share nearer to 0.5, or a smaller variation.share");
   }
 

@@ -122,7 +122,7 @@ Json writePlane(const PlaneChoice& choice) {
 }
 
 const std::vector<std::string> ruleKeys{"of", "axis", "plane", "share", "tilt", "chirality"};
-constexpr Range shareRange{.low = leastShare, .high = largestShare}, tiltRange{.low = 0, .high = 90};
+constexpr Range shareRange{.low = minShare, .high = largestShare}, tiltRange{.low = 0, .high = 90};
 constexpr const char* ruleForm = "a map, as {of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}";
 
 /// Reads one rule; `path` is "division.rules[2]".

@@ -29,7 +29,7 @@ struct AccuracyOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// What a row's whole error is made of. Absent: not known.
+/// The parts of a row's whole error. Absent: not known.
 struct ErrorParts {
   std::optional<double> time;       // of the time step: against the converged solution on the row's own mesh
   std::optional<double> mesh;       // of the mesh: against finer ones [MeshError]; spheres have none
@@ -54,7 +54,7 @@ struct AccuracyRow : Outcome {
   bool resolved = false;           // whether the reference is ten times as good at least
 };
 
-/// What all rows are held against: the scenario's own mesh in time steps that no longer matter. `witness`: the same
+/// The reference of all rows: the scenario's own mesh in time steps that no longer matter. `witness`: the same
 /// by another integrator, which confirms it.
 struct AccuracyReference {
   Setting setting, witness;
@@ -84,7 +84,7 @@ struct BulletSpeed {
   double bulletMostSeconds = 0;  // of its series that have that error, the slowest
 };
 
-/// Of the settings tried, those that are as exact as the scenario is and cost the least.
+/// The settings that are as exact as the scenario is and cost the least among those tried.
 struct Rival {
   std::string series;
   double cpuSeconds = 0;
@@ -129,7 +129,7 @@ std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows);
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);
 std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual);
 
-/// For people.
+/// Describes the report for people.
 Document describe(const AccuracyReport& report);
 
 /// "1/128", or as a number; of steps that the scene chooses a share of them.
@@ -142,20 +142,20 @@ Table orderTable(const AccuracyReport& report);
 /// The least CPU time for an error, ours and Bullet's.
 Table bulletTable(const AccuracyReport& report);
 
-/// For other programs. `picture`: where it lies.
+/// Writes a report for other programs. `picture`: its path.
 Json toJson(const AccuracyReport& report, const std::string& picture);
 Json toJson(const Setting& setting);
 
-/// The same, read back as far as people are shown it. Throws for other JSON.
+/// Reads a report back as far as people are shown it. Throws for other JSON.
 AccuracyReport accuracyFrom(const Json& json);
 /// All rows for other programs, CSV.
 std::string accuracyCsv(const Json& rows);
 
-/// As a picture: error over CPU time, both on logarithmic scales, one line per series, each point labelled with
+/// Draws error over CPU time, both on logarithmic scales, one line per series, each point labelled with
 /// its time step; what failed or is not resolved is not drawn. A run in which other cells live from some time
 /// on is a hollow point by itself, with that time.
 Drawing drawAccuracy(const AccuracyReport& report);
-/// Where Bullet has many series, those that are not drawn: others of its own beat them in error and time.
+/// If Bullet has many series, returns those that are not drawn: others of its own beat them in error and time.
 std::vector<std::string> beatenBullets(const AccuracyReport& report);
 
 }  // namespace morula

@@ -70,7 +70,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
   if (!seconds.empty()) trial.cpuSeconds = median(seconds);
   trial.steps = trial.forceEvaluations = static_cast<std::uint64_t>(request.steps);
   trial.vertexSteps = trial.steps * static_cast<std::uint64_t>(world.bodies->livingVertices);
-  // What has blown up stays finite in Bullet, or is no number: neither is a solution.
+  // A world that has blown up stays finite in Bullet, or is no number: neither is a solution.
   for (const Shapes& shapes : trial.shapes)
     for (const ComparedCell& cell : shapes.cells)
       if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())

@@ -9,7 +9,7 @@ namespace {
 /// Written so that NaN is not.
 bool isPositive(double a) { return a > 0 && a < INFINITY; }
 
-constexpr double leastOrder = 0.25;  // below it nothing converges
+constexpr double minOrder = 0.25;  // below it nothing converges
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::optional<PowerLaw> fitPowerLaw(const std::vector<XY>& points) {
 LeftError estimateByRichardson(double coarseToMiddle, double middleToFine, double highestOrder) {
   if (middleToFine == 0) return {0, highestOrder};
   const double observed = std::log2(coarseToMiddle / middleToFine);
-  if (!(observed >= leastOrder)) return {std::max(coarseToMiddle, middleToFine), 0};
+  if (!(observed >= minOrder)) return {std::max(coarseToMiddle, middleToFine), 0};
   const double order = std::min(observed, highestOrder);
   return {middleToFine / (std::exp2(order) - 1), order};
 }

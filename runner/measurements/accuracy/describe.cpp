@@ -1,4 +1,4 @@
-// What accuracy has found, for people at a terminal.
+// The findings of accuracy, for people at a terminal.
 #include <fmt/format.h>
 
 #include "accuracy/accuracy.h"

@@ -16,7 +16,7 @@ namespace morula {
 namespace {
 
 // One unit in the last place may have grown so much up to the last comparison: errors do the same.
-constexpr double mostAmplification = 1e4;
+constexpr double maxAmplification = 1e4;
 constexpr int finer = 3;           // halvings from the finest step plotted to the reference's
 constexpr double resolution = 10;  // times that the reference must be better than what it judges
 
@@ -65,34 +65,34 @@ class Experiment {
     options_.tell("looking for the horizon of chaos");
     Horizon h;
     try {
-      h = findHorizon(read_({"physics.precision=double"}).scene, options_.execution, options_.until, mostAmplification);
+      h = findHorizon(read_({"physics.precision=double"}).scene, options_.execution, options_.until, maxAmplification);
     } catch (const NumericalError& error) {
       throw InputError(scenario_.file + ": with its own settings it fails: " + error.what());
     }
     report_.horizon = h;
-    longest_ = 2 * h.leastTimeStep;
+    longest_ = 2 * h.minTimeStep;
     const double end = options_.until.value_or(h.end);
-    report_.times = timesUpTo(end, std::max(longest_, h.mostTimeStep), options_.samples);
+    report_.times = timesUpTo(end, std::max(longest_, h.maxTimeStep), options_.samples);
     if (report_.times.empty())
       throw InputError(fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
-                                   scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
+                                   scenario_.file, numberText(end), numberText(std::max(longest_, h.maxTimeStep))));
     if (h.parted && !options_.until)
       remark(
           fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; what comes "
                       "later is not compared (--until)",
-                      numberText(h.end), mostAmplification));
+                      numberText(h.end), maxAmplification));
     else if (h.parted)
       remark(
           fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors up to {} "
                       "include this growth",
-                      numberText(h.end), mostAmplification, numberText(end)));
+                      numberText(h.end), maxAmplification, numberText(end)));
     usual_ = settingOf(scenario_, longest_);
     report_.usual = seriesName(usual_, usual_);
   }
 
-  AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is"); }
+  AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->minTimeStep), "as it is"); }
 
-  /// As fine as rows ask for. Where the steps are still too long for integrators that only bear stable ones,
+  /// Returns steps as fine as rows ask for. Where the steps are still too long for integrators that only bear stable ones,
   /// finer; in brief, as fine as the scenario as it is asks for.
   void findReference() {
     constexpr int most = 6;
@@ -140,17 +140,17 @@ class Experiment {
     }
   }
 
-  /// Whether the scene chooses its time steps and may go on with others than those compared.
+  /// Returns true if the scene chooses its time steps and may go on with others than those compared.
   bool stepsChange() const {
     const Horizon& h = *report_.horizon;
     if (scenario_.scene.mechanics->physics.timeStep) return false;
     const auto end = plannedEnd(scenario_.scene);
-    return h.leastTimeStep < h.mostTimeStep || !end || report_.times.back() < *end - longest_;
+    return h.minTimeStep < h.maxTimeStep || !end || report_.times.back() < *end - longest_;
   }
 
   /// Shares of the automatic time steps: what later cells need is theirs to say.
   void addShares(std::vector<Setting>& list) const {
-    Setting s = settingAsItIs(scenario_, report_.horizon->leastTimeStep);
+    Setting s = settingAsItIs(scenario_, report_.horizon->minTimeStep);
     for (int i = 0; i < options_.halvings; ++i, s.timeStep /= 2, s.autoShare /= 2) list.push_back(s);
   }
 
@@ -216,7 +216,7 @@ class Experiment {
     static_cast<Outcome&>(row) = t;
     row.series = series, row.engine = engine, row.set = changesFor(row.setting);
     if (row.failure.empty()) {
-      // What a golden states ends before the first event that differs; other rows tell of it in their notes.
+      // The errors that a golden states end before the first event that differs; other rows tell it in their notes.
       const auto other = options_.brief ? findDividedElsewhere(t.divisions, reference_.divisions, anotherPlane)
                                         : std::optional<DividedElsewhere>();
       const double before = other ? other->time : INFINITY;
@@ -231,7 +231,7 @@ class Experiment {
     return row;
   }
 
-  /// By the triangle inequality: from the row to the converged solution on its own mesh, and on to that on
+  /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and on to that on
   /// the finest mesh.
   ErrorParts partsOf(const AccuracyRow& row, const Trial& t, double before) const {
     const Setting& s = row.setting;

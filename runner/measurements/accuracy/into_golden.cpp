@@ -13,7 +13,7 @@
 namespace morula {
 namespace {
 
-constexpr int mostShorter = 6;      // times that the time of comparison is halved
+constexpr int maxShorter = 6;       // times that the time of comparison is halved
 constexpr double rounding = 1e-12;  // an error that is no larger is none
 
 /// A golden states an error in two digits: it is measured, not a result.
@@ -26,7 +26,7 @@ void write(const Scenario& scenario, std::vector<GoldenItem> stated) {
   acceptGolden(file, golden, {golden.acceptedBy, golden.why});
 }
 
-/// What failed, without the figures and the advice that follow it.
+/// Returns the failure without the figures and the advice that follow it.
 std::string shortly(const std::string& why) { return why.substr(0, std::min(why.find("; "), why.find(", and "))); }
 
 Cell sizeCell(const std::optional<double>& size) { return size ? number(*size, 2) : Cell("not known"); }
@@ -102,7 +102,7 @@ AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options) 
   const bool chosen = options.until.has_value();
   try {
     AccuracyReport report = measureAccuracy(read, options);
-    for (int i = 0; !chosen && i < mostShorter && report.times.size() > 1 && !whyNoError(report).empty(); ++i) {
+    for (int i = 0; !chosen && i < maxShorter && report.times.size() > 1 && !whyNoError(report).empty(); ++i) {
       options.until = report.times[report.times.size() / 2 - 1];
       options.tell("nothing to state: " + whyNoError(report) + "; half the time");
       report = measureAccuracy(read, options);

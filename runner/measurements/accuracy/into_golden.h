@@ -14,11 +14,11 @@ void refuseIntoGolden(const Scenario& scenario);
 /// be written.
 AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options);
 
-/// Whether its scene has: what the others hold is exact.
+/// Returns true if the golden's scene has bodies; goldens of other scenes are exact.
 bool hasBodies(const Golden& golden);
-/// What a golden states, a row a quantity; empty where it states nothing.
+/// Lists the errors that a golden states, one row per quantity; empty if it states none.
 Document statedErrors(const Golden& golden);
-/// Of many, a row each, by name: golden/ERRORS.md.
+/// Writes the stated errors of many goldens, one row each, sorted by name: golden/ERRORS.md.
 std::string statedErrorsAsMarkdown(std::vector<Golden> goldens);
 
 }  // namespace morula

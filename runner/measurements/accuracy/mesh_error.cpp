@@ -140,7 +140,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     return {middleToFine / (std::exp2(assumedMeshOrder) - 1), assumedMeshOrder};
   };
   const LeftError whole = left(coarse.worst.largest(), fine.worst.largest());
-  error.order = whole.order < leastMeshOrder ? 0 : whole.order;
+  error.order = whole.order < minMeshOrder ? 0 : whole.order;
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const bool isFinest = i + 1 == solved.size();
     LevelError level{solved[i].level, toFinest[i].worst, toFinest[i].atEnd};
@@ -148,7 +148,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     // least that it can be. The finest mesh is taken to be as far off as it moved at last.
     const auto add = [&](double& to, double coarseToMiddle, double middleToFine) {
       const LeftError l = left(coarseToMiddle, middleToFine);
-      if (l.order >= leastMeshOrder) to += l.error;
+      if (l.order >= minMeshOrder) to += l.error;
       else if (isFinest) to = std::max(coarseToMiddle, middleToFine);
     };
     for (const ErrorQuantity& q : errorQuantities) {

@@ -57,14 +57,14 @@ struct MeshError {
   double cpuSeconds = 0;                // of all of them
 
   const LevelError* find(std::uint64_t level) const;
-  /// Of the scenario's own mesh. Absent: not known.
+  /// Returns the error of the scenario's own mesh; absent: not known.
   std::optional<double> error() const;
-  /// Of any icosphere, from those that took part; absent: not known.
+  /// Returns the error of any icosphere, from those that took part; absent: not known.
   std::optional<double> errorOf(std::uint64_t level) const;
 };
 
 /// Below it errors hardly fall from mesh to mesh, and nothing is extrapolated.
-inline constexpr double leastMeshOrder = 1;
+inline constexpr double minMeshOrder = 1;
 
 /// From two or three neighbouring levels, rising. Sets levels, order, atStart, until and partedAt.
 MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius);

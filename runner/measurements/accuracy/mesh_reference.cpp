@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t finestLevel = 4;    // of all icospheres that scenarios take
 constexpr std::uint64_t coarsestLevel = 1;  // twelve vertices are no sphere
 constexpr double share = 0.1;               // of the mesh's error that time steps may add
-constexpr int mostHalvings = 5;
+constexpr int maxHalvings = 5;
 
 /// Runs on other levels, and what they have cost.
 class Study {
@@ -73,7 +73,7 @@ class Study {
   /// In steps of at most that length; shorter where such do not run. Fails also if it is not affordable.
   Trial solve(std::uint64_t level, double& timeStep) {
     Trial t;
-    for (int i = 0; i <= mostHalvings; ++i, timeStep /= 2) {
+    for (int i = 0; i <= maxHalvings; ++i, timeStep /= 2) {
       const double seconds = predictSeconds(level, timeStep), rest = runs_.options.budget - spent_;
       if (!(seconds <= rest)) {
         t.failure = fmt::format("icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)",
@@ -109,7 +109,7 @@ class Study {
       if (came) result_.solved[level_ + 1] = std::move(coarse);
       return came;
     }
-    for (int i = 0; i < mostHalvings; ++i) {
+    for (int i = 0; i < maxHalvings; ++i) {
       timeStep = fine_ / 2;
       Trial fine = solve(level_ + 1, timeStep);
       if (!fine.failure.empty()) break;

@@ -9,10 +9,10 @@ namespace morula {
 namespace {
 
 constexpr Colour meshInk{0xa8, 0xad, 0xb3}, ownInk{0x20, 0x24, 0x28};
-constexpr std::size_t mostPointLabels = 60;
+constexpr std::size_t maxPointLabels = 60;
 constexpr std::size_t fewBullets = 4;  // of Bullet's series; of more those that others beat are left out
 
-/// Of Bullet's own series another one is better in both error and cost, at each point.
+/// Returns true if another of Bullet's own series is better in both error and cost, at each point.
 bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
   const auto counts = [](const AccuracyRow& row) { return row.engine != "morula" && row.error && row.failure.empty(); };
   return std::ranges::all_of(rows, [&](const AccuracyRow& row) {
@@ -23,11 +23,11 @@ bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
   });
 }
 
-/// Of very many points only the ends of lines have room for words.
+/// Removes labels if there are very many points: then only the ends of lines have room for words.
 void thinLabels(Chart& chart) {
   std::size_t points = 0;
   for (const ChartLine& line : chart.lines) points += line.points.size();
-  if (points <= mostPointLabels) return;
+  if (points <= maxPointLabels) return;
   for (ChartLine& line : chart.lines)
     for (std::size_t k = 1; k + 1 < line.pointLabels.size(); ++k) line.pointLabels[k].clear();
 }
@@ -74,7 +74,7 @@ Drawing drawAccuracy(const AccuracyReport& report) {
     chart.lines.back().pointLabels.push_back(stepText(row.setting.timeStep));
   }
   thinLabels(chart);
-  // What the scenario's mesh itself costs: a line across all runs.
+  // The error of the scenario's mesh itself is a line across all runs.
   if (const auto mesh = report.mesh.error(); mesh && *mesh > 0 && cost.low < cost.high)
     chart.lines.push_back({"the mesh itself", meshInk, {{cost.low, *mesh}, {cost.high, *mesh}}, true, {}});
   if (const AccuracyRow& own = report.own; own.resolved && own.error && *own.error > 0 && own.cpuSeconds > 0)

@@ -1,5 +1,5 @@
 #pragma once
-// What has converged: the scene on its own mesh in time steps that no longer matter, and on other meshes.
+// The converged reference: the scene on its own mesh in time steps that no longer matter, and on other meshes.
 #include <map>
 
 #include "accuracy/accuracy.h"
@@ -17,7 +17,7 @@ struct AccuracyRuns {
   std::vector<double> times;  // [time] of comparison
   double eggRadius = 1;       // [length]
 
-  Trial trial(const Setting& setting, int rounds, double mostSeconds = INFINITY) const;
+  Trial trial(const Setting& setting, int rounds, double maxSeconds = INFINITY) const;
 };
 
 /// The scene on its own mesh, `halvings` of the usual time step down, by the better of two integrators; the

@@ -30,7 +30,7 @@ std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool 
 }
 
 /// Between neighbouring runs, or of one that is more exact and not dearer.
-std::optional<double> leastSeconds(const std::vector<const AccuracyRow*>& series, double error) {
+std::optional<double> minSeconds(const std::vector<const AccuracyRow*>& series, double error) {
   std::optional<double> least = costAtError(work(series, true), error);
   for (const AccuracyRow* row : series)
     if (row->error && !row->partedAt && *row->error <= error && (!least || row->cpuSeconds < *least))
@@ -61,7 +61,7 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   };
   if (!own.error || own.partedAt || !(own.cpuSeconds > 0)) return best;  // too short to be timed
   for (const auto& series : bySeries(rows)) {
-    const auto seconds = leastSeconds(series, *own.error);
+    const auto seconds = minSeconds(series, *own.error);
     if (seconds && *seconds > 0 && series.front()->engine == "morula") offer(series.front()->series, *seconds);
   }
   return best;
@@ -74,7 +74,7 @@ std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows) {
     BulletSpeed s;
     s.error = std::pow(10.0, decade);
     for (const auto& series : groups) {
-      const auto seconds = leastSeconds(series, s.error);
+      const auto seconds = minSeconds(series, s.error);
       if (!seconds) continue;
       const bool own = series.front()->engine == "morula";
       if (!own) s.bulletMostSeconds = std::max(s.bulletMostSeconds, *seconds);

@@ -1,4 +1,4 @@
-// What accuracy has found, as tables for a terminal and for pages.
+// The findings of accuracy, as tables for a terminal and for pages.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t finestTried = 4;
 
-/// What is set is what was asked for, but for what the setting decides.
+/// Returns the command of a setting: the question's own changes, and those that the setting decides.
 std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion& question) {
   std::vector<std::string> changes = changesFor(setting);
   bool allowOutside = false;

@@ -36,7 +36,7 @@ struct TargetAnswer {
 
 TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question);
 
-/// For people.
+/// Describes the answer for people.
 std::string describe(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
 Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
 

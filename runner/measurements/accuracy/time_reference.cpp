@@ -47,8 +47,8 @@ Setting convergent(Setting s, Integrator integrator) {
   return s;
 }
 
-Trial AccuracyRuns::trial(const Setting& setting, int rounds, double mostSeconds) const {
-  return runTrial(read, setting, times, options.execution, rounds, mostSeconds);
+Trial AccuracyRuns::trial(const Setting& setting, int rounds, double maxSeconds) const {
+  return runTrial(read, setting, times, options.execution, rounds, maxSeconds);
 }
 
 Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon, const std::string& file,

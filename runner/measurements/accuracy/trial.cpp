@@ -26,26 +26,26 @@ std::uint64_t evaluationsPerStep(const Setting& s) {
 }
 
 /// Steps until the time is reached and adds up what that costs.
-void goTo(World& world, double time, double mostSeconds, Trial& trial, double& seconds) {
+void goTo(World& world, double time, double maxSeconds, Trial& trial, double& seconds) {
   const std::uint64_t perStep = evaluationsPerStep(trial.setting);
   while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {
     const auto vertices = static_cast<std::uint64_t>(world.bodies->livingVertices), before = world.clock.step;
     const std::uint64_t most = stepsUntil(world.clock, time * (1 - slack));
     seconds += timeOf(ClockKind::process, [&] { takeSteps(world, most); });
     const std::uint64_t steps = world.clock.step - before;
-    if (seconds > mostSeconds) throw TooLong{"it takes more than " + numberText(mostSeconds, 3) + " s of CPU time"};
+    if (seconds > maxSeconds) throw TooLong{"it takes more than " + numberText(maxSeconds, 3) + " s of CPU time"};
     trial.steps += steps;
     trial.forceEvaluations += steps * perStep;
     trial.vertexSteps += steps * vertices;
   }
 }
 
-void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution, double mostSeconds,
+void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution, double maxSeconds,
              Trial& trial, double& seconds) {
   World world = makeWorld(scene, execution);
   trial.shapes.push_back(takeShapes(world));
   for (const double time : times) {
-    goTo(world, time, mostSeconds, trial, seconds);
+    goTo(world, time, maxSeconds, trial, seconds);
     trial.shapes.push_back(takeShapes(world));
     trial.born = world.lineage.entries;
     trial.divisions = world.divisions;
@@ -83,8 +83,8 @@ Setting settingOf(const Scenario& scenario, double timeStep) {
   return s;
 }
 
-Setting settingAsItIs(const Scenario& scenario, double leastTimeStep) {
-  Setting s = settingOf(scenario, leastTimeStep);
+Setting settingAsItIs(const Scenario& scenario, double minTimeStep) {
+  Setting s = settingOf(scenario, minTimeStep);
   s.automatic = !scenario.scene.mechanics->physics.timeStep;
   s.autoShare = scenario.scene.mechanics->physics.autoShare;
   return s;
@@ -118,7 +118,7 @@ std::string seriesName(const Setting& s, const Setting& usual) {
 }
 
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
-               const Execution& execution, int rounds, double mostSeconds) {
+               const Execution& execution, int rounds, double maxSeconds) {
   std::vector<double> seconds;
   Trial trial;
   for (int round = 0; round < rounds && trial.failure.empty(); ++round) {
@@ -126,7 +126,7 @@ Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vect
     trial.setting = setting;
     double took = 0;
     try {
-      runOnce(read(changesFor(setting)).scene, times, execution, mostSeconds, trial, took);
+      runOnce(read(changesFor(setting)).scene, times, execution, maxSeconds, trial, took);
     } catch (const InputError& error) { trial.failure = error.what(); } catch (const NumericalError& error) {
       trial.failure = error.what();
     } catch (const TooLong& late) { trial.failure = late.text; }
@@ -147,8 +147,8 @@ Horizon findHorizon(const Scene& scene, const Execution& execution, std::optiona
     if (horizon.parted) break;
     horizon.rounding = std::max(horizon.rounding, apart);
     horizon.end = world.clock.time;
-    horizon.leastTimeStep = std::min(horizon.leastTimeStep, world.clock.timeStep);
-    horizon.mostTimeStep = std::max(horizon.mostTimeStep, world.clock.timeStep);
+    horizon.minTimeStep = std::min(horizon.minTimeStep, world.clock.timeStep);
+    horizon.maxTimeStep = std::max(horizon.maxTimeStep, world.clock.timeStep);
   }
   return horizon;
 }

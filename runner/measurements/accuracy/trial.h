@@ -21,7 +21,7 @@ struct OtherModel {
   ShapeMatchingParameters matched;  // of shape matching only
 };
 
-/// Those that leave out something that the model has.
+/// Returns the models that leave out something that the model has.
 std::vector<CellModel> cheaperThan(CellModel model);
 
 /// The shape matching that moves like the shell near its lengths and volume at rest:
@@ -49,8 +49,8 @@ struct Setting {
 
 /// The scenario's own way, with another time step.
 Setting settingOf(const Scenario& scenario, double timeStep);
-/// Just as it is; `leastTimeStep` is the shortest that it takes.
-Setting settingAsItIs(const Scenario& scenario, double leastTimeStep);
+/// Just as it is; `minTimeStep` is the shortest that it takes.
+Setting settingAsItIs(const Scenario& scenario, double minTimeStep);
 
 /// The text after --set for the time step: "physics.time_step=0.5", "physics.time_step.auto=0.5".
 std::string timeStepChange(const Setting& setting);
@@ -58,8 +58,8 @@ std::string timeStepChange(const Setting& setting);
 /// "path=value", as --set takes them. All of them: they make any scenario of the scene compute in this way.
 std::vector<std::string> changesFor(const Setting& setting);
 
-/// What is the same in a series of runs whose time steps differ: "rk4, icosphere 2, single"; what is as in
-/// `usual` is not said, but for the integrator.
+/// Names the common settings of a series of runs whose time steps differ: "rk4, icosphere 2, single". Settings that are as in
+/// `usual` are not named, except for the integrator.
 std::string seriesName(const Setting& setting, const Setting& usual);
 
 /// Reads the scenario with further changes.
@@ -81,16 +81,16 @@ struct Trial : Outcome {
 };
 
 /// Runs it `rounds` times, which give the same, through the times [time], rising multiples of its time step.
-/// What cannot run, not to the end, or takes more CPU time than `mostSeconds` [s] is told in `failure`.
+/// Runs a setting. `failure` tells if it cannot run, does not reach the end, or takes more CPU time than `maxSeconds` [s].
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
-               const Execution& execution, int rounds, double mostSeconds = INFINITY);
+               const Execution& execution, int rounds, double maxSeconds = INFINITY);
 
 /// How long a scene can be told apart from chaos.
 struct Horizon {
   double end = 0;       // [time] up to which comparisons make sense: the scene's end, or before it parts
   double rounding = 0;  // [length] to what one unit in the last place has grown by then
   bool parted = false;  // whether one unit in the last place has grown too much by then
-  double leastTimeStep = 0, mostTimeStep = 0;  // [time] that the scene's own settings took
+  double minTimeStep = 0, maxTimeStep = 0;  // [time] that the scene's own settings took
 };
 
 /// Runs the scene together with a twin with x of one vertex moved by one unit in the last place, until that has

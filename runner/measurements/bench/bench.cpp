@@ -20,7 +20,7 @@ struct PlannedScene {
   bool whole;  // with everything beside it; else only what this variant of a scene changes
 };
 
-constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
+constexpr int maxBruteForceVertices = 12'000;  // its time grows with the square
 
 class SceneBench {
  public:
@@ -45,7 +45,7 @@ class SceneBench {
       series("scalar", Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
     if (needsSteps() && subject_.touching()) measureSearches();
     if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
-    if (!bulletProgram_.empty() && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
+    if (!bulletProgram_.empty() && wants(Stage::step) && packed_.cells <= options_.maxBulletCells) {
       if (bullets_.empty())
         for (const Baseline baseline : {Baseline::b1, Baseline::b2})
           bullets_.emplace_back(baseline, bulletSubject(baseline));
@@ -122,7 +122,7 @@ class SceneBench {
     if (!wants(Stage::rebuild) || !whole_) return;
     for (const ContactSearch method : valuesOf<ContactSearch>()) {
       if (method == ContactSearch::grid) continue;
-      if (method == ContactSearch::bruteForce && subject_.vertices() > mostBruteForceVertices) continue;
+      if (method == ContactSearch::bruteForce && subject_.vertices() > maxBruteForceVertices) continue;
       const Isa isa = isas_.back();
       series("morula", Stage::rebuild, name(isa), 1, false, nameOf(method))
           .samples.push_back(subject_.timeRebuild(isa, method));
@@ -266,7 +266,7 @@ void addShares(BenchRow& row, const MachineLimits& limits) {
   if (!row.work) return;
   const Isa isa = parseIsa(row.isa);
   const double time = 1e-9 * row.nsPerVertexStep;
-  row.shareOfLimit = leastTime(*row.work, limits, isa, double(row.cells) * row.vertices) / time;
+  row.shareOfLimit = minTime(*row.work, limits, isa, double(row.cells) * row.vertices) / time;
   const auto& peak = limits.arithmetic.at(isa);
   row.shareOfPeak = row.work->operations / peak.operations / time;
   row.shareWithRoots = *row.shareOfPeak + row.work->roots / peak.roots / time;

@@ -37,7 +37,7 @@ struct BenchOptions {
   int rounds = 5;          // measurements of each thing, one after the other in turn
   double stepsFactor = 1;  // factor of the number of steps in a round; less: shorter rounds
   bool bullet = true;
-  int mostBulletCells = 256;
+  int maxBulletCells = 256;
   std::filesystem::path folder = {};  // where packed scenes are kept; "": nowhere
   std::string program = {};           // that answers to `engine-worker`
   std::string singleBullet = {};      // the same by Bullet in single precision; "": none was built

@@ -9,7 +9,7 @@ namespace morula {
 namespace {
 
 constexpr double margins[] = {0.0025, 0.005, 0.01, 0.02};  // [share radii]
-constexpr int mostIterations = 4;
+constexpr int maxIterations = 4;
 // Our cells at rest press on each other: Bullet pushes them apart to its own distance, and finds five times
 // as many contacts while it does. After about 40 steps their number stays.
 constexpr int settlingSteps = 40;
@@ -46,7 +46,7 @@ BulletResult BulletSubject::ask(double margin, int iterations, const std::vector
 void BulletSubject::settle() {
   for (const double margin : margins) {
     settled_.push_back(ask(margin, 1, scene_.cells, settlingSteps).cells);
-    for (int iterations = 1; iterations <= mostIterations; ++iterations) timings_.push_back({margin, iterations});
+    for (int iterations = 1; iterations <= maxIterations; ++iterations) timings_.push_back({margin, iterations});
   }
 }
 

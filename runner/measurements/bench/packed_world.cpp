@@ -82,7 +82,7 @@ constexpr int recipe = 2;
 constexpr double startScale = 0.72;  // of the rest radius: spheres that hardly overlap
 constexpr double wantedFill = 0.85;  // of the shell's volume
 constexpr double slow = 2e-4;        // rms move per step in edges, below which the cells are at rest
-constexpr int leastSteps = 200, mostSteps = 20000;
+constexpr int minSteps = 200, maxSteps = 20000;
 
 std::vector<Body> smallSpheres(const World& world, const std::vector<PlacedCell>& places) {
   const int n = static_cast<int>(places.size());
@@ -121,11 +121,11 @@ std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell
   const World empty = makeWorld(scene);
   World world = makeWorldOf(scene, paths(places), smallSpheres(empty, places), {});
   beginWithBodies(world);
-  for (int i = 1; i <= mostSteps; ++i) {
+  for (int i = 1; i <= maxSteps; ++i) {
     step(world);
     // Gas that is pressed together is stiff: as the cells swell the time step may grow.
     if (i % 256 == 0) beginWithBodies(world);
-    if (i % 32 == 0 && i >= leastSteps && moveInEdges(world) < slow) break;
+    if (i % 32 == 0 && i >= minSteps && moveInEdges(world) < slow) break;
   }
   const double fill = measureWorld(world)["shell_fill"].value_or(0);
   if (fill < wantedFill) throw BugError(fmt::format("{} cells fill only {:.3f} of their shell", packed.cells, fill));

@@ -48,9 +48,9 @@ void stir(World& world) {
   for (std::size_t i = 0; i < b.velocity.size(); ++i) b.velocity[i] = scale * b.velocity[i];
 }
 
-Subject::Subject(const PackedScene& packed, int mostThreads, const std::filesystem::path& folder,
+Subject::Subject(const PackedScene& packed, int maxThreads, const std::filesystem::path& folder,
                  const std::function<void(const std::string&)>& tell)
-    : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = mostThreads}, folder, tell)) {
+    : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = maxThreads}, folder, tell)) {
   useIsa(bestIsa(), 1);
   goOn(bestIsa(), warmUp);
   counters_ = {};

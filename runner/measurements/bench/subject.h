@@ -34,7 +34,7 @@ void stir(World& world);
 
 class Subject {
  public:
-  Subject(const PackedScene& packed, int mostThreads, const std::filesystem::path& folder,
+  Subject(const PackedScene& packed, int maxThreads, const std::filesystem::path& folder,
           const std::function<void(const std::string&)>& tell);
 
   const World& world() const { return world_; }

@@ -80,7 +80,7 @@ Work stepWork(const Work& internal, const Work* contact, const Work& integration
   return all;
 }
 
-double leastTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices) {
+double minTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices) {
   const auto& arithmetic = limits.arithmetic.at(isa);
   return std::max({work.operations / arithmetic.operations, work.roots / arithmetic.roots,
                    work.bytes / limits.bandwidthFor(work.touched * vertices)});

@@ -26,6 +26,6 @@ Work integrationWork(bool shell);
 Work stepWork(const Work& internal, const Work* contact, const Work& integration);
 
 /// [s] per vertex and step that the machine needs at least, with all its units busy at once. `vertices`: of all cells.
-double leastTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices);
+double minTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices);
 
 }  // namespace morula

@@ -109,7 +109,7 @@ MemoryUse extrapolateMemory(const Life& life, const TrialRun& trial) {
   const World& world = trial.world;
   const Bodies& b = *world.bodies;
   MemoryUse m = measureMemory(world);
-  const double cells = double(life.mostCells()), here = b.count;
+  const double cells = double(life.maxCells()), here = b.count;
   if (here == 0) return m;
   const auto scale = [](double by, std::initializer_list<std::size_t*> sizes) {
     for (std::size_t* bytes : sizes) *bytes = static_cast<std::size_t>(double(*bytes) * by);

@@ -220,7 +220,7 @@ double Prediction::bytes() const {
 Prediction predictCost(const Scenario& scenario, const PredictionOptions& options) {
   Prediction f;
   f.life = predictLife(scenario.scene);
-  f.cells = f.life.mostCells();
+  f.cells = f.life.maxCells();
   if (!f.life.whole)
     f.remarks.push_back("there are more cells than were followed: this is the beginning of the run only");
   Costs costs;

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double timingSeconds = 1e-3;  // [s] of one timing
 constexpr int timings = 7;              // the quickest counts: others were disturbed
-constexpr int mostTurns = 64;           // [calls] of one timing
+constexpr int maxTurns = 64;            // [calls] of one timing
 
 /// [s] of one call; `prepare` goes before each timing and does not count.
 template <class Prepare, class Call>
 double quickest(const Prepare& prepare, const Call& call) {
   prepare();
   double best = timeOf(ClockKind::cpu, call);
-  const int turns = std::clamp(static_cast<int>(timingSeconds / std::max(best, 1e-9)), 1, mostTurns);
+  const int turns = std::clamp(static_cast<int>(timingSeconds / std::max(best, 1e-9)), 1, maxTurns);
   for (int i = 0; i < timings; ++i) {
     prepare();
     const double time = timeOf(ClockKind::cpu, [&] {

@@ -17,7 +17,7 @@ int deepest(const Cells& cells) {
 
 }  // namespace
 
-std::uint64_t Life::mostCells() const {
+std::uint64_t Life::maxCells() const {
   std::uint64_t most = 0;
   for (const Era& era : eras) most = std::max(most, era.cells);
   return most;

@@ -25,7 +25,7 @@ struct Life {
   bool whole = true;   // false: only the beginning, for there are more cells than were to be followed
   double seconds = 0;  // [s] of CPU time that the cell cycles took
 
-  std::uint64_t mostCells() const;
+  std::uint64_t maxCells() const;
 };
 
 /// Follows the genes, without bodies, to the scene's stop, or until cells have been asked `most` times. While cells know

@@ -56,7 +56,7 @@ struct PlainList {
 /// Lines as they are; a longer text is cut, which is said.
 struct Verbatim {
   std::string text;
-  std::size_t mostBytes = 200'000;
+  std::size_t maxBytes = 200'000;
 };
 
 /// A picture or a chart.

@@ -103,10 +103,10 @@ struct AsHtml {
 
   std::string operator()(const Verbatim& v) const {
     const std::string html =
-        element("pre", " tabindex=\"0\"", safe(std::string_view(v.text).substr(0, v.mostBytes))) + "\n";
-    if (v.text.size() <= v.mostBytes) return html;
-    return html + (*this)(Sentence{fmt::format("The first {} of {} bytes.", v.mostBytes, v.text.size()),
-                                   Sentence::Kind::note});
+        element("pre", " tabindex=\"0\"", safe(std::string_view(v.text).substr(0, v.maxBytes))) + "\n";
+    if (v.text.size() <= v.maxBytes) return html;
+    return html +
+           (*this)(Sentence{fmt::format("The first {} of {} bytes.", v.maxBytes, v.text.size()), Sentence::Kind::note});
   }
 
   std::string operator()(const Table& table) const {

@@ -18,7 +18,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostText = 16384;  // a quarter of what a pipe takes without a reader
+constexpr std::size_t maxText = 16384;  // a quarter of what a pipe takes without a reader
 
 /// [byte] Of address space that this process has.
 std::uint64_t addressSpace() {
@@ -74,7 +74,7 @@ class SignalsWait {
   signals.let();
   limit(limits);
   const ForkedAnswer answer = what();
-  const std::string text = answer.text.substr(0, mostText);
+  const std::string text = answer.text.substr(0, maxText);
   if (::write(answerTo, text.data(), text.size()) < 0) ::_exit(70);
   ::_exit(answer.code);
 }

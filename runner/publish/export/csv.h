@@ -1,6 +1,6 @@
 #pragma once
 // Tables as comma-separated values, by RFC 4180: UTF-8, lines end in CR LF, a header line, quotes where a text needs them.
-// What is not there (NULL, not a number) is an empty field; an empty text is "". A cell's path is `egg` where it is empty, so
+// A missing value (NULL, not a number) is an empty field; an empty text is "". A cell's path is `egg` where it is empty, so
 // that programs that do not tell "" from an empty field read the egg, and not a missing value. Numbers are the shortest that
 // read back as the same. And the tables of a database for spreadsheets and statistics: runs, cells, samples, …, each as one file.
 #include <string>

@@ -135,7 +135,7 @@ std::vector<std::string> formatNames() {
   return names;
 }
 
-/// Where files go: to a folder, which is there only when all of them are, or the one file itself.
+/// The destination of files: a folder, which is there only when all files are, or the one file itself.
 class Destination {
  public:
   Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) { requireAbsent(output); }
@@ -161,7 +161,7 @@ class Destination {
   std::optional<DraftFolder> draft_;
 };
 
-/// Of one run.
+/// Writes the tables of one run.
 Files tableFiles(Store& store, const ExportRequest& request, const std::string& id) {
   const bool one = request.output.extension() == ".csv";
   const auto known = csvTableNames();

@@ -1,5 +1,5 @@
 #pragma once
-// What `morula export --format` writes: a table of formats, and where their files go.
+// The formats of `morula export --format`: a table of them, and the destination of their files.
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -21,7 +21,7 @@ std::string label(std::string_view text) {
   return quoted + "'";
 }
 
-/// Without the characters that mean something in a comment of this kind.
+/// Removes the characters that have a meaning in a comment of this kind.
 std::string commentValue(std::string_view text) {
   std::string value(text);
   for (char& c : value)

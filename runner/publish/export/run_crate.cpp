@@ -49,7 +49,8 @@ void addGolden(std::vector<CrateFile>& files) {
   }
 }
 
-/// What `morula run` draws. The database does not know where: beside it, unless it holds other runs too.
+/// Adds the pictures that `morula run` draws. The database does not know their place: they lie beside it, unless it holds other runs,
+/// too.
 void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   const auto add = [&](const fs::path& picture, const std::string& description) {
     const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();

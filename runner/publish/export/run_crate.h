@@ -1,5 +1,5 @@
 #pragma once
-// What of a stored run goes into a crate: its documents, database, golden file and pictures.
+// The content of a crate of a stored run: its documents, database, golden file and pictures.
 #include "export/ro_crate.h"
 
 namespace morula {

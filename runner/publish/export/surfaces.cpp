@@ -27,7 +27,7 @@ double stepBefore(const RunResults& results, double time) {
   return step;
 }
 
-/// Whether the sample was taken at the first step at or after `time`.
+/// Returns true if the sample was taken at the first step at or after `time`.
 bool isAt(const Sample& sample, double time, const RunResults& results) {
   const double t = sample.world.time;
   return std::abs(t - time) <= rounding * time || (t >= time && t - time < stepBefore(results, t));

@@ -1,6 +1,6 @@
 #pragma once
-// What the formats write of one run: its tree, samples and surfaces. Surfaces come from the database where the run kept
-// them, and else from running it again: the same bits come out.
+// The tree, samples and surfaces of one run, for the formats. Surfaces come from the database if the run kept them, or else from
+// running it again, with the same bits.
 #include <map>
 #include <optional>
 #include <set>
@@ -37,10 +37,10 @@ struct ExportedRun {
 
   /// The place of a cell in results.lineage; −1: there never was one. O(log cells)
   int cellNumber(const CellPath& path) const;
-  /// What people call a cell: its name, or else its path, or "egg"; with a '/' before it where that is another one's name.
+  /// Returns the words for a cell: its name, or else its path, or "egg"; with a '/' before a path that is another cell's name.
   std::string nameOf(const LineageEntry& cell) const;
   const MeshFaces& meshOf(const CellSurface& surface) const;
-  /// What a sample measured of a cell; null if it did not.
+  /// Returns the measures of a cell in a sample; null if it has none.
   static const CellMeasures* measuresOf(const Sample& sample, const CellPath& path);
   /// The place of a state's text in `states`.
   int stateNumber(StateId state) const;

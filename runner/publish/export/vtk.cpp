@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-/// What follows the markup: pieces of bytes, each behind its length, found by where they begin.
+/// The bytes behind the markup: pieces, each behind its length, found by where they begin.
 class Appended {
  public:
   /// The attributes of an array whose bytes these are.

@@ -1,4 +1,4 @@
-// What accuracy costs, as a page: the verdict of an accuracy run, and its sections.
+// The costs of accuracy as a page: the verdict of an accuracy run, and its sections.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostCommands = 4;
+constexpr std::size_t maxCommands = 4;
 
 std::string setCommand(const AccuracyRow& row, const std::string& scenario) {
   std::string command = programWord() + " run " + scenario;
@@ -32,7 +32,7 @@ Words wholeText(const AccuracyRow& row, double error) {
 /// "velocity-verlet, time step 1/256".
 std::string nameOfRow(const AccuracyRow& row) { return row.series + ", time step " + stepText(row.setting); }
 
-/// What may be infinite, which is not known.
+/// Writes an error; an infinite one is not known.
 std::string orUnknown(double error) { return std::isfinite(error) ? numberText(error, 3) : "not known"; }
 
 /// Error against CPU time: a line a series, a point a time step; the mesh's own error across, and the scenario as it is.
@@ -48,7 +48,7 @@ PageSection accuracyChartSection(const AccuracyReport& report) {
                                     caption, Picture::Size::large))};
 }
 
-/// For errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the mesh adds.
+/// Lists for errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the mesh adds.
 /// `scenario`: its file, as a word of a command.
 PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
   PageSection section{"cheapest", "Cheapest settings for an error", {}};
@@ -68,7 +68,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
       row.insert(row.end(),
                  {nameOfRow(best), number(best.cpuSeconds, 3), number(best.error, 3), wholeText(best, error)});
       const std::string command = setCommand(best, scenario);
-      if (section.commands.size() < mostCommands &&
+      if (section.commands.size() < maxCommands &&
           std::ranges::find(section.commands, command) == section.commands.end())
         section.commands.push_back(command);
     }
@@ -94,7 +94,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
   return section;
 }
 
-/// What errors are held against: the reference, finer meshes, and how fast errors fall with the time step.
+/// Shows the reference of errors: the converged solution, finer meshes, and how fast errors fall with the time step.
 PageSection referenceSection(const AccuracyReport& report) {
   const AccuracyReference& r = report.reference;
   const auto nameOfSetting = [](const Setting& s) {
@@ -176,7 +176,7 @@ void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
   if (!m.unknown.empty())
     findings.push_back(
         {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " + m.unknown});
-  else if (!m.levels.empty() && m.order < leastMeshOrder)
+  else if (!m.levels.empty() && m.order < minMeshOrder)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
   if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + m.limit});
@@ -217,7 +217,7 @@ void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
                                         " times as fast as the scenario as it is"});
 }
 
-/// What --target has found.
+/// Adds the findings of --target.
 void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const std::string error = numberText(t.at("error").get<double>(), 3);
   const Json& best = t.at("run_to_the_end");

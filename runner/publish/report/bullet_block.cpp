@@ -15,7 +15,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostCells = 12;    // in the table of distances
+constexpr std::size_t maxCells = 12;     // in the table of distances
 constexpr double roundingRadii = 1e-11;  // [radii] ten thousand steps of doubles near 1 add up to less
 
 /// How far one cell of ours is from Bullet's, over its vertices.
@@ -66,7 +66,7 @@ std::string quantityWords(const CheckResult& r) {
   return r.field;
 }
 
-/// Which geometry decides, and what does not.
+/// Tells which geometry decides, and which does not.
 std::string decidingWords(const BulletCheck& check, bool touching) {
   std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
   if (check.positions)
@@ -104,14 +104,14 @@ Document distances(std::vector<CellDistance> all, double radius) {
   Table table{"Distances of the surfaces",
               {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]", "Our volume [length³]",
                "Bullet's volume [length³]"}};
-  for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
+  for (std::size_t i = 0; i < std::min(all.size(), maxCells); ++i)
     table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3),
                           number(std::sqrt(all[i].meanSquare) / radius, 3), number(all[i].ourVolume, 8),
                           number(all[i].bulletVolume, 8)});
   Document body;
   body.add(std::move(table));
-  if (all.size() > mostCells)
-    body.note("The " + std::to_string(mostCells) + " farthest of " + std::to_string(all.size()) + " cells.");
+  if (all.size() > maxCells)
+    body.note("The " + std::to_string(maxCells) + " farthest of " + std::to_string(all.size()) + " cells.");
   return body;
 }
 
@@ -147,7 +147,7 @@ Document pictures(const Scenario& scenario, const World& ours, const ExternalRun
   return all;
 }
 
-/// What is wrong with Bullet's run as a whole; "" if it came to an end that can be compared.
+/// Returns the mistake of Bullet's run as a whole; "" if it came to an end that can be compared.
 std::string whyNone(const BulletAgain& again) {
   if (again.found.bullet || again.found.results.empty()) return {};
   const CheckResult& r = again.found.results.front();
@@ -256,7 +256,7 @@ int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuesti
   std::size_t made = 0;
   for (const bool wantDiffering : {true, false})
     for (CheckedScenario& c : checked) {
-      if (made == mostInBullet) return 0;
+      if (made == maxInBullet) return 0;
       if (!heldAgainstBullet(c) || differsFromBullet(c) != wantDiffering) continue;
       if (const int signal = runCheckedAgain(c, question)) return signal;
       if (!c.again || !c.again->scenario.check.bullet || c.again->simulation.end.status != RunStatus::done) continue;

@@ -12,9 +12,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostLines = 24;     // runs in one chart
-constexpr std::size_t mostLabels = 10;    // at the ends of lines
-constexpr std::size_t mostTouching = 60;  // cells in a matrix of contacts
+constexpr std::size_t maxLines = 24;     // runs in one chart
+constexpr std::size_t maxLabels = 10;    // at the ends of lines
+constexpr std::size_t maxTouching = 60;  // cells in a matrix of contacts
 // [pixel] So small that words of ordinary size are legible where three charts stand side by side.
 constexpr int width = 420, height = 300;
 
@@ -68,21 +68,21 @@ void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Sp
   if (points.size() < 2) return;
   const double perTime = shownUnit(units, "time").factor, perUnit = shownUnit(units, unit).factor;
   for (Spot& point : points) point.x *= perTime, point.y *= perUnit;
-  const std::string label = count > 1 && count <= mostLabels ? std::to_string(number + 1) : "";
+  const std::string label = count > 1 && count <= maxLabels ? std::to_string(number + 1) : "";
   // Told apart without colours, too: by numbers at their ends, and every second one is dashed.
   chart.lines.push_back({label, seriesColour(number), std::move(points), number % 2 == 1, {}});
 }
 
-/// Which number and colour each run has in the charts.
+/// Makes the key of runs to their numbers and colours in the charts.
 LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
   LineKey key;
   for (std::size_t i = 0; i < count; ++i)
     key.lines.push_back(
-        {seriesColour(i), i % 2 == 1, (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
+        {seriesColour(i), i % 2 == 1, (count <= maxLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
   return key;
 }
 
-/// Of each cell, and what the scenario asked to be measured.
+/// Returns the measures of cells, and those that the scenario asks for.
 std::vector<std::string> moreMeasures(const RunFacts& run) {
   std::vector<std::string> names{"cell.volume", "cell.pressure"};
   std::set<std::string> known;
@@ -93,7 +93,7 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
   return names;
 }
 
-/// As morula chart draws them, but smaller.
+/// Adds charts as `morula chart` draws them, but smaller.
 void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands) {
   const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
     try {
@@ -116,12 +116,12 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
             return !line.label.empty() || !line.pointLabels.empty();
           });
           for (ChartLine& line : small.lines)
-            if (labelled > static_cast<long>(mostLabels)) line.label.clear(), line.pointLabels.clear();
+            if (labelled > static_cast<long>(maxLabels)) line.label.clear(), line.pointLabels.clear();
           return drawChart(small);
         });
   const auto living = std::count_if(run.results.lineage.begin(), run.results.lineage.end(),
                                     [](const LineageEntry& c) { return c.fate == Fate::alive; });
-  if (living > 1 && living <= static_cast<long>(mostTouching))
+  if (living > 1 && living <= static_cast<long>(maxTouching))
     add("contacts", "Who touches whom at the end: contact areas", [&] {
       MatrixPicture matrix = contactsOf(run.results, run.run.time, run.scenario);
       matrix.title = "Contacts", matrix.caption.clear();
@@ -143,7 +143,7 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
   PageSection section{"charts", "Charts", {}};
   Document charts;
   const Units units = unitsOfAll(runs, [](const RunFacts& r) { return r.scenario.units; });
-  const std::size_t count = std::min(runs.size(), mostLines);
+  const std::size_t count = std::min(runs.size(), maxLines);
   Chart cells = timeChart("Living cells", "", units);
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]), units);
   if (!cells.lines.empty())
@@ -163,8 +163,8 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
   if (count == 1) addOfOneRun(runs[0], charts, section.commands);
   else section.body.add(keyOf(runs, count));
   section.body.add(Group{Group::Kind::charts, "", std::move(charts)});
-  if (runs.size() > mostLines)
-    section.body.note("The first " + std::to_string(mostLines) + " of " + counted(runs.size(), "run") + ".");
+  if (runs.size() > maxLines)
+    section.body.note("The first " + std::to_string(maxLines) + " of " + counted(runs.size(), "run") + ".");
   return section;
 }
 

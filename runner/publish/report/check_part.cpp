@@ -16,15 +16,15 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostTold = 40;   // failed scenarios with all that differs
-constexpr std::size_t mostFiles = 40;  // in the command that checks them again
+constexpr std::size_t maxTold = 40;   // failed scenarios with all that differs
+constexpr std::size_t maxFiles = 40;  // in the command that checks them again
 
 std::size_t failures(const CheckReport& report) {
   return static_cast<std::size_t>(
       std::count_if(report.results.begin(), report.results.end(), [](const CheckResult& r) { return !r.passed; }));
 }
 
-/// What differs, in words, the cause before its consequences: each class once.
+/// Describes what differs, the cause before its consequences: each class once.
 std::string classesOf(const CheckReport& report) {
   std::vector<std::string> classes;
   for (const CheckResult& r : report.results)
@@ -112,7 +112,7 @@ int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
   try {
     Scenario scenario = loadScenario(c.file);
     World world = makeScenarioWorld(scenario, question.execution);
-    // Where a run ends is not always known before: then frames are spread over the longest it may take.
+    // The end of a run is not always known before: then frames are spread over the longest time that it may take.
     const auto end = plannedEnd(scenario.scene);
     if (!end) return 0;
     FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
@@ -180,7 +180,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
              (c.report.change.empty()
                   ? Words()
                   : ". " + Words(changeSentence(withNames(c.report.change, names.function())), Emphasis::italic))});
-    if (++told > mostTold) continue;
+    if (++told > maxTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())
       part.sections.back().commands = {programWord() + " check " + shellWord(c.file),
@@ -192,17 +192,17 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
                    (failed == 1 ? " differs" : " differ")
              : "morula check: " + counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass");
   if (!failed) findings.push_back({Finding::Kind::good, "Every scenario gives what is accepted"});
-  if (told > mostTold)
+  if (told > maxTold)
     findings.push_back(
-        {Finding::Kind::warning, "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
+        {Finding::Kind::warning, "What differs is shown of the first " + std::to_string(maxTold) + " scenarios"});
   part.verdict = verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
                              (checked.size() == 1 ? " passes" : " pass") + ".",
                          std::move(findings));
   std::string files;
   for (const CheckedScenario& c : checked)
     if (!c.file.empty()) files += ' ' + shellWord(c.file);
-  // Without files it checks all that are shipped.
-  if (checked.size() > mostFiles) files.clear();
+  // Without files the command checks all scenarios of the project.
+  if (checked.size() > maxFiles) files.clear();
   const std::string folder = std::filesystem::path(file).parent_path().generic_string();
   part.sections.push_back(
       {"checks",

@@ -1,4 +1,4 @@
-// What of the runs can be taken along: tables, trees, and where the databases are.
+// Downloads of the runs: tables, trees, and the places of the databases.
 #include <set>
 
 #include "export/csv.h"
@@ -8,8 +8,8 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostRuns = 24;       // with links
-constexpr std::size_t mostDatabases = 12;  // that are named
+constexpr std::size_t maxRuns = 24;       // with links
+constexpr std::size_t maxDatabases = 12;  // that are named
 
 /// More than the names of its columns.
 bool hasRows(const std::string& csv) {
@@ -18,12 +18,12 @@ bool hasRows(const std::string& csv) {
 }
 
 struct Links {
-  std::size_t mostBytes, used = 0;
+  std::size_t maxBytes, used = 0;
   Downloads downloads = {};
   std::vector<std::string> left = {};
 
   void offer(const std::string& name, const char* type, const std::string& bytes) {
-    if (used + bytes.size() > mostBytes) return left.push_back(name);
+    if (used + bytes.size() > maxBytes) return left.push_back(name);
     used += bytes.size();
     downloads.files.push_back({name, type, bytes});
   }
@@ -43,10 +43,10 @@ void offerRun(const RunFacts& run, const std::string& ending, Links& links) {
 
 }  // namespace
 
-PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
-  Links links{mostBytes};
+PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
+  Links links{maxBytes};
   PageSection section{"downloads", "Downloads", {}};
-  for (std::size_t i = 0; i < std::min(runs.size(), mostRuns); ++i) {
+  for (std::size_t i = 0; i < std::min(runs.size(), maxRuns); ++i) {
     const std::string ending = runs.size() > 1 ? "-" + runs[i].run.id : "";
     offerRun(runs[i], ending, links);
     if (section.commands.size() >= 4) continue;
@@ -60,11 +60,11 @@ PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t mostB
   if (!links.left.empty())
     section.body.note("Left out, since the page would become too large: " + listed(links.left) +
                       ". The commands below write all tables.");
-  if (runs.size() > mostRuns)
-    section.body.note("The first " + std::to_string(mostRuns) + " of " + counted(runs.size(), "run") + ".");
+  if (runs.size() > maxRuns)
+    section.body.note("The first " + std::to_string(maxRuns) + " of " + counted(runs.size(), "run") + ".");
   std::set<std::string> databases;
   for (const RunFacts& r : runs)
-    if (databases.size() < mostDatabases && databases.insert(r.database).second)
+    if (databases.size() < maxDatabases && databases.insert(r.database).second)
       section.body.say("Database: " + code(r.database));
   return section;
 }

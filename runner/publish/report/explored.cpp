@@ -20,7 +20,7 @@ ExplorerRun explorerRunOf(const RunFacts& facts) {
   return run;
 }
 
-/// What was made again in Bullet; cells neither divide nor die there, so its lineage is that of `ours`.
+/// Makes an explorer's run of the run in Bullet; cells neither divide nor die there, so its lineage is that of `ours`.
 ExplorerRun explorerRunOf(const BulletAgain& bullet, const ExplorerRun& ours, bool alone) {
   ExplorerRun run = ours;
   run.title = bulletName() + (alone ? "" : ": " + ours.title);
@@ -40,7 +40,7 @@ ExplorerRun explorerRunOf(const CheckedScenario& checked) {
 }
 
 void showBullet(BulletAgain& bullet, const ExplorerRun& ours, bool alone, Explored& explored) {
-  if (bullet.frames.frames.empty() || explored.runs.size() >= mostExplored) return;
+  if (bullet.frames.frames.empty() || explored.runs.size() >= maxExplored) return;
   explored.runs.push_back(explorerRunOf(bullet, ours, alone));
   explored.frames.push_back(&bullet.frames);
 }
@@ -49,7 +49,7 @@ void showBullet(BulletAgain& bullet, const ExplorerRun& ours, bool alone, Explor
 void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   std::size_t made = 0;
   for (RunFacts& run : runs) {
-    if (!question.bullet || made == mostInBullet) return;
+    if (!question.bullet || made == maxInBullet) return;
     if (!run.again || !run.scenario.check.bullet || run.run.status != RunStatus::done) continue;
     run.bullet = runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
     ++made;
@@ -61,7 +61,7 @@ void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question, Expl
 
 void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored) {
   for (CheckedScenario& c : checked) {
-    if (!c.again || explored.runs.size() >= mostExplored) continue;
+    if (!c.again || explored.runs.size() >= maxExplored) continue;
     const ExplorerRun run = explorerRunOf(c);
     explored.runs.push_back(run);
     explored.frames.push_back(&c.again->frames);
@@ -72,7 +72,7 @@ void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored) {
 int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   std::size_t again = explored.runs.size();
   for (RunFacts& run : runs)
-    if (question.frames > 0 && again < mostExplored && canRunAgain(run)) {
+    if (question.frames > 0 && again < maxExplored && canRunAgain(run)) {
       ++again;
       if (const int signal = runAgain(run, question.execution, question.frames,
                                       question.rerun && run.results.chain.empty(), question.quiet))
@@ -80,18 +80,18 @@ int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
       explored.frames.push_back(&run.again->frames);
     }
   for (const RunFacts& run : runs)
-    if (!run.results.lineage.empty() && explored.runs.size() < mostExplored && (run.again || again == 0))
+    if (!run.results.lineage.empty() && explored.runs.size() < maxExplored && (run.again || again == 0))
       explored.runs.push_back(explorerRunOf(run));
   addBullet(runs, question, explored);
   return 0;
 }
 
 int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
-  // What stands on the page besides takes up to a third of it; base64 takes 4 bytes for 3.
-  const std::size_t room = question.mostBytes / 2;
+  // The rest of the page takes up to a third of it, and base64 takes 4 bytes for 3.
+  const std::size_t room = question.maxBytes / 2;
   const auto bytesOfLeast = [](const Frames& frames) {  // the last one is larger by its forces on vertices
     const std::size_t n = frames.frames.size();
-    return n == 0 ? 0 : bytesOf(frames) * std::min(leastFrames, n) / n + frames.frames.back().bytes.size();
+    return n == 0 ? 0 : bytesOf(frames) * std::min(minFrames, n) / n + frames.frames.back().bytes.size();
   };
   std::size_t taken = 0;
   for (const Frames* frames : explored.frames) taken += bytesOfLeast(*frames);

@@ -1,16 +1,16 @@
 #pragma once
-// Which runs of a page are made again, and shown in three dimensions.
+// The runs of a page that are made again and shown in three dimensions.
 #include "report/parts.h"
 
 namespace morula {
 
 struct Explored {
-  std::vector<ExplorerRun> runs;  // at most mostExplored
+  std::vector<ExplorerRun> runs;  // at most maxExplored
   std::vector<Frames*> frames;    // of those that were made again
 };
 
 /// Frames that each run of a study keeps at least; how many runs have room follows from it.
-inline constexpr std::size_t leastFrames = 11;
+inline constexpr std::size_t minFrames = 11;
 
 /// The failed scenarios of a check that were run again, each before its run in Bullet.
 void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored);

@@ -1,5 +1,5 @@
 #pragma once
-// What each kind of source gives to a page.
+// The parts of a page, one for each kind of source.
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,8 +19,8 @@ struct PagePart {
   bool isAside = false;  // it belongs to another part; the titles of its sections say what they are of
 };
 
-/// Runs, with all that is known of them but their frames. Downloads take a tenth of `mostBytes`.
-PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes);
+/// Runs, with all that is known of them but their frames. Downloads take a tenth of `maxBytes`.
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes);
 
 /// A scenario that failed its check, run again to be looked at.
 struct FailedAgain {
@@ -46,7 +46,7 @@ int runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
 int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);
 
-/// What `morula accuracy --json` has printed. Throws InputError for other JSON.
+/// Makes a part of what `morula accuracy --json` has printed. Throws InputError for other JSON.
 PagePart accuracyPart(const std::string& file);
 
 /// The program that makes the page, where no run says where it comes from.

@@ -10,11 +10,11 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostPictured = 8;   // runs with pictures
+constexpr std::size_t maxPictured = 8;    // runs with pictures
 constexpr std::size_t treeLimit = 20000;  // cells in a tree that is drawn
 constexpr std::size_t fewCells = 32;      // of a tree that is legible when it is small
 
-/// What stands at the same place of the tree in two runs has the same key.
+/// Returns a key that two runs share if the same things stand at the same places of their trees.
 std::string treeKey(const RunFacts& facts) {
   std::string key = numberText(facts.run.time, 17);
   for (const LineageEntry& c : facts.results.lineage)
@@ -34,7 +34,7 @@ Picture treeOf(const RunFacts& facts, const std::string& of) {
   return few ? svgPicture(drawing, what, caption) : pngPicture(drawing.pixels(), what, caption);
 }
 
-/// Whether its last state can be drawn: that of a failed run may hold what are no numbers.
+/// Returns true if the last state can be drawn: that of a failed run may hold NaN.
 bool canBeDrawn(const RunFacts& facts) {
   if (!facts.again || !facts.again->simulation.world.bodies) return false;
   const OrganismPicture picture = pictureOf(facts.again->simulation.world, facts.scenario);
@@ -74,7 +74,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   PageSection section{"pictures", "Pictures", {}};
   std::vector<Pictured> pictured;
   for (const RunFacts& r : runs)
-    if (pictured.size() < mostPictured && canBeDrawn(r))
+    if (pictured.size() < maxPictured && canBeDrawn(r))
       pictured.push_back({&r, pictureOf(r.again->simulation.world, r.scenario)});
   overlay(pictured, section.body);
   Document pictures;
@@ -96,7 +96,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   std::set<std::string> trees;
   std::size_t drawn = 0;
   for (const RunFacts& r : runs) {
-    if (r.results.lineage.empty() || r.results.lineage.size() > treeLimit || drawn >= mostPictured) continue;
+    if (r.results.lineage.empty() || r.results.lineage.size() > treeLimit || drawn >= maxPictured) continue;
     if (!trees.insert(treeKey(r)).second) continue;
     ++drawn;
     pictures.add(treeOf(r, before(r)));

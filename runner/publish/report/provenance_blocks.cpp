@@ -1,4 +1,4 @@
-// Where runs come from, their parameters, and how they differ from what is accepted and from one another.
+// The origins of runs, their parameters, and their differences from what is accepted and from one another.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostColumns = 6;  // runs side by side
+constexpr std::size_t maxColumns = 6;  // runs side by side
 
 /// [label, value] Of a run's record, and where it is stored.
 std::vector<std::pair<std::string, std::string>> provenanceOf(const RunFacts& r) {
@@ -31,7 +31,7 @@ Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
   Table table{caption, {}};
   if (runs.size() > 1) {
     table.columns.push_back("");
-    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) table.columns.push_back(titleOf(runs[i]));
+    for (std::size_t i = 0; i < std::min(runs.size(), maxColumns); ++i) table.columns.push_back(titleOf(runs[i]));
   }
   for (const auto& [label, values] : rows) {
     const bool same =
@@ -42,9 +42,9 @@ Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
   return table;
 }
 
-/// What decides the results and differs between the runs.
+/// Shows the parameters that decide results and differ between the runs.
 Document differences(const std::vector<RunFacts>& runs) {
-  const std::size_t columns = std::min(runs.size(), mostColumns);
+  const std::size_t columns = std::min(runs.size(), maxColumns);
   if (columns < 2) return {};
   std::vector<std::string> keys;
   std::set<std::string> known;
@@ -74,7 +74,7 @@ std::string indented(const std::string& json) {
   return read.is_null() ? json : jsonText(read, 2);
 }
 
-constexpr std::size_t mostChanges = 4;  // runs that are held against the first one of their scenario
+constexpr std::size_t maxChanges = 4;  // runs that are held against the first one of their scenario
 
 void tellBesideGolden(const RunFacts& run, Document& changes) {
   if (run.change.empty()) {
@@ -103,7 +103,7 @@ void tellBesideFirst(const RunFacts& first, const RunFacts& run, Document& chang
 
 PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
-  for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) {
+  for (std::size_t i = 0; i < std::min(runs.size(), maxColumns); ++i) {
     const auto of = provenanceOf(runs[i]);
     rows.resize(of.size());
     for (std::size_t k = 0; k < of.size(); ++k) rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
@@ -114,10 +114,10 @@ PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   });
   PageSection section{"provenance", "Provenance", {}};
   section.body.add(sideBySide("Provenance", runs, rows));
-  if (runs.size() > mostColumns)
-    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") + ".");
+  if (runs.size() > maxColumns)
+    section.body.note("The first " + std::to_string(maxColumns) + " of " + counted(runs.size(), "run") + ".");
   for (const RunFacts& r : runs)
-    if (section.commands.size() < mostColumns && r.run.status != RunStatus::running)
+    if (section.commands.size() < maxColumns && r.run.status != RunStatus::running)
       section.commands.push_back(commandFor(r, "replay"));
   return section;
 }
@@ -126,7 +126,7 @@ PageSection parameterSection(const std::vector<RunFacts>& runs) {
   PageSection section{"parameters", "Parameters", differences(runs)};
   std::set<std::string> shownAlready;
   for (const RunFacts& r : runs) {
-    if (shownAlready.size() >= mostColumns) break;
+    if (shownAlready.size() >= maxColumns) break;
     if (!shownAlready.insert(r.run.record.scenarioHash).second) continue;
     const std::string of = runs.size() > 1 ? " of " + titleOf(r) : "";
     for (const SourceText& d : r.documents) {
@@ -140,7 +140,7 @@ PageSection parameterSection(const std::vector<RunFacts>& runs) {
     }
   }
   for (const RunFacts& r : runs)
-    if (section.commands.size() < mostColumns && r.run.status == RunStatus::done)
+    if (section.commands.size() < maxColumns && r.run.status == RunStatus::done)
       section.commands.push_back(commandFor(r, "export", "--ro-crate " + shellWord("crate-" + r.run.id)));
   return section;
 }
@@ -155,13 +155,13 @@ Document changesOf(const std::vector<RunFacts>& runs) {
     if (!run.golden.empty() && run.unusableGolden.empty() && (runs.size() == 1 || !run.change.empty()))
       tellBesideGolden(run, changes);
     const auto [first, isFirst] = firsts.emplace(run.run.record.scenario, &run);
-    if (!isFirst && ++told <= mostChanges) tellBesideFirst(*first->second, run, changes);
+    if (!isFirst && ++told <= maxChanges) tellBesideFirst(*first->second, run, changes);
     if (changes.empty()) continue;
     if (runs.size() > 1) all.heading(titleOf(run));
     all.add(std::move(changes));
   }
-  if (told > mostChanges)
-    all.note("Of the runs of one scenario the first " + std::to_string(mostChanges + 1) + " are told of.");
+  if (told > maxChanges)
+    all.note("Of the runs of one scenario the first " + std::to_string(maxChanges + 1) + " are told of.");
   return all;
 }
 

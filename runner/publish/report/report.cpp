@@ -29,7 +29,7 @@ struct Sources {
   std::vector<std::string> databases, studies, checks, accuracies;  // files
 };
 
-/// By what a file holds, not by its name. Whether it is one.
+/// Adds a source by the file's content, not by its name. Returns false if the file is none.
 bool addSource(const std::string& file, Sources& sources) {
   const std::string head = readBeginning(file, 16);
   if (contentOf(head) == Content::database)
@@ -42,8 +42,8 @@ bool addSource(const std::string& file, Sources& sources) {
   return false;
 }
 
-/// What `what` names; the files of a folder sorted by name. Throws FileError for what is not there, UsageError for what is
-/// nothing to report on.
+/// Returns the sources that `what` names; the files of a folder are sorted by name. Throws FileError for a missing file, UsageError
+/// for a file that is nothing to report on.
 Sources sourcesOf(const std::vector<std::string>& what) {
   Sources sources;
   for (const std::string& name : what) {
@@ -93,8 +93,8 @@ AllFacts factsOfAll(const Sources& sources, const ReportQuestion& question) {
     const auto all = representativesOf(file);
     facts.ofStudies.push_back(all.size());
     for (const Representative& r : chosenOf(all, store, question.run)) {
-      if (facts.runs.size() + facts.more.size() >= std::max(mostExplored, question.explored)) break;
-      std::vector<RunFacts>& to = facts.runs.size() < mostExplored ? facts.runs : facts.more;
+      if (facts.runs.size() + facts.more.size() >= std::max(maxExplored, question.explored)) break;
+      std::vector<RunFacts>& to = facts.runs.size() < maxExplored ? facts.runs : facts.more;
       to.push_back(factsOf(store, store.find(r.run)));
       to.back().label = r.condition;
     }
@@ -152,7 +152,7 @@ std::string commandOf(const ReportQuestion& question) {
   if (!question.run.empty()) command += " --run " + shellWord(question.run);
   if (question.explored != usual.explored) command += " --explore " + std::to_string(question.explored);
   if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
-  if (question.mostBytes != usual.mostBytes) command += " --size-limit " + std::to_string(question.mostBytes);
+  if (question.maxBytes != usual.maxBytes) command += " --size-limit " + std::to_string(question.maxBytes);
   if (!question.bullet) command += " --no-bullet";
   if (question.rerun) command += " --rerun";
   return command + " -o page.html";
@@ -220,7 +220,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   std::vector<std::vector<CheckedScenario>> checks;
   for (const std::string& file : sources.checks) {
     checks.push_back(readChecked(file));
-    if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), mostExplored / 2, question)))
+    if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), maxExplored / 2, question)))
       return answer;
     if (question.frames > 0 && question.bullet && (answer.signal = runCheckedInBullet(checks.back(), question)))
       return answer;
@@ -235,7 +235,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     parts.push_back(studyPart(file));
     if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet))) return answer;
   }
-  if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
+  if (!runs.empty()) parts.push_back(runPart(runs, question.maxBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().sections.push_back(programSection());
 
@@ -263,13 +263,13 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   if (question.rerun) page.bytes = rerunBytes(runs[0], question.module);
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
-  const std::size_t room = question.mostBytes > without ? (question.mostBytes - without) / 4 * 3 : 0;
+  const std::size_t room = question.maxBytes > without ? (question.maxBytes - without) / 4 * 3 : 0;
   for (Frames* of : explored.frames) thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
   compose();
   if (!page.program.empty())
     for (PageBytes& bytes : explorerBytes(explored.runs)) page.bytes.push_back(std::move(bytes));
   answer.bytes = pageFile(page);
-  if (answer.bytes.size() > question.mostBytes)
+  if (answer.bytes.size() > question.maxBytes)
     answer.remarks.push_back("the page takes " + std::to_string(answer.bytes.size()) +
                              " bytes, more than --size-limit");
   if (const std::string thinned = thinnedText(explored.runs); !thinned.empty() && !page.program.empty())

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// What is stored or, of runs whose step hashes are not, what making the page has found.
+/// Returns the stored chain of step hashes, or, if it is not stored, the one that was found while the page was made.
 const std::vector<ChainLink>& chainOf(const RunFacts& run) {
   const bool isMade = run.results.chain.empty() && run.again && run.again->same;
   return isMade ? run.again->simulation.results.chain : run.results.chain;

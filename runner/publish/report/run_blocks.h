@@ -19,12 +19,12 @@ PageSection pictureSection(const std::vector<RunFacts>& runs);
 /// Cells and measures over time, all runs in one chart, at most the first 24; of one run also who touches whom and which way
 /// cells divided.
 PageSection chartSection(const std::vector<RunFacts>& runs);
-/// Where the runs come from, side by side; what they differ in is marked.
+/// Shows the origins of runs side by side, with their differences marked.
 PageSection provenanceSection(const std::vector<RunFacts>& runs);
 /// The scenarios as they were read, and with all defaults filled in.
 PageSection parameterSection(const std::vector<RunFacts>& runs);
-/// Tables and trees as links that hold them; what is larger than `mostBytes` is named, and the commands write all of it.
-PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t mostBytes);
+/// Tables and trees as links that hold them; what is larger than `maxBytes` is named, and the commands write all of it.
+PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t maxBytes);
 
 /// The three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and now lie
 /// over each other, too, to be swiped and blinked between. `name`: of what.

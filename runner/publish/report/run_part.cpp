@@ -140,7 +140,7 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
   return table;
 }
 
-/// What must be known first of one run: what failed, what is not sane, what is ambiguous.
+/// Returns the findings that a reader must know first: what failed, what is not sane, what is ambiguous.
 std::vector<Finding> findingsOf(const RunFacts& facts) {
   std::vector<Finding> findings;
   const StoredRun& run = facts.run;
@@ -227,13 +227,13 @@ Document checksOfAll(const std::vector<RunFacts>& runs) {
     Document checks = checksOf(run.checks, run.scenario.names);
     if (runs.size() == 1) all.add(std::move(checks));
     else if (differs) all.heading(titleOf(run)).add(std::move(checks));
-    else if (runs.size() <= mostExplored)
+    else if (runs.size() <= maxExplored)
       all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed", std::move(checks)));
   }
   return all;
 }
 
-/// What goldens state of the scenarios, each once.
+/// Returns the errors that the scenarios' goldens state, each once.
 Document errorsOf(const std::vector<RunFacts>& runs) {
   Document all;
   std::set<std::string> said;
@@ -250,8 +250,8 @@ Document errorsOf(const std::vector<RunFacts>& runs) {
 
 }  // namespace
 
-PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
-  // What is said of a study is said of all of its runs, not of those that stand for its conditions.
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
+  // A study's findings are on all of its runs, not on those that stand for its conditions.
   std::vector<const RunFacts*> judged;
   for (const RunFacts& run : runs)
     if (run.label.empty()) judged.push_back(&run);
@@ -276,7 +276,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
     part.sections.push_back({"errors", "How exact it is", std::move(errors)});
   part.sections.push_back(provenanceSection(runs));
   part.sections.push_back(parameterSection(runs));
-  part.sections.push_back(downloadSection(runs, mostBytes / 10));
+  part.sections.push_back(downloadSection(runs, maxBytes / 10));
   return part;
 }
 

@@ -21,9 +21,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again
-constexpr std::size_t mostShown = 24;      // stored pictures
-constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
+constexpr std::size_t maxDrawn = 12;      // conditions of which a run is made again
+constexpr std::size_t maxShown = 24;      // stored pictures
+constexpr std::size_t maxSentences = 16;  // that are seen without being asked for
 
 Database openStudy(const std::string& file) {
   return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
@@ -131,7 +131,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
                             "time step or precision such a cut may lie elsewhere"});
 }
 
-/// Of the first run that is done; false without any.
+/// Returns true if the first run that is done has bodies; false without such a run.
 bool hasBodies(const StudyResults& results, const std::string& database) {
   for (const ResultTask& task : results.tasks)
     if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
@@ -161,7 +161,7 @@ PagePart studyPart(const std::string& database) {
                                    findingsOf(c, database))};
   const std::vector<std::string> sentences = verdictsOf(c);
   PlainList said, more;
-  for (std::size_t i = 0; i < sentences.size(); ++i) (i < mostSentences ? said : more).list.push_back(sentences[i]);
+  for (std::size_t i = 0; i < sentences.size(); ++i) (i < maxSentences ? said : more).list.push_back(sentences[i]);
   Document findings;
   if (said.list.empty()) findings.say("Nothing: no measure has values.");
   else findings.add(std::move(said));
@@ -197,21 +197,21 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   if (const auto stored = storedPictures(results, database)) {
     Document pictures;
     std::vector<std::size_t> order = byDifference(compareStudy(results, {}));
-    order.resize(std::min(mostShown, order.size()));
+    order.resize(std::min(maxShown, order.size()));
     for (const std::size_t k : order)
       pictures.add(Picture{"image/png", readFile(stored->files[k]),
                            "the organism at the end of " + results.nameOf(results.conditions[k]),
                            results.nameOf(results.conditions[k])});
     section.body.note("At the end, with seed " + std::to_string(results.seeds[stored->seed]) +
                       ": the pictures that the study keeps in " + stored->files[0].parent_path().generic_string() +
-                      (stored->files.size() > mostShown ? "; the first " + std::to_string(mostShown) + " of " +
-                                                              counted(stored->files.size(), "condition")
-                                                        : "") +
+                      (stored->files.size() > maxShown ? "; the first " + std::to_string(maxShown) + " of " +
+                                                             counted(stored->files.size(), "condition")
+                                                       : "") +
                       ". Each has a scale bar of its own.");
     section.body.add(Group{Group::Kind::charts, "", std::move(pictures)});
   } else {
     if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
-    if (results.conditions.size() > mostDrawn) {
+    if (results.conditions.size() > maxDrawn) {
       section.body.note(counted(results.conditions.size(), "condition") +
                         " are too many to be run again for this page; the command draws them.");
     } else {

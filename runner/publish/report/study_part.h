@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// Whether the database is a merged study.
+/// Returns true if the database is a merged study.
 bool isMergedStudy(const std::string& database);
 
 PagePart studyPart(const std::string& database);
@@ -17,7 +17,7 @@ PagePart studyPart(const std::string& database);
 /// each again, or of more than twelve conditions the command that draws them. Nothing of a study without bodies. Returns the signal that interrupted it, or 0.
 int addOrganisms(PagePart& part, const std::string& database, bool quiet);
 
-/// What its verdict says. `database`: the merged study that `comparison` is of.
+/// Returns the findings of a comparison. `database`: the merged study that it is of.
 std::vector<Finding> findingsOf(const StudyComparison& comparison, const std::string& database);
 
 struct Representative {

@@ -66,7 +66,7 @@ class States {
   Json texts_ = Json::array(), colours_ = Json::array();
 };
 
-// Of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
+// Version of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
 constexpr int explorerFormat = 3;
 
 Json dataOf(const ExplorerRun& run) {
@@ -74,7 +74,7 @@ Json dataOf(const ExplorerRun& run) {
       {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
   States states(run);
   Json cells = Json::array();
-  for (std::size_t i = 0; i < std::min(run.lineage->size(), mostTreeCells); ++i) {
+  for (std::size_t i = 0; i < std::min(run.lineage->size(), maxTreeCells); ++i) {
     const LineageEntry& cell = (*run.lineage)[i];
     const auto called = run.scenario->names.of(cell.path);
     cells.push_back({cell.path.text(), called ? printableLine(*called) : "", cell.born,
@@ -152,8 +152,8 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
     all.note((runs.size() > 1 ? run.title + ": " : "") + what);
   };
   for (const ExplorerRun& run : runs) {
-    if (run.lineage->size() > mostTreeCells)
-      say(run, "The tree shows the " + std::to_string(mostTreeCells) + " cells that were born first, of " +
+    if (run.lineage->size() > maxTreeCells)
+      say(run, "The tree shows the " + std::to_string(maxTreeCells) + " cells that were born first, of " +
                    std::to_string(run.lineage->size()) + ".");
     if (!run.scenario->scene.mechanics)
       say(run, "These cells have no bodies: there is a tree, and nothing to see in three dimensions.");

@@ -1,5 +1,5 @@
 #pragma once
-// What the explorer is told: JSON, and the frames' bytes beside it. reports/explorer/src/data.ts reads it.
+// The explorer's data: JSON, and the frames' bytes beside it. reports/explorer/src/data.ts reads them.
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ struct ExplorerRun {
 };
 
 /// Cells of a tree that the explorer shows at most; of larger ones those that were born first.
-inline constexpr std::size_t mostTreeCells = 20000;
+inline constexpr std::size_t maxTreeCells = 20000;
 
 /// The colours of quantities, kinds and clones, as `scale`, `series` and `clones`.
 void addPalette(Json& data);
@@ -34,7 +34,7 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
 /// How many frames are in the page of those that were taken: "24 runs: 30 to 41 of 100 frames fit into the page"; "" if all.
 std::string thinnedText(const std::vector<ExplorerRun>& runs);
 
-/// What to say below the explorer of what was left out; empty if nothing was.
+/// Tells below the explorer what was left out; empty if nothing was.
 Document leftOutOf(const std::vector<ExplorerRun>& runs);
 
 }  // namespace morula

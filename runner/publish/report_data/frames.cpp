@@ -208,7 +208,7 @@ std::size_t bytesOf(const Frames& frames) {
   return bytes;
 }
 
-void thinFrames(Frames& frames, std::size_t mostBytes) {
+void thinFrames(Frames& frames, std::size_t maxBytes) {
   auto& all = frames.frames;
   // Number k of `count` that stay, evenly over all; the last one stays longest.
   const auto place = [&](std::size_t k, std::size_t count) {
@@ -218,7 +218,7 @@ void thinFrames(Frames& frames, std::size_t mostBytes) {
   for (; count > 0; --count) {
     std::size_t bytes = 0;
     for (std::size_t k = 0; k < count; ++k) bytes += all[place(k, count)].bytes.size();
-    if (bytes <= mostBytes) break;
+    if (bytes <= maxBytes) break;
   }
   if (count == all.size()) return;
   std::vector<Frame> kept;

@@ -21,7 +21,7 @@ class ForceMeter {
   /// knows none between two steps.
   explicit ForceMeter(World twin);
 
-  /// Those that the scene can have; on a cell all others are none.
+  /// The kinds of forces that the scene can have; all others are zero on every cell.
   const std::vector<ForceKind>& kinds() const { return kinds_; }
   /// [cell] Forces in a state of the scene; empty where they cannot be evaluated, or there are no kinds.
   std::vector<ForcesByKind> at(const World& world);
@@ -34,16 +34,16 @@ class ForceMeter {
 /// The sum over a cell's vertices. [force]
 Vector netForce(const ForcesByKind& cell, ForceKind kind);
 
-/// Those of the kinds that may add up to anything: a closed cell's springs and contents do not.
+/// Returns the kinds whose net force on a cell may differ from zero: a closed cell's springs and contents have none.
 std::vector<ForceKind> kindsWithNetForce(const std::vector<ForceKind>& kinds);
 
-/// Of each cell and each of these kinds: float32 x, y, z of the net force [force]; NaN where `forces` is empty.
+/// Writes float32 x, y, z of the net force [force] for each cell and each of these kinds; NaN if `forces` is empty.
 void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, std::size_t cells,
                   const std::vector<ForceKind>& kinds);
 
-/// Of each cell and each of the kinds: float32 step [force]; then, again of each, where its step is not 0, int8 x, y, z for each
+/// Writes for each cell and each of the kinds: float32 step [force]; then, again for each, where its step is not 0, int8 x, y, z for each
 /// vertex: the force is step · number, and off by half a step at most. A step is the largest component over 127.
-/// Where forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
+/// If forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
 void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds);
 
 /// The living cells at one time. `bytes`, little-endian, in this order:
@@ -76,7 +76,7 @@ struct Frames {
 /// Watches a run and takes `most` frames, evenly from time 0 to `end` [time].
 class FrameTaker {
  public:
-  /// Without `forces` there are none in the frames.
+  /// Without `forces` the frames hold no forces.
   FrameTaker(double end, std::size_t most, std::optional<ForceMeter> forces = {});
   /// The world at the start and after every step.
   void observe(const World& world);
@@ -99,7 +99,7 @@ class FrameTaker {
 
 /// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are among them. None
 /// stays if the last one alone takes more.
-void thinFrames(Frames& frames, std::size_t mostBytes);
+void thinFrames(Frames& frames, std::size_t maxBytes);
 
 std::size_t bytesOf(const Frames& frames);
 

@@ -51,7 +51,7 @@ void compareWithGolden(RunFacts& facts) {
   if (facts.golden.empty() || facts.run.status != RunStatus::done) return;
   try {
     const Golden golden = readGoldenFile(facts.golden);
-    // The same state is no change, even where its numbers are added up in another order when they are read back.
+    // An equal state is no change, even if its numbers are added up in another order when they are read back.
     if (acceptedBits(golden) != facts.run.stateHash) facts.change = changeInWords(golden.data, goldenDataOf(facts));
   } catch (const InputError& error) { facts.unusableGolden = error.what(); }
 }
@@ -60,7 +60,7 @@ void compareWithGolden(RunFacts& facts) {
 
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet) {
-  const std::size_t fit = mostFrameVertices / std::max<std::size_t>(1, vertexCount(ours));
+  const std::size_t fit = maxFrameVertices / std::max<std::size_t>(1, vertexCount(ours));
   const auto times = evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
   auto again = std::make_unique<BulletAgain>();
   again->found = checkAgainstBullet(scenario, ours, quiet, times);

@@ -1,6 +1,6 @@
 #pragma once
-// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run made
-// again for its shapes, which few databases keep; and the same of its run in Bullet, whose shapes none keeps.
+// The facts of one run on a page: its rows in the database, its scenario and golden, the run made again for its shapes, which few
+// databases keep, and its run in Bullet, whose shapes no database keeps.
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,13 +19,12 @@ struct BulletAgain {
   Frames frames;         // none unless Bullet came to the same end
 };
 
-/// Of a scenario with check.bullet. `ours`: at its end. At most `most` frames, evenly over time; fewer of many vertices, so that
-/// the answer stays below mostFrameVertices. `most` is 1 at least.
+/// Runs a scenario with check.bullet in Bullet. `ours`: our world at its end. At most `most` frames, evenly over time; fewer of many vertices, so that
+/// the answer stays below maxFrameVertices. `most` is 1 at least.
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet);
 
-/// The same shapes as frames of a page. What a contact measures is not measured: none of Bullet's is told. Velocities are those
-/// of the start.
+/// Converts shapes to frames of a page. Bullet's contacts are not measured. Velocities are those of the start.
 Frames framesOf(const Scenario& scenario, const std::vector<ExternalFrame>& frames);
 
 /// How the numbers found now lie to those that are stored with the run.
@@ -66,14 +65,14 @@ RunFacts factsOf(Store& store, const StoredRun& run);
 /// How `after` differs from `before`, as changeInWords says it; "" where it does not. Both are done.
 std::string changeBetween(const RunFacts& before, const RunFacts& after);
 
-/// Whether there is something to look at when it runs again: bodies, and an end or a failure to come to.
+/// Returns true if running it again shows something: bodies, and an end or a failure to reach.
 bool canRunAgain(const RunFacts& facts);
 
 /// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes. Returns the signal that interrupted it,
 /// or 0.
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet);
 
-/// Of a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the golden's
+/// For a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the golden's
 /// scenario. Returns the signal that interrupted it, or 0.
 int drawBeside(RunFacts& facts, const Execution& how, bool quiet);
 

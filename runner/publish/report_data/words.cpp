@@ -9,9 +9,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostKeys = 2;    // in a title
-constexpr std::size_t longest = 24;    // [byte] of a value in a title
-constexpr std::size_t mostNamed = 64;  // runs of one scenario that are told apart by their parameters
+constexpr std::size_t maxKeys = 2;    // in a title
+constexpr std::size_t longest = 24;   // [byte] of a value in a title
+constexpr std::size_t maxNamed = 64;  // runs of one scenario that are told apart by their parameters
 
 using RunGroup = std::vector<RunFacts*>;
 
@@ -22,7 +22,7 @@ void addIds(const RunGroup& group) {
 /// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`, they
 /// alone are the titles.
 void tellApart(const RunGroup& group, bool others) {
-  if (group.size() > mostNamed) return addIds(group);
+  if (group.size() > maxNamed) return addIds(group);
   std::vector<std::map<std::string, std::string>> values;
   std::map<std::string, std::size_t> known;  // key: how many have it
   for (const RunFacts* run : group) {
@@ -36,7 +36,7 @@ void tellApart(const RunGroup& group, bool others) {
     for (const auto& of : values) differs = differs || (of.contains(key) && of.at(key) != values[0].at(key));
     if (differs && key != "seed") keys.push_back(key);
   }
-  if (keys.empty() || keys.size() > mostKeys) return addIds(group);
+  if (keys.empty() || keys.size() > maxKeys) return addIds(group);
   for (const auto& of : values)
     for (const std::string& key : keys)
       if (of.contains(key) && of.at(key).size() > longest) return addIds(group);

@@ -16,7 +16,7 @@ namespace {
 
 /// Throws InputError for a text that a golden cannot carry. `form`: what would be right.
 void requireOneLine(const std::string& place, const std::string& text, const std::string& form) {
-  constexpr std::size_t mostLetters = 1000;
+  constexpr std::size_t maxLetters = 1000;
   const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
   if (text.find_first_not_of(" \t") == text.npos || text.find_first_of("\r\n") != text.npos)
     throw InputError(place + ": " + form);
@@ -25,9 +25,9 @@ void requireOneLine(const std::string& place, const std::string& text, const std
         place + ": '" + seen.substr(0, 200) +
         "' holds control characters, characters that change the direction of a text, or bytes that are not "
         "UTF-8; leave them out");
-  if (const auto letters = std::ranges::count_if(text, isFirstByte); letters > std::ptrdiff_t(mostLetters))
+  if (const auto letters = std::ranges::count_if(text, isFirstByte); letters > std::ptrdiff_t(maxLetters))
     throw InputError(place + ": a text of " + std::to_string(letters) + " letters; at most " +
-                     std::to_string(mostLetters) + " are taken: tell the rest in the commit");
+                     std::to_string(maxLetters) + " are taken: tell the rest in the commit");
 }
 
 /// The part of the path after its last folder of this name; empty if there is none.

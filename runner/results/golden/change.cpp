@@ -12,7 +12,7 @@ namespace morula {
 namespace {
 
 constexpr const char* absent = "not given";
-constexpr std::size_t mostLines = 9;  // lines of one kind
+constexpr std::size_t maxLines = 9;  // lines of one kind
 
 std::string line(const std::string& heading, const std::string& text) {
   return "  " + heading + std::string(heading.size() < 10 ? 10 - heading.size() : 1, ' ') + text + '\n';
@@ -20,8 +20,8 @@ std::string line(const std::string& heading, const std::string& text) {
 
 std::string lines(const std::string& heading, const std::vector<std::string>& texts, const std::string& what) {
   std::string all;
-  for (std::size_t i = 0; i < std::min(mostLines, texts.size()); ++i) all += line(i ? "" : heading, texts[i]);
-  if (texts.size() > mostLines) all += line("", "and " + std::to_string(texts.size() - mostLines) + " more " + what);
+  for (std::size_t i = 0; i < std::min(maxLines, texts.size()); ++i) all += line(i ? "" : heading, texts[i]);
+  if (texts.size() > maxLines) all += line("", "and " + std::to_string(texts.size() - maxLines) + " more " + what);
   return all;
 }
 

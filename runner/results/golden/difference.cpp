@@ -13,7 +13,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostTold = 9;  // told one by one
+constexpr std::size_t maxTold = 9;  // told one by one
 
 std::string hex(double value) { return fmt::format("{:#018x}", std::bit_cast<std::uint64_t>(value)); }
 
@@ -108,9 +108,8 @@ void sortByStep(std::vector<Difference>& differences) {
 
 std::string listed(const std::vector<Difference>& differences) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(mostTold, differences.size()); ++i)
-    text += (i ? "\n" : "") + differences[i].text;
-  if (differences.size() > mostTold) text += "\nand " + std::to_string(differences.size() - mostTold) + " more";
+  for (std::size_t i = 0; i < std::min(maxTold, differences.size()); ++i) text += (i ? "\n" : "") + differences[i].text;
+  if (differences.size() > maxTold) text += "\nand " + std::to_string(differences.size() - maxTold) + " more";
   return text;
 }
 
@@ -127,9 +126,9 @@ std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenL
 
 std::string inWords(const std::vector<std::string>& cells) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(mostTold, cells.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maxTold, cells.size()); ++i)
     text += (i ? ", " : "") + (cells[i].empty() ? "the egg" : cells[i]);
-  if (cells.size() > mostTold) text += " and " + std::to_string(cells.size() - mostTold) + " more";
+  if (cells.size() > maxTold) text += " and " + std::to_string(cells.size() - maxTold) + " more";
   return text;
 }
 

@@ -32,7 +32,7 @@ void refuseViolated(const Scenario& scenario, const CheckedRun& checked) {
   if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
 }
 
-/// The same apart from pictures, which another renderer draws otherwise.
+/// Returns true if two results are the same apart from pictures, which depend on the renderer.
 bool isSameResult(GoldenData a, GoldenData b) {
   const auto isImage = [](const GoldenItem& item) { return std::holds_alternative<GoldenImage>(item); };
   std::erase_if(a.items, isImage), std::erase_if(b.items, isImage);
@@ -40,7 +40,7 @@ bool isSameResult(GoldenData a, GoldenData b) {
   return a.scenarioHash == b.scenarioHash && a.seed == b.seed && std::ranges::equal(a.items, b.items, same);
 }
 
-/// The same again, by another way. With bodies its twin runs beside it.
+/// Runs the scenario again with other kernels. With bodies its twin runs beside it.
 TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   const std::string label = scenario.scene.name + " again";
   if (!scenario.scene.mechanics) {

@@ -12,7 +12,7 @@
 namespace morula {
 
 struct BesideGolden {
-  /// What the first picture shows.
+  /// The source of the first picture.
   enum class Source {
     again,    // the golden's scenario was run again and came to the golden's state: the shapes are exact
     centres,  // what the golden holds: spheres with the volumes of its cells, at their places
@@ -33,7 +33,7 @@ struct BesideGolden {
 BesideGolden drawBesideGolden(const Scenario& scenario, const World& now, const Golden& golden, const Execution& how,
                               bool quiet);
 
-/// The same for the golden file of the scenario. Nothing without bodies, or if there is no golden file that can be read.
+/// Draws the scenario beside its golden. Absent without bodies, or if there is no golden file that can be read.
 std::optional<BesideGolden> drawBesideGoldenFile(const Scenario& scenario, const World& now, const Execution& how,
                                                  bool quiet);
 

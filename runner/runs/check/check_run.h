@@ -18,7 +18,7 @@ struct CheckedRun {
   std::vector<CheckResult> sanity;  // of a run that came to its end
 };
 
-/// What watches a run, from before its first step. `asked`: what the scenario says under `check` is held against it.
+/// Observes a run from before its first step. `asked`: the conditions of the scenario's `check` are tested, too.
 class RunChecks {
  public:
   /// `start`: the world at time 0, also of a run that goes on from a checkpoint.
@@ -37,7 +37,7 @@ class RunChecks {
 /// Runs the scenario with its checks. `options.watch` is theirs.
 CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {}, bool asked = true);
 
-/// What the run's golden would say, and without `withPicture` that no picture was drawn.
+/// Returns the data of the run's golden; without `withPicture` they say that no picture was drawn.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
 
 /// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if that
@@ -58,10 +58,10 @@ CheckReport check(const Scenario& scenario, const CheckedRun& checked, const Gol
 /// All checks that the run alone decides: of a run that failed, whether it had to.
 std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const CheckedRun& checked);
 
-/// What must hold whatever the golden file says.
+/// Returns the results of conditions that must hold whatever the golden says.
 std::vector<CheckResult> checkInvariants(const Scenario& scenario, const CheckedRun& checked);
 
-/// Of a scenario that must stop: whether it has, and has said why. `failure`: the reason; "" if it ended well.
+/// Checks a scenario that must stop: that it did, and said why. `failure`: the reason; "" if it ended well.
 CheckReport checkStop(const Scenario& scenario, const std::string& failure);
 
 }  // namespace morula

@@ -61,7 +61,7 @@ std::optional<std::string> toRemove(const std::string& key, const Values& golden
   return key;
 }
 
-/// What turns `now` into the golden's scenario.
+/// Returns the overrides that turn `now` into the golden's scenario.
 std::vector<Override> overridesTo(const GoldenData& golden, const GoldenData& now) {
   std::set<std::string> paths, removed;
   for (const KeyChange& change : changedKeys(golden, now)) paths.insert(settable(change.key));
@@ -112,7 +112,7 @@ std::optional<Scenario> withGoldenValues(const Scenario& now, const Golden& gold
       return readScenario(now.bytes, now.file, folderOf(now.file), overrides, files, now.allowOutside);
     });
   };
-  // Of a stored run the files are those that are stored with it; a golden may name others.
+  // The files of a stored run are stored with it; a golden may name others.
   if (auto scenario = read(now.files)) return scenario;
   return read({});
 }

@@ -47,8 +47,8 @@ void Invariants::lower(Extreme& least, double value, const World& world, std::op
 
 void Invariants::observeVolumes(const Observation& now) {
   forEachCell("volume_over_mesh", now, [&](double volume, const CellPath& cell) {
-    lower(leastVolume_, volume, now.world, cell);
-    raise(mostVolume_, volume, now.world, cell);
+    lower(minVolume_, volume, now.world, cell);
+    raise(maxVolume_, volume, now.world, cell);
   });
 }
 
@@ -69,7 +69,7 @@ void Invariants::observe(const World& world) {
 bool Invariants::holdSoFar() const {
   const auto most = [](const std::optional<double>& bound, const Extreme& e) { return !bound || e.value <= *bound; };
   const auto& volume = check_.volume;
-  return (!volume || (leastVolume_.value >= volume->least && mostVolume_.value <= volume->most)) &&
+  return (!volume || (minVolume_.value >= volume->least && maxVolume_.value <= volume->most)) &&
          most(check_.extent, extent_) && most(check_.energy, energy_) && most(check_.momentum, stray_);
 }
 
@@ -96,7 +96,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
   const auto addMost = [&](const char* check, const std::optional<double>& bound, const Extreme& most) {
     if (bound) add(check, "at most " + exactText(*bound), exactText(most.value), most, most.value <= *bound);
   };
-  if (check_.volume) addBounds("volume", *check_.volume, leastVolume_, mostVolume_);
+  if (check_.volume) addBounds("volume", *check_.volume, minVolume_, maxVolume_);
   addMost("extent", check_.extent, extent_);
   addMost("energy", check_.energy, energy_);
   addMost("momentum", check_.momentum, stray_);
@@ -105,7 +105,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
   if (check_.endVolume) {
     Invariants last(check_);
     last.observeVolumes(now);
-    addBounds("end-volume", *check_.endVolume, last.leastVolume_, last.mostVolume_);
+    addBounds("end-volume", *check_.endVolume, last.minVolume_, last.maxVolume_);
   }
   if (check_.endRoundness) {
     Extreme least;

@@ -1,5 +1,5 @@
 #pragma once
-// What a scenario says under `check` must hold of its run: watched while it goes on, told afterwards.
+// The conditions of a scenario's `check` that must hold of its run: observed during the run, reported afterwards.
 #include <string>
 #include <vector>
 
@@ -18,12 +18,12 @@ class Invariants {
   /// One result of kind "invariant" for each check that is given; `end` is the world at the end of a run that
   /// ended well.
   std::vector<CheckResult> results(const World& end) const;
-  /// The same of a run that did not come to its end: only what must hold at every step.
+  /// Returns the results of a run that did not come to its end: only conditions on every step.
   std::vector<CheckResult> watched() const;
   /// True while nothing that must hold at every step has been broken.
   bool holdSoFar() const;
   /// [1] The least and the most that was seen, if the volume is checked.
-  Bounds volumes() const { return {leastVolume_.value, mostVolume_.value}; }
+  Bounds volumes() const { return {minVolume_.value, maxVolume_.value}; }
   /// True if anything at all is to be checked.
   static bool areGiven(const CheckParameters& check);
 
@@ -41,7 +41,7 @@ class Invariants {
   static void lower(Extreme& least, double value, const World& world, std::optional<CellPath> cell = {});
 
   CheckParameters check_;
-  Extreme leastVolume_, mostVolume_, extent_, energy_, stray_;
+  Extreme minVolume_, maxVolume_, extent_, energy_, stray_;
   std::optional<Vector> momentum_;  // at the start
 };
 

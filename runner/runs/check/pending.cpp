@@ -56,7 +56,7 @@ void removeAll(fs::path file) {
   for (const char* extension : extensions) removeFile(file.replace_extension(extension));
 }
 
-/// What made a result: the lines of its .from.
+/// The origin of a result: the lines of its .from.
 struct Origin {
   std::string scenario, build;
   friend bool operator==(const Origin&, const Origin&) = default;

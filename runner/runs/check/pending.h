@@ -16,17 +16,18 @@ namespace morula {
 /// the picture, or 0.
 int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
                bool quiet);
-/// What waits for this scenario as it is now, if this build made it.
+/// Returns the result that waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
-/// What waits for this scenario, whatever build made it and whatever the scenario was then: the result that people were shown.
+/// Returns the result that waits for this scenario, whatever build made it and whatever the scenario was then: the one that people
+/// were shown.
 /// Throws InputError if its file was damaged.
 std::optional<GoldenData> waitingResult(const Scenario& scenario);
-/// Where it lies, and the picture that was written with it; the paths may not exist.
+/// Return the paths of the waiting result and of its picture, which may not exist.
 std::filesystem::path pendingFile(const Scenario& scenario);
 std::filesystem::path pendingPicture(const Scenario& scenario);
 /// Takes it away: accepted, rejected, or the golden is met again.
 void removePending(const Scenario& scenario);
-/// What waits in the project of the current folder. Changes nothing.
+/// The results that wait in the project of the current folder. Looking at them changes nothing.
 struct PendingResults {
   std::vector<std::filesystem::path> scenarios;  // their files, sorted
   std::vector<std::filesystem::path> gone;       // results whose scenario is not there, sorted

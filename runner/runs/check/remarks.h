@@ -1,5 +1,5 @@
 #pragma once
-// What is to be said of a run though it is fine: whether a quasi-static one came as near to equilibrium as its scenario
+// Remarks on a run that is fine: whether a quasi-static one came as near to equilibrium as its scenario
 // asks, and divisions across the longest extent of cells that have none: another mesh or time step may cut them
 // elsewhere.
 #include <functional>
@@ -26,7 +26,7 @@ std::string distanceText(const std::vector<SettlingRecord>& settlings);
 /// that mirrors; "" where neither shows.
 std::string positionsText(const World& world, const Scenario& scenario);
 
-/// Those of `divisions` where the longest extent decides, and hardly differs from the next one. `describe` gives the
+/// Returns the divisions across the longest extent of a cell whose next extent is nearly as long. `describe` gives the
 /// substances of a state in `lineage`.
 std::vector<DivisionRecord> ambiguousDivisions(const Scene& scene, const std::vector<LineageEntry>& lineage,
                                                const std::function<std::string(StateId)>& describe,

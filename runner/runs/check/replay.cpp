@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-/// The same run under the conditions of now.
+/// Makes the record of the same run under the conditions of now.
 RunRecord recordNow(const RunRecord& before, const Scenario& scenario, const Execution& how, const std::string& command,
                     std::vector<SourceText> documents) {
   RunRecord now;
@@ -51,7 +51,7 @@ void leaveOut(Replay& c, const std::string& table, const std::string& why) {
   c.notCompared.push_back(table + ": " + why);
 }
 
-/// What the file holds of the run, beside what the run gave now.
+/// Compares the stored tables of a run with those of the repeated run.
 void compareTables(Store& stored, const StoredRun& before, Store& again, const RunRecord& now, bool checked,
                    Replay& c) {
   c.tables = stored.compareResults(before.id, again, runId(now));

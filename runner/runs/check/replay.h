@@ -38,7 +38,7 @@ struct ReplayQuestion {
 /// run.
 Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, const ReplayQuestion& question);
 
-/// For people.
+/// Describes a replay for people.
 std::string describe(const Replay& replay, const StoredRun& run);
 Json toJson(const Replay& replay, const StoredRun& run);
 

@@ -14,9 +14,10 @@
 namespace morula {
 namespace {
 
-/// Of the energy at the start: automatic steps keep it to 0.5 %, steps just below the limit of stability to a few per cent.
-constexpr double mostGain = 0.05;
-/// Of what the contents hold at rest: the rounding of a scene that begins with no energy to speak of.
+/// [1] Max gain over the energy at the start: automatic steps keep energy to 0.5 %, steps just below the limit of stability to a
+/// few per cent.
+constexpr double maxGain = 0.05;
+/// [1] Noise over the energy that contents hold at rest: the rounding of a scene that begins with next to no energy.
 constexpr double energyNoise = 0.01;
 
 Box boxOf(const World& world, int cell) {
@@ -118,7 +119,7 @@ std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParam
   const bool finite = !measures.empty() && measures[0].holds();
   if (energy_ && finite && end.cells.path == cells_ && (!sticksBySubstances(end) || statesOf(end) == states_)) {
     const double gain = (measureEnergy(end).total() - *energy_) / energyScale_;
-    measures.push_back({SanityKind::energy, gain, -INFINITY, mostGain, {}, {}});
+    measures.push_back({SanityKind::energy, gain, -INFINITY, maxGain, {}, {}});
   }
   std::vector<CheckResult> all;
   for (const SanityMeasure& m : measures) all.push_back(resultOf(m, end, check));

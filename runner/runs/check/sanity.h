@@ -1,5 +1,5 @@
 #pragma once
-// Whether a run that came to its end is fine: measured of every run with bodies, without being asked.
+// The sanity checks of a run's end. Every run with bodies has them, without being asked.
 #include <optional>
 #include <string>
 #include <vector>

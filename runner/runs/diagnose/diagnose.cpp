@@ -71,8 +71,8 @@ class WorkMeter {
 };
 
 // Steps in which the work of forces is measured: all from the last good state on, or if these are more than
-// mostStepsMeasured the last few.
-constexpr std::uint64_t mostStepsMeasured = 512;
+// maxStepsMeasured the last few.
+constexpr std::uint64_t maxStepsMeasured = 512;
 constexpr std::uint64_t fewStepsMeasured = 16;
 constexpr std::uint64_t statesKept = 32;  // of a run, to find the last good one among
 
@@ -159,7 +159,7 @@ std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t step
   return text;
 }
 
-/// What drove the cell before its end; "" if it has only just been born.
+/// Describes what drove the cell before its end; "" if the cell has only just been born.
 std::string measureWork(World& world, const CellPath& cell, std::uint64_t failedStep) {
   std::optional<WorkMeter> meter;
   std::uint64_t steps = 0;
@@ -198,7 +198,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to it.
+/// Tries if the run goes on with the change: past the failure, by as much time again as lies between the state and the failure.
 Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {
@@ -215,7 +215,7 @@ Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& 
       takeSteps(world, steps);
     }
   } catch (const NumericalError&) { return Outcome::fails; }
-  return cellsAreWithin(world, sanity::leastVolume, sanity::mostVolume) ? Outcome::holds : Outcome::fails;
+  return cellsAreWithin(world, sanity::minVolume, sanity::maxVolume) ? Outcome::holds : Outcome::fails;
 }
 
 /// "physics.time_step 0.001 or 0.0005": the values of one key are told together.
@@ -280,7 +280,7 @@ std::string diagnose(const Scene& scene, const Execution& execution, const BodyF
   if (!rerun) {
     remedy = "nothing was tried, for the run is too long to be made again; " + failure.remedy;
   } else {
-    const bool isNear = failure.step - rerun->good.step <= mostStepsMeasured;
+    const bool isNear = failure.step - rerun->good.step <= maxStepsMeasured;
     World last = restored(scene, execution, (isNear ? rerun->good : rerun->last).state);
     const CellPath cell = CellPath::parse(failure.cell);
     const std::string limit = describeLimit(last, cell);

@@ -1,5 +1,5 @@
 #pragma once
-// What might keep a run from failing: one change of one key each.
+// Remedies that might keep a run from failing: one change of one key each.
 #include <functional>
 #include <string>
 #include <vector>

@@ -48,14 +48,14 @@ std::vector<Vector> scaled(double by, std::vector<Vector> vectors) {
   return vectors;
 }
 
-/// What an array holds of the slot's vertices, times a factor.
+/// Returns the vectors of the slot's vertices in an array, times a factor.
 std::vector<Vector> ofSlot(const Bodies& b, int slot, const Reals& array, double times = 1) {
   std::vector<Vector> vectors;
   for (int v = 0; v < b.vertexCount(slot); ++v) vectors.push_back(times * b.read(array, slot, v));
   return vectors;
 }
 
-/// What `add` adds to the forces on all vertices, laid out as Bodies::acceleration; the bodies are as before afterwards.
+/// Returns the forces on all vertices that `add` adds, laid out as Bodies::acceleration. The bodies do not change.
 template <class Add>
 Reals addedToAll(Bodies& b, Add add) {
   Reals kept = b.acceleration;
@@ -83,8 +83,8 @@ void takeFrom(std::vector<Vector>& sum, const std::vector<Vector>& less) {
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] -= less[v];
 }
 
-/// What the shell does against the force that presses a vertex on it outwards (physics/shell_kernel.h); none
-/// where a vertex does not lie on it.
+/// Returns the shell's force against the one that presses a vertex on it outwards (physics/shell_kernel.h); none for a vertex that
+/// does not lie on it.
 std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vector>& pressing) {
   const double* a = b.parameters.shell->semiAxes;
   const double within = b.parameters.precision == Precision::binary64 ? 1e-12 : 1e-6;
@@ -158,8 +158,8 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
     at(ForceKind::shell) = shellForces(b, slot, sum);
     takeFrom(left, at(ForceKind::shell));
   }
-  // Where several planes may bear at once, and where what is held is not the vertices, the shell's part is what is left;
-  // elsewhere that is what has no name.
+  // If several planes may bear at once, or the shell does not hold vertices, the rest of the force is the shell's part. In other
+  // scenes the rest has no name.
   const bool leftIsShell = shape == ShellShape::planes || shape == ShellShape::surface;
   double most = 0;
   for (const Vector& f : sum) most = std::max(most, norm(f));

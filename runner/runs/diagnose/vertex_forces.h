@@ -1,5 +1,5 @@
 #pragma once
-// Which forces act on the vertices of a cell.
+// The forces that act on the vertices of a cell.
 #include <array>
 #include <string>
 #include <vector>
@@ -40,7 +40,7 @@ void checkHasForces(const PhysicsParameters& physics);
 /// [cell] At the world's positions and velocities, evaluated anew. It has bodies. Throws InputError as checkHasForces.
 std::vector<ForcesByKind> forcesByKind(World& world);
 
-/// The same of a world that is to go on as if it had not been looked at: evaluated in `scratch`, a world of the same scene,
+/// Measures forces without changing the world: evaluated in `scratch`, a world of the same scene,
 /// which has this world's bodies afterwards.
 std::vector<ForcesByKind> forcesByKind(const World& world, World& scratch);
 

@@ -30,7 +30,7 @@ struct ExplicitWorld final : BulletWorld {
       : scene(asked),
         notebook(makeNotebook(asked)),
         secondOrder(asked.baseline == Baseline::b1 && asked.physics.integrator != Integrator::thesisVerlet) {
-    // With no time step this one's drift leaves all in place, and predicts the velocity that stands there.
+    // With a time step of 0 the drift of thesisVerlet moves nothing, and predicts the present velocity.
     scene.physics.integrator = Integrator::thesisVerlet;
     PhysicsParameters open = scene.physics;
     open.shell.reset();

@@ -22,7 +22,7 @@ class BulletRun {
   std::unique_ptr<BulletWorld> bullet_;
 };
 
-/// Where the scenario begins, with its time step.
+/// Makes the world in which the scenario begins, with its time step.
 World makeBulletStart(Scenario scenario);
 
 /// Puts the cells of such a world, by path, into these shapes; volumes and pressures follow. Velocities stay.

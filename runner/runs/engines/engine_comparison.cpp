@@ -81,7 +81,7 @@ std::string inFewDigits(const std::string& text) {
     double value = 0;
     const auto [end, problem] = std::from_chars(text.data() + i, text.data() + text.size(), value);
     const std::string number(text.data() + i, end);
-    // What is out of range may be a hash that begins like a number.
+    // A number out of range may be a hash that begins like a number.
     out += problem == std::errc() && number.size() > 6 ? fmt::format("{:.4g}", value) : number;
     i += number.size();
   }

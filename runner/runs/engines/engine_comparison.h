@@ -1,5 +1,5 @@
 #pragma once
-// What other engines make of scenarios, each judged by the scenario's own check: `morula check --beside`.
+// Runs of scenarios in other engines, judged by the scenarios' own checks: `morula check --beside`.
 #include <string>
 #include <vector>
 
@@ -34,7 +34,7 @@ struct ComparisonRow {
 /// "thesis,b1" as engines; "bullet" is b1 and b2. Throws InputError.
 std::vector<Engine> parseEngines(const std::string& text);
 
-/// What a run says of the check that it was judged by.
+/// Judges a run by the check.
 Verdict judge(const CheckParameters& check, const ExternalRun& run);
 /// Ours, from what `morula check` found.
 Verdict judge(const CheckParameters& check, const CheckReport& report);

@@ -12,7 +12,7 @@
 
 namespace morula {
 
-// What is told of each, in the order in which it is told. Members that are named and not told are not needed by the other side.
+// The members that are exchanged, in their order. Members that are named and not exchanged are not needed by the other side.
 
 template <IsA<Body> T>
 void listFields(T& body, auto&& field) {

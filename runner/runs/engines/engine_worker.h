@@ -3,7 +3,7 @@
 // depends on what it did before. One question in JSON on the worker's stdin; on its stdout a line {"step": N} after each
 // step of a scenario, and last a line {"answer": …} . Numbers in JSON are written in their shortest
 // exact form, vectors of one kind as one flat list x, y, z, x, …; a number that is not finite becomes null, and NaN again.
-// What reads throws Json::exception for anything that its counterpart did not write.
+// Readers throw Json::exception for anything that their writer did not write.
 #include <iosfwd>
 #include <string>
 
@@ -20,8 +20,8 @@ void serveEngine(std::istream& in, std::ostream& out);
 /// started or fails, InputError if its answer cannot be read; what it said of it is on stderr.
 BulletResult runInBullet(const BulletRequest& request, const std::string& program);
 
-/// The same of a scenario with mechanics; with the engine thesis it has that law already. Never throws for what goes wrong
-/// on the other side.
+/// Runs a scenario with mechanics in another engine; with the engine thesis the scenario has that law already. Never throws for
+/// failures on the other side.
 ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question, const std::string& program);
 
 Json toJson(const BulletRequest& request);

@@ -11,8 +11,8 @@
 namespace morula {
 namespace {
 
-/// Of every run that its cells be cells: volumes above 0 and places that are numbers. Bullet goes on with anything.
-CheckParameters leastDemands() {
+/// The conditions on every run: volumes above 0, and places that are numbers. Bullet itself goes on with anything.
+CheckParameters minDemands() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CheckParameters check;
   check.volume = Bounds{std::numeric_limits<double>::denorm_min(), infinity};
@@ -35,7 +35,7 @@ class FrameKeeper {
     while (next_ < times_.size() && world.clock.time >= times_[next_]) ++next_;
     ExternalFrame frame{world.clock.time, world.clock.step, shapesOf(world)};
     for (const auto& shape : frame.shapes) vertices_ += shape.size();
-    if (vertices_ <= mostFrameVertices) frames_.push_back(std::move(frame));
+    if (vertices_ <= maxFrameVertices) frames_.push_back(std::move(frame));
   }
 
  private:
@@ -48,7 +48,7 @@ class FrameKeeper {
 template <class Run>
 void goThrough(Run& run, const Scenario& scenario, const std::vector<double>& frameTimes, ExternalRun& answer,
                const OnStep& onStep) {
-  Invariants demands(scenario.check), least(leastDemands());
+  Invariants demands(scenario.check), least(minDemands());
   Recorder recorder({scenario.record.every, {}});
   FrameKeeper keeper(frameTimes, answer.frames);
   const auto observe = [&] {

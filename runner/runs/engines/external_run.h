@@ -23,7 +23,7 @@ inline constexpr auto choices<Engine> = std::to_array<Choice<Engine>>({{Engine::
                                                                        {Engine::b2, "b2", "Bullet, B2"},
                                                                        {Engine::b3, "b3", "Bullet, B3"}});
 Engine engineOf(Baseline baseline);
-/// Of an engine that is Bullet.
+/// Returns the baseline of an engine that is Bullet.
 Baseline baselineOf(Engine engine);
 
 /// [s] Far more than any of the hard cases takes: an engine that has not answered by then is taken to have none.
@@ -45,7 +45,7 @@ struct ExternalFrame {
 };
 
 /// Vertices of all cells in all frames that one question may ask for: an answer of some 30 MB.
-inline constexpr std::size_t mostFrameVertices = 500'000;
+inline constexpr std::size_t maxFrameVertices = 500'000;
 
 struct ExternalRun {
   enum class End {
@@ -62,7 +62,7 @@ struct ExternalRun {
   Bounds volumes;                          // [1] of all cells, over those at rest
   std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
   std::vector<Sample> samples;             // as the scenario records, and the end; without states and contacts
-  std::vector<ExternalFrame> frames = {};  // as they were asked for; none after mostFrameVertices
+  std::vector<ExternalFrame> frames = {};  // as they were asked for; none after maxFrameVertices
 };
 
 /// [length] The vertices of all cells, by path.

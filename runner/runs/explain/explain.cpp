@@ -15,7 +15,7 @@
 namespace morula {
 namespace {
 
-/// What a field holds, for comparing. The last: [vertex][xyz] of one cell.
+/// The value of a field, for comparison. The vector is [vertex][xyz] of one cell.
 using Value = std::variant<double, std::uint64_t, std::string, std::vector<double>>;
 
 Value valueOf(const World&, double a) { return a; }
@@ -27,12 +27,12 @@ Value valueOf(const World&, Fate a) { return name(a); }
 Value valueOf(const World&, const CellPath& a) { return a.text(); }
 Value valueOf(const World& world, StateNumbers<const StateId> a) { return world.biology->describe(a.of); }
 
-/// What is found first among the fields of one part of the state.
+/// Finds the first difference among the fields of one part of the state.
 class Finder {
  public:
   std::optional<StateDifference> found;
 
-  /// What is compared from here on. `path`: whose it is, if a cell's.
+  /// Sets what is compared from here on. `path`: the cell that it belongs to, if any.
   void about(bool lineage, std::optional<std::string> path) { lineage_ = lineage, path_ = std::move(path); }
 
   void compare(const char* field, const Value& e, const Value& a) {

@@ -1,6 +1,6 @@
 #pragma once
-// Where two runs of one scene part, and of which kind the first difference is; and where two states do, down to the
-// vertex.
+// Finds the step at which two runs of one scene part, and the kind of the first difference; and the first difference of two
+// states, down to the vertex.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -83,7 +83,7 @@ class StoredRunSource : public RunSource {
  public:
   /// `chain` as the database has it, `steps` and `failure` as the run ended.
   StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps, std::string failure);
-  /// Of the steps asked for, those that are stored.
+  /// Returns the hashes of those steps that are stored.
   HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   std::unique_ptr<World> stateAt(std::uint64_t) override;
 
@@ -93,7 +93,7 @@ class StoredRunSource : public RunSource {
   std::string failure_;
 };
 
-/// What is wrong with a stored chain in itself: a row lost, put in or edited. Each link's hash must follow from its
+/// Returns the mistake in a stored chain itself: a row lost, put in or edited. Each link's hash must follow from its
 /// state and the link before, each state's from its parts. "" if all holds. `step`: of the first bad link.
 std::string findBrokenLink(const std::vector<ChainLink>& chain, std::uint64_t& step);
 

@@ -95,8 +95,8 @@ void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQue
     f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
 }
 
-/// Where the scenario as it is leaves the path of the one before, which is made again. `accepted`: the bits that one must come
-/// to, as its golden says; "" if that is not known.
+/// Finds where the scenario of now leaves the path of the earlier one, which is run again. `accepted`: the bits that the earlier
+/// one must reach by its golden; "" if they are not known.
 void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const std::string& called,
                       const std::string& accepted, const WhyQuestion& question, Findings& f) {
   OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),
@@ -175,7 +175,7 @@ void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, F
   f.text += f.where.text;
 }
 
-/// Of a golden that cannot be read there is nothing to tell.
+/// Tells how the scenario differs from its golden's; nothing if the golden cannot be read.
 void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question, Findings& f) {
   try {
     const Golden golden = readAccepted(scenario, goldenFile(scenario));

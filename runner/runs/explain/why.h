@@ -1,5 +1,5 @@
 #pragma once
-// Where and why a scenario's result is not the expected one: against another program, a stored run, or its golden.
+// Finds where and why a scenario's result differs from that of another program, of a stored run, or of its golden.
 #include <string>
 #include <vector>
 
@@ -12,14 +12,14 @@
 namespace morula {
 
 struct WhyQuestion {
-  // What the result is held against: a Morula program, or a database and a run of it ("": the latest); else the golden.
+  // The result is compared with that of a Morula program, or of a run in a database ("": the latest), or else with the golden.
   std::string program, database, run;
   std::uint64_t every = 64;  // [steps] looked at first
   Execution execution;
   bool quiet = false;
 };
 
-/// What was found, in the order in which one finding explains the next.
+/// The findings, in the order in which each explains the next.
 struct Findings {
   std::string failureClass;  // "" if nothing differs
   Explanation where;
@@ -32,7 +32,7 @@ struct Findings {
 /// Throws Interrupted if a signal has come.
 Findings findWhy(const Scenario& scenario, const WhyQuestion& question);
 
-/// As `morula explain --json` shows it.
+/// Writes findings for `morula explain --json`.
 Json toJson(const Scenario& scenario, const Findings& findings);
 
 }  // namespace morula

@@ -19,11 +19,11 @@ namespace morula {
 namespace {
 
 // At most so many steps between checks for signals and updates of the progress line.
-constexpr std::uint64_t mostStepsAtOnce = 64;
+constexpr std::uint64_t maxStepsAtOnce = 64;
 
 /// The number of steps until the recorder or a hook needs the world.
 std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunOptions& hooks) {
-  std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
+  std::uint64_t steps = std::min(maxStepsAtOnce, recorder.stepsUntilDue(world));
   if (hooks.watch) steps = std::min(steps, hooks.stepsUntilWatch ? hooks.stepsUntilWatch(world) : 1);
   if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
   return steps;

@@ -14,9 +14,9 @@ namespace morula {
 
 struct Simulation {
   World world;
-  RunEnd end;              // done, failed or killed
-  RunResults results;      // lineage, samples, step hashes, …
-  int signal = 0;          // the one that ended it
+  RunEnd end;          // done, failed or killed
+  RunResults results;  // lineage, samples, step hashes, …
+  int signal = 0;      // the one that ended it
   // Ended the run, and is neither the scene's nor a lack of memory: thrown once all is stored.
   std::exception_ptr error = {};
   // Records that went elsewhere meanwhile, if a golden asks: hashes, samples without cells, and all of them as a golden holds
@@ -31,28 +31,28 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 /// [steps] from one hash of the state to the next, where the states on the way are hashed. Enough to tell at
 /// which step two runs part; a hash costs about as much as a step. A lineage is hashed at every step.
 constexpr std::uint64_t stepsPerHash = 64;
-/// Of a scene: 1 where a step is a cell cycle, or a settling.
+/// Returns the number of steps between two hashes: 1 in scenes whose steps are cell cycles or settlings.
 std::uint64_t stepsPerHashOf(const Scene& scene);
 
-/// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
-/// `check` asks. `explain --db` looks for the first difference in what is stored of them.
+/// Returns true if a checked run hashes the states on the way: for the comparison with a golden, or as `check`
+/// asks. `explain --db` looks for the first difference in what is stored of them.
 bool wantsHashes(const Scenario& scenario, bool hasGolden);
 
 /// Another way to compute the same: other kernels and another number of threads.
 Execution otherExecution(const Execution& how);
 
-/// What is known of a run before its first step. `command`: as typed.
+/// Makes the part of a run's record that is known before its first step. `command`: as typed.
 RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command);
 
-/// What a run of the scenario writes down: its samples, and with `hashes` those of the states on the way.
+/// Returns what a run of the scenario records: its samples, and with `hashes` the hashes of states on the way.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
 struct RunOptions {
   std::string label = {};  // of the progress that is shown; "": the scenario's name
   bool quiet = true;       // no progress is shown
-  /// What is written down, beside lineage and names.
+  /// What is recorded beside lineage and names.
   RecordOptions record = {};
-  /// Where it goes meanwhile; without, it stays in memory.
+  /// Receives records during the run. Without a sink they are kept in memory.
   RecordSink sink = {};
   /// Sees the world at the start and after every step.
   std::function<void(const World&)> watch = {};
@@ -67,7 +67,7 @@ struct RunOptions {
 /// `end.failure`, with the names of cells that have one.
 Simulation simulate(const Scenario& scenario, const Execution& how, RunOptions options = {});
 
-/// The same of its world that is made already.
+/// Runs the scenario in a world that is made already.
 Simulation simulate(const Scenario& scenario, World world, RunOptions options = {});
 
 /// Any world, and a recorder of one's own. With `resumed`, the recorder, which goes on with a stopped run's records
@@ -93,7 +93,7 @@ class Progress {
   std::string label_;
   ProgressLine line_;
   unsigned calls_ = 0;
-  // Where the run was when it was last shown, for the rates.
+  // The state of the run when it was last shown, for rates.
   Clock::time_point lastShown_;
   double lastTime_ = 0;
   double lastStep_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Where a verb's input comes from: a scenario file, or a run in a database.
+// The source of a verb's input: a scenario file, or a run in a database.
 #include <string>
 
 #include "scenario/scenario.h"

@@ -6,7 +6,7 @@
 
 namespace morula {
 
-/// What changes from one picture of a sequence to the next: cells and caption.
+/// Writes the part that changes from one picture of a sequence to the next: cells and caption.
 std::string frameBytes(const OrganismPicture& picture);
 
 /// The picture again; `blank` has what all pictures of the sequence share. Throws InputError for bytes that

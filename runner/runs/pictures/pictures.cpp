@@ -50,8 +50,8 @@ namespace {
 
 constexpr double shellOpacity = 0.15;  // of one that is a mesh, drawn as a cell is
 
-/// The same surface with vertices of its own for each face: it is drawn with its edges, where that of a cell is
-/// drawn smooth. A little larger, or else it would lie in the flat sides of cells that are pressed against it.
+/// Returns the surface with vertices of its own for each face, so that it is drawn with edges, where a cell is drawn smooth. The
+/// copy is a little larger, or it would lie in the flat sides of cells that are pressed against it.
 Mesh withEdges(const Mesh& mesh) {
   constexpr double larger = 1.01;
   Mesh flat;
@@ -63,7 +63,7 @@ Mesh withEdges(const Mesh& mesh) {
   return flat;
 }
 
-/// What all pictures of the scenario share.
+/// Makes the part that all pictures of the scenario share.
 OrganismPicture blankPicture(const Scenario& scenario) {
   const auto& mechanics = *scenario.scene.mechanics;
   OrganismPicture picture;

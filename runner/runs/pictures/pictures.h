@@ -77,7 +77,7 @@ void writePicture(const Image& image, const std::filesystem::path& file);
 /// ".svg" of a file's name, whether it ends in capitals or not.
 std::string endingOf(const std::filesystem::path& file);
 
-/// By the ending: ".svg", ".pdf"; PNG for ".png" and without any. Others: absent.
+/// Returns the format by the ending: ".svg", ".pdf"; PNG for ".png" and without an ending; absent for others.
 std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 
 /// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder. Returns the

@@ -1,4 +1,4 @@
-// What a run tells about itself.
+// The report of a run, for people and as JSON.
 #include <fmt/format.h>
 
 #include "check/check_run.h"
@@ -16,7 +16,8 @@ std::string against(const Scenario& scenario) {
   return fileExists(golden) ? " (" + golden.string() + ")" : "";
 }
 
-/// Not a failure: the same program cuts the same way every time. What differs a little may cut another way.
+/// Describes ambiguous divisions. They are no failure: the same program always cuts the same way. A program that differs a little
+/// may cut another way.
 std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions, const Units& units) {
   if (divisions.empty()) return "";
   const DivisionRecord& first = divisions.front();
@@ -52,7 +53,7 @@ Json sanityJson(const std::vector<CheckResult>& results) {
   return list;
 }
 
-/// As the last rows of the tables sample, cell_sample and measure.
+/// Writes the last rows of the tables sample, cell_sample and measure as JSON.
 Json sampleJson(const Sample& sample) {
   Json json{{"time", sample.world.time}};
   addMeasures(json, sample.world);

@@ -31,7 +31,7 @@
 namespace morula {
 namespace {
 
-/// What makes one run_id another one.
+/// Lists the differences of two records that make their run ids differ.
 std::string differences(const RunRecord& there, const RunRecord& here) {
   std::string text;
   for (const auto& [name, item, before, now] : compareIdentity(there, here))
@@ -94,7 +94,7 @@ std::string hashesOf(const std::optional<std::uint64_t>& every) {
   return every ? fmt::format("state hashes every {}", *every) : "no state hashes";
 }
 
-/// What was recorded in another way cannot be made up for.
+/// Throws if the checkpoint's run was recorded in another way, for its records could not be completed.
 void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
   if (c.every == now.every && c.hashEvery == now.hashEvery) return;
   throw UsageError(fmt::format(

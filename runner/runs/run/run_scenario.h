@@ -44,9 +44,9 @@ struct RunOutcome {
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
 
-/// For people, on several lines.
+/// Describes a run for people, on several lines.
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
-/// As the contract of `morula run --json` says.
+/// Writes the JSON of `morula run --json`.
 Json toJson(const RunOutcome& outcome, const Scenario& scenario);
 
 }  // namespace morula

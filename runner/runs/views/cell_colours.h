@@ -1,5 +1,5 @@
 #pragma once
-// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it.
+// The colours of cells: by substances, clone, generation, or any measure of a cell.
 #include <optional>
 #include <set>
 #include <string>
@@ -27,14 +27,15 @@ Colouring parseColouring(std::string_view text);
 
 /// The ancestor that the cell's clone is called by, `founders` divisions below the egg; a cell above it stands for itself.
 std::string founderOf(const std::string& path, int founders);
-/// What cloneColour of these founders means: those that share one, as an egg and its first daughter do, in one entry.
+/// Makes the legend for cloneColour of these founders. Founders that share a colour, as an egg and its first daughter do, share
+/// an entry.
 std::vector<LegendEntry> cloneLegend(const std::set<std::string>& founders, const Scenario& scenario);
 
 /// The ends of a colour bar for this range: one value where the ends differ by rounding alone.
 Range withoutRounding(Range range);
 
-/// What each cell's colour is found from, in the order of the world's cells: the measure's value, absent where it is
-/// not measured; the generation; nothing for the others.
+/// The values from which colours follow, in the order of the world's cells: the measure's value, absent if it is not
+/// measured; the generation; nothing for other colourings.
 std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
                                                 const Scenario& scenario);
 

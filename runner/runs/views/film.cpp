@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t mostBytes = std::uint64_t{2} << 30;  // of a film
+constexpr std::uint64_t maxBytes = std::uint64_t{2} << 30;  // of a film
 
 /// How ffmpeg makes each kind. Films are made of 2 x 2 blocks of pixels, so sides that are odd get a row of paper.
 std::vector<std::string> wayTo(const std::string& ending) {
@@ -69,7 +69,7 @@ void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw,
     throw FileError(file.string() + ": ffmpeg " + end.text() + (said.empty() ? "" : ": " + said) +
                     "; a name that ends in .png gives the pictures one by one");
   }
-  writeFile(file, readFile(film, mostBytes), Content::picture);
+  writeFile(file, readFile(film, maxBytes), Content::picture);
 }
 
 std::vector<std::string> writeSequence(std::size_t count, const std::function<Image(std::size_t)>& draw,

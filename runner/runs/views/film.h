@@ -12,7 +12,7 @@ namespace morula {
 /// True for the endings of films, in capitals or not: .mp4, .webm, .gif.
 bool isFilmName(const std::filesystem::path& file);
 
-/// Whether ffmpeg can be started.
+/// Returns true if ffmpeg can be started.
 bool hasFfmpeg();
 
 /// Draws `count` pictures one after the other and writes them as the film that the file's ending asks for, with
@@ -21,7 +21,7 @@ bool hasFfmpeg();
 void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw, double perSecond,
                const std::filesystem::path& file);
 
-/// The same as "name-0000.png", "name-0001.png", … for "name.png". Returns the files.
+/// Writes the pictures as "name-0000.png", "name-0001.png", … for "name.png". Returns the files.
 std::vector<std::string> writeSequence(std::size_t count, const std::function<Image(std::size_t)>& draw,
                                        const std::filesystem::path& file);
 

@@ -33,7 +33,7 @@ void setOpacities(OrganismPicture& picture, const World& world, const std::vecto
     }
 }
 
-/// What the colours of the cells that are drawn mean.
+/// Makes the legend for the colours of the cells that are drawn.
 std::vector<LegendEntry> legendOf(const OrganismPicture& picture, const World& world, const Scenario& scenario) {
   Palette palette(scenario);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)

@@ -75,7 +75,7 @@ class PictureMaker {
   std::optional<World> scratch_;   // where forces are evaluated
 };
 
-/// Of arrows for a kind of force.
+/// Returns the colour of arrows for a kind of force.
 Colour forceColour(ForceKind kind);
 
 }  // namespace morula

@@ -15,7 +15,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostLineLabels = 24;  // at the ends of lines
+constexpr std::size_t maxLineLabels = 24;  // at the ends of lines
 
 std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
   return scenario.names.of(path).value_or(path.isEgg() ? "egg" : path.text());
@@ -64,8 +64,8 @@ Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Sce
   for (auto& [key, points] : series) {
     const std::string founder = founderOf(key.a.text(), founders);
     clones.insert(founder);
-    const bool labelled = series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLineLabels);
-    // What ends early has its label there, the others theirs beside the chart.
+    const bool labelled = series.size() == 1 ? false : few || (points.back().x == end && atEnd <= maxLineLabels);
+    // A line that ends early has its label at its end; the others have theirs beside the chart.
     std::vector<std::string> atPoints;
     if (labelled && points.back().x < end) {
       atPoints.resize(points.size());

@@ -20,7 +20,7 @@ Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Sce
 /// there is none, or no contact in the scene.
 MatrixPicture contactsOf(const RunResults& results, double time, const Scenario& scenario);
 
-/// Which way the axes of divisions point, towards daughter A, seen from the front, from the side and from above. Throws
+/// Draws the directions of the axes of divisions, towards daughter A, seen from the front, from the side and from above. Throws
 /// InputError for a run without divisions of cells with bodies.
 RosePicture divisionsOf(const RunResults& results, const Scenario& scenario);
 

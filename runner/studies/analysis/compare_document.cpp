@@ -11,8 +11,8 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostTroubles = 20;  // that are told
-constexpr std::size_t mostTimes = 8;      // in a table of means over time
+constexpr std::size_t maxTroubles = 20;  // that are told
+constexpr std::size_t maxTimes = 8;      // in a table of means over time
 
 template <class Row>
 std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
@@ -34,9 +34,9 @@ Document header(const StudyComparison& c) {
                        counted(r.seeds.size(), "seed"), done, r.tasks.size()));
   if (!r.summary.empty()) text.say(r.summary);
   auto troubles = troublesOf(r);
-  if (const std::size_t all = troubles.size(); all > mostTroubles) {
-    troubles.resize(mostTroubles);
-    troubles.push_back(fmt::format("… and {} more; --json lists them all", all - mostTroubles));
+  if (const std::size_t all = troubles.size(); all > maxTroubles) {
+    troubles.resize(maxTroubles);
+    troubles.push_back(fmt::format("… and {} more; --json lists them all", all - maxTroubles));
   }
   if (!troubles.empty()) text.add(PlainList{{troubles.begin(), troubles.end()}});
   PlainList seedless;
@@ -50,7 +50,7 @@ Document header(const StudyComparison& c) {
 Table meansOverTime(const StudyComparison& c, const std::vector<TimeCourse>& courses) {
   Table table{"Means over time", {"time"}};
   for (const TimeCourse& course : courses) {
-    const std::size_t count = course.points.size(), columns = std::min(count, mostTimes);
+    const std::size_t count = course.points.size(), columns = std::min(count, maxTimes);
     std::vector<Cell> row{c.results.nameOf(c.results.conditions[course.condition])};
     for (std::size_t i = 0; i < columns; ++i) {
       const auto& point = course.points[columns < 2 ? 0 : i * (count - 1) / (columns - 1)];

@@ -25,7 +25,7 @@ void compareOverTime(StudyComparison& comparison);
 /// The numbers of the axes with two levels or more that are compared.
 std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 
-/// By statistics, or because both sides are known exactly.
+/// Returns true if two conditions differ, by statistics or because both sides are known exactly.
 bool isDifferent(const PairComparison& pair);
 /// " with connections: none" for the axes whose level is fixed; "" if none is.
 std::string withLevels(const StudyResults& results, const std::vector<std::optional<std::size_t>>& at);

@@ -31,7 +31,7 @@ Json fixedJson(const StudyComparison& c, const PairComparison& pair) {
   return at;
 }
 
-/// Which measure under which condition a row is of.
+/// The measure and the condition of a row.
 template <class Row>
 std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;

@@ -14,12 +14,12 @@ struct SeedValue {
 Table valueTable(const StudyComparison& comparison);
 Table conditionTable(const StudyComparison& comparison, const std::vector<ConditionSummary>& of);
 Table pairTable(const StudyComparison& comparison, const std::vector<PairComparison>& of);
-/// Of pairs that a margin was given for.
+/// Makes the table of pairs that a margin was given for.
 Table equivalenceTable(const StudyComparison& comparison, const std::vector<PairComparison>& of);
 Table effectTable(const StudyComparison& comparison, const MeasureEffects& of);
 Table courseTable(const StudyComparison& comparison, const TimeCourse& of);
 
-/// By axis the label that is fixed.
+/// Returns the label of each axis that is fixed.
 Json labelsOf(const StudyResults& results, const std::vector<std::size_t>& levels);
 
 }  // namespace morula

@@ -31,11 +31,11 @@ struct ConditionSummary {
   std::vector<double> values = {};        // one for each of them
   std::size_t distinct = 0;               // final states that differ
   double mean = 0;                        // of the distinct runs: what was computed once counts once. 0 without values
-  /// Of the mean, 95 %, Student's; none where seeds change nothing, or of one value.
+  /// Student's 95 % interval of the mean; none if seeds change nothing, or for one value.
   std::optional<Interval> interval = {};
 };
 
-/// What is known of a difference.
+/// How a difference is known.
 enum class Known { estimated, exact, oneSeed };
 template <>
 inline constexpr auto choices<Known> = std::to_array<Choice<Known>>(
@@ -43,7 +43,7 @@ inline constexpr auto choices<Known> = std::to_array<Choice<Known>>(
      {Known::exact, "exact", "seeds change neither side: the difference is what it is"},
      {Known::oneSeed, "one seed", "one pair of runs alone: nothing says how far it would vary"}});
 
-/// Whether two conditions are alike within a margin.
+/// The test that two conditions are alike within a margin.
 struct PairEquivalence {
   Equivalence test;
   double corrected = 1, correctedBeyond = 1;  // Holm
@@ -105,7 +105,7 @@ struct StudyComparison {
   std::vector<ConditionSummary> conditions;  // by measure, then condition
   std::vector<PairComparison> pairs;         // by measure, axis, what is fixed, levels
   std::vector<MeasureEffects> effects;
-  /// Of axes that interact with another one: their levels at each level of that one; a family of their own for Holm.
+  /// Pairs of axes that interact with another one: their levels at each level of that axis; a family of their own for Holm.
   std::vector<PairComparison> split;
   std::vector<TimeCourse> courses;  // of measures that were taken at several times
 
@@ -122,10 +122,10 @@ std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);
 
-/// For people: all of it, and the tables alone.
+/// Describe a comparison for people: as a whole, and the tables alone.
 Document describe(const StudyComparison& comparison);
 Document comparedTables(const StudyComparison& comparison);
-/// As `compare --json` prints it.
+/// Writes a comparison for `compare --json`.
 Json toJson(const StudyComparison& comparison);
 /// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
 /// says; lines end in a line feed.

@@ -1,5 +1,5 @@
 #pragma once
-// By how much two means may differ and still count as the same.
+// Margins: by how much two means may differ and still count as the same.
 #include <optional>
 #include <string>
 #include <vector>

@@ -99,7 +99,7 @@ void colourAlike(std::vector<TakenTile>& taken, const Colouring& colouring, cons
     if (!t.tile.empty) t.tile.picture = std::move(*next++);
 }
 
-/// Whether each picture that fits its organism has one scale: all show whole shells, which are equal.
+/// Returns true if pictures that fit their organisms have one scale: all show whole shells, which are equal.
 bool haveOneScale(const StudyResults& results, std::size_t seed, const std::filesystem::path& study) {
   std::set<std::array<double, 3>> shells;
   for (const ResultCondition& condition : results.conditions) {
@@ -112,12 +112,12 @@ bool haveOneScale(const StudyResults& results, std::size_t seed, const std::file
   return shells.size() == 1;
 }
 
-/// Whether the levels of the last axis stand beside each other: of the end alone, and of a full design.
+/// Returns true if the levels of the last axis stand beside each other: for the end alone, and in a full design.
 bool spreadsLastAxis(const StudyResults& results, const GridMoments& moments) {
   if (moments.count != 1 || !moments.times.empty() || !moments.cells.empty() || results.axes.size() < 2) return false;
   std::size_t all = 1;
   for (const ResultAxis& axis : results.axes) all *= axis.labels.size();
-  return all == results.conditions.size() && results.axes.back().labels.size() <= mostGridColumns;
+  return all == results.conditions.size() && results.axes.back().labels.size() <= maxGridColumns;
 }
 
 std::size_t columnsOf(const StudyResults& results, const GridMoments& moments) {
@@ -140,11 +140,11 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments) 
   const std::size_t columns = columnsOf(results, moments),
                     rows = results.conditions.size() /
                            (spreadsLastAxis(results, moments) ? std::max<std::size_t>(1, columns) : 1);
-  if (columns > mostGridColumns)
-    return fmt::format("{} moments are too many for one picture, which has room for {}", columns, mostGridColumns);
-  if (rows > mostGridRows)
+  if (columns > maxGridColumns)
+    return fmt::format("{} moments are too many for one picture, which has room for {}", columns, maxGridColumns);
+  if (rows > maxGridRows)
     return fmt::format("{} conditions are too many for one picture, which has room for {} rows{}",
-                       results.conditions.size(), mostGridRows,
+                       results.conditions.size(), maxGridRows,
                        columns > 1 && !spreadsLastAxis(results, moments) && whyTooMany(results, {1, {}, {}}).empty()
                            ? "; --moments 1 shows the end of each"
                            : "");

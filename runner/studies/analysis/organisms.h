@@ -40,10 +40,10 @@ Units unitsOf(const StudyResults& results, const std::filesystem::path& study);
 
 struct StoredPictures {
   std::size_t seed = 0;  // its number in the study
-  /// Of the ends of the conditions, in their order; those that share a run share one.
+  /// Pictures of the ends of the conditions, in their order; conditions that share a run share a picture.
   std::vector<std::filesystem::path> files = {};
 };
-/// With the first seed that all conditions have a picture of; absent without any such.
+/// Returns the pictures of the first seed of which all conditions have one; absent without such a seed.
 std::optional<StoredPictures> storedPictures(const StudyResults& results, const std::filesystem::path& study);
 
 }  // namespace morula

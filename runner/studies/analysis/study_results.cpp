@@ -109,7 +109,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
   }
 }
 
-/// Those that the plan asks for, in its order, whether there was something to measure or not.
+/// Reads the measures that the plan asks for, in its order, also those that had nothing to measure.
 void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
   const Json json = tryParseJson(plan);
   if (json.is_object() && json.contains("study") && json["study"].contains("measures"))
@@ -124,7 +124,7 @@ void readMeasures(Database& db, const std::string& plan, StudyResults& results) 
                    [](const std::string& a, const std::string& b) { return placeOfMeasure(a) < placeOfMeasure(b); });
 }
 
-/// What the study file, which the plan holds, allows.
+/// Reads how many failed and insane runs the study file in the plan allows.
 void readAllowed(const std::string& plan, StudyResults& results) {
   const Json json = tryParseJson(plan);
   if (!json.is_object() || !json.contains("study") || !json["study"].is_object()) return;

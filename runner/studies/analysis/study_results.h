@@ -1,5 +1,5 @@
 #pragma once
-// What a merged study has found, as a comparison needs it: for each condition, seed and measure the values over time.
+// The results of a merged study for a comparison: for each condition, seed and measure the values over time.
 #include <cstdint>
 #include <filesystem>
 #include <functional>

@@ -8,14 +8,14 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostTold = 20;  // of one state
+constexpr std::size_t maxTold = 20;  // of one state
 
 std::vector<std::string>& toldOf(StudyState& s, ResultState state) { return s.told[static_cast<std::size_t>(state)]; }
 
 std::vector<std::string> firstFew(std::vector<std::string> lines) {
-  if (const std::size_t all = lines.size(); all > mostTold) {
-    lines.resize(mostTold);
-    lines.push_back(fmt::format("… and {} more", all - mostTold));
+  if (const std::size_t all = lines.size(); all > maxTold) {
+    lines.resize(maxTold);
+    lines.push_back(fmt::format("… and {} more", all - maxTold));
   }
   return lines;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which states the results of a merged study are in (golden/result_state.h), and what its verbs say and return for it.
+// The states of a merged study's results (golden/result_state.h), and what its verbs say and return for them.
 #include <array>
 #include <filesystem>
 #include <string>

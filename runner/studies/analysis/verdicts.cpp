@@ -51,7 +51,7 @@ bool anyEffect(const StudyComparison& c, std::size_t measure) {
   });
 }
 
-/// Whether all values lie close together and no difference or effect is shown.
+/// Returns true if all values lie close together and no difference or effect is shown.
 bool tellsNothing(const StudyComparison& c, std::size_t measure) {
   return spreadOf(c, measure).share() <= littleRange && !anyShown(c, measure) && !anyEffect(c, measure);
 }

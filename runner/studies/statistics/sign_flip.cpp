@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostTried = 20;
+constexpr std::size_t maxTried = 20;
 constexpr double rounding = 1e-12;  // [1] of the largest number: means of the same numbers in another order
 
 double largestOf(std::span<const double> numbers) {
@@ -42,7 +42,7 @@ bool repeats(std::span<const double> differences, std::size_t length) {
 double signFlipP(std::span<const double> differences, std::size_t length) {
   MORULA_CHECK(length > 0 && !differences.empty() && differences.size() % length == 0, "n vectors");
   const std::size_t n = differences.size() / length;
-  if (n > mostTried) return smallestSignFlipP(n);
+  if (n > maxTried) return smallestSignFlipP(n);
   std::vector<double> sum(length, 0.0), sign(n, 1.0);
   double size = 0;  // of a sum, at most
   for (std::size_t i = 0; i < n; ++i)

@@ -21,7 +21,7 @@ using scenario::Problems;
 
 namespace {
 
-/// Whether the line names the place of a value that the level sets.
+/// Returns true if the line names the place of a value that the level sets.
 bool standsIn(const Level& level, const std::string& line) {
   return std::ranges::any_of(level.overrides,
                              [&](const Override& change) { return line.starts_with(change.place + ":"); });
@@ -91,7 +91,7 @@ std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
   return files;
 }
 
-/// What the study says instead of the scenario: what is measured, and when.
+/// Puts the study's measures and moments in place of the scenario's.
 void takeOver(Scenario& scenario, const Study& study) {
   scenario.record = {};
   if (study.when.moments == Moments::every) scenario.record.every = study.when.every;
@@ -134,7 +134,7 @@ std::string conditionName(const Study& study, const std::vector<std::string>& la
 std::size_t countConditions(const Study& study) {
   std::size_t count = 1;
   for (const StudyAxis& axis : study.axes)
-    count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), mostConditions + 1);
+    count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), maxConditions + 1);
   return count;
 }
 

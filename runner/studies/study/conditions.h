@@ -13,7 +13,7 @@ namespace morula::study {
 /// "division: longest, connections: none"; "the scenario as it is" without axes.
 std::string conditionName(const Study& study, const std::vector<std::string>& labels);
 
-/// How many combinations of levels there are; counting ends at one more than `mostConditions`.
+/// How many combinations of levels there are; counting ends at one more than `maxConditions`.
 std::size_t countConditions(const Study& study);
 
 /// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: what `file` holds. A file that it

@@ -5,7 +5,7 @@
 namespace morula::study {
 namespace {
 
-/// What a path is called from the folder; as it is where that cannot be said, as of "/a" from "b".
+/// Returns a path as seen from the folder; unchanged if that cannot be said, as of "/a" from "b".
 std::string fromFolder(const std::string& path, const std::filesystem::path& folder) {
   const auto shorter = std::filesystem::path(path).lexically_relative(folder.lexically_normal());
   return shorter.empty() ? path : shorter.generic_string();
@@ -16,7 +16,7 @@ void rename(std::string& place, const std::string& file, const std::string& name
   if (place.starts_with(file + ":")) place = name + place.substr(file.size());
 }
 
-/// What a plan's file can hold of a text: what is not UTF-8 becomes U+FFFD.
+/// Returns a text that a plan's file can hold: bytes that are not UTF-8 become U+FFFD.
 std::string asStored(const std::string& text) {
   for (std::string_view rest = text; !rest.empty();) {
     const int length = utf8Length(rest);

@@ -27,7 +27,7 @@ std::size_t changedLevels(const Condition& condition) {
   return std::size_t(std::ranges::count_if(condition.levels, [](std::size_t level) { return level > 0; }));
 }
 
-/// Those that differ least from the first condition come first.
+/// Sorts conditions: those that differ least from the first one come first.
 std::vector<std::size_t> orderOf(const std::vector<Condition>& conditions) {
   std::vector<std::size_t> order(conditions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -63,7 +63,7 @@ std::optional<RunCost> rehearse(const Study& study, const Scenario& scenario, co
   } catch (const NumericalError&) { return std::nullopt; }
 }
 
-/// As if each level made runs longer by a factor of its own.
+/// Estimates a cost as if each level made runs longer by a factor of its own.
 RunCost estimate(const Condition& condition, const RunCost& first,
                  const std::map<std::pair<std::size_t, std::size_t>, RunCost>& ofLevel) {
   RunCost cost = first;
@@ -112,7 +112,7 @@ std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) 
   return costs;
 }
 
-/// By a rehearsal each; needs plan.costs.
+/// Predicts the costs by a rehearsal each; needs plan.costs.
 std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& options) {
   std::vector<SettledCost> all;
   for (std::size_t base = 0; base < plan.study.bases.size(); ++base) {
@@ -187,7 +187,7 @@ Plan makePlan(const Study& study, const PlanOptions& options) {
   Plan plan;
   plan.study = study;
   scenario::Problems problems(study.file);
-  plan.conditions = study::loadConditions(study, problems, plan.warnings, options.execution, study::mostConditions);
+  plan.conditions = study::loadConditions(study, problems, plan.warnings, options.execution, study::maxConditions);
   problems.throwIfAny();
   for (Condition& condition : plan.conditions) study::finish(condition, study);
   if (options.predict) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a study computes, decided before anything runs: its conditions, and each run that they need once.
+// The plan of a study, decided before anything runs: its conditions, and each run that they need once.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -41,7 +41,7 @@ struct Replicate {
   friend bool operator==(const Replicate&, const Replicate&) = default;
 };
 
-/// What one run of a condition is expected to take on this machine, with one thread.
+/// The expected cost of one run of a condition on this machine, with one thread.
 struct RunCost {
   double seconds = 0;  // of CPU time
   double memory = 0;   // [byte] of arrays at the largest number of cells
@@ -50,7 +50,7 @@ struct RunCost {
   friend bool operator==(const RunCost&, const RunCost&) = default;
 };
 
-/// What the first condition of a base that goes through time would take from rest to rest, with physics.integrator fire.
+/// The cost of the first condition of a base that goes through time if it went from rest to rest, with physics.integrator fire.
 struct SettledCost {
   std::size_t base = 0;             // in Study::bases
   double seconds = 0, settled = 0;  // [s] of CPU time as it is, and so
@@ -84,7 +84,7 @@ Scenario scenarioOf(const Plan& plan, const Task& task);
 /// The plan as a file: everything that running it needs, scenarios and the files that they name among it. Ends with a
 /// newline. The same plan gives the same text on every machine, but for the costs.
 std::string writePlan(const Plan& plan);
-/// The same plan again, from the text alone. Throws FileError, which calls it `file`, if it is no plan, is damaged, or
+/// Reads a plan from its text alone. Throws FileError, which calls it `file`, if it is no plan, is damaged, or
 /// means something else to this build than to the one that made it.
 Plan readPlan(const std::string& text, const std::string& file);
 
@@ -98,12 +98,12 @@ std::string nameOf(const Plan& plan, std::size_t condition);
 /// All tasks' CPU time, the largest task's memory, all tasks' disk. Absent if it was not predicted.
 std::optional<RunCost> totalCost(const Plan& plan);
 
-/// What is printed before anything starts: counts, what is shared, what seeds do not change, costs.
+/// Describes a plan before anything starts: counts, shared runs, conditions that seeds do not change, costs.
 std::string describe(const Plan& plan);
-/// The same for programs: `morula study plan --json`.
+/// Writes the description for programs: `morula study plan --json`.
 Json summaryOf(const Plan& plan);
 
-/// Where a study's results lie unless told otherwise: results/studies/NAME.
+/// Returns the folder of a study's results unless told otherwise: results/studies/NAME.
 std::filesystem::path studyFolder(const Study& study);
 
 /// FOLDER/plan.json.

@@ -1,5 +1,5 @@
 #pragma once
-// What a stored plan says otherwise than the study file and its scenarios say now.
+// The differences of a stored plan from the study file and its scenarios as they are now.
 #include <cstddef>
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 
 namespace morula {
 
-// What a plan's file says of each, in its order.
+// The members that a plan's file holds of each struct, in their order.
 
 template <IsA<Override> T>
 void listFields(T& change, auto&& field) {

@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t mostNamed = 10;  // conditions, in a list for people
+constexpr std::size_t maxNamed = 10;  // conditions, in a list for people
 
 std::string seedsText(const std::vector<std::uint64_t>& seeds) {
   const bool inARow = seeds.back() - seeds.front() + 1 == seeds.size() && std::ranges::is_sorted(seeds);
@@ -34,9 +34,9 @@ std::string whenText(const When& when) {
 /// Each on a line of its own, as far as a reader will want them.
 std::string listOf(const Plan& plan, const std::vector<std::size_t>& conditions) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(conditions.size(), mostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(conditions.size(), maxNamed); ++i)
     text += "    " + nameOf(plan, conditions[i]) + "\n";
-  if (conditions.size() > mostNamed) text += fmt::format("    and {} more\n", conditions.size() - mostNamed);
+  if (conditions.size() > maxNamed) text += fmt::format("    and {} more\n", conditions.size() - maxNamed);
   return text;
 }
 
@@ -73,7 +73,7 @@ std::size_t distinctConditions(const Plan& plan) {
 
 Json toJson(const RunCost& c) { return {{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}}; }
 
-/// What so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h); "" if
+/// Tells what so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h); "" if
 /// nothing is compared.
 std::string powerText(const Study& study) {
   std::size_t comparisons = 0;

@@ -33,17 +33,17 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
   const std::size_t conditions = study::countConditions(study);
   const auto* vary = root.find("vary");
   const scenario::Place place = vary ? vary->place : root.place;
-  if (conditions > study::mostConditions)
-    problems.add(place, "vary", "makes more than " + std::to_string(study::mostConditions) + " conditions",
+  if (conditions > study::maxConditions)
+    problems.add(place, "vary", "makes more than " + std::to_string(study::maxConditions) + " conditions",
                  "vary fewer axes at a time, or fewer levels");
-  else if (conditions * study.seeds.size() > study::mostReplicates)
+  else if (conditions * study.seeds.size() > study::maxReplicates)
     problems.add(
         place, "vary",
         "makes " + std::to_string(conditions) + " conditions of " + std::to_string(study.seeds.size()) + " seeds each",
-        "at most " + std::to_string(study::mostReplicates) + " runs: give fewer seeds or levels");
+        "at most " + std::to_string(study::maxReplicates) + " runs: give fewer seeds or levels");
 }
 
-/// What can be seen of the scenarios although the study file has mistakes.
+/// Checks the scenarios as far as possible although the study file has mistakes.
 void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problems& problems) {
   constexpr std::size_t enough = 200;  // conditions
   if (study.bases.empty()) return;

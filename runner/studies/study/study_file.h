@@ -73,14 +73,14 @@ struct Kept {
   friend bool operator==(const Kept&, const Kept&) = default;
 };
 
-/// Of one run. What is absent is not limited.
+/// The limits of one run. Absent limits do not hold.
 struct RunLimits {
   std::optional<double> cpu;            // [s]
   std::optional<std::uint64_t> memory;  // [byte]
   friend bool operator==(const RunLimits&, const RunLimits&) = default;
 };
 
-/// What a claim says of a pair: what its first side is beside the second.
+/// The statement of a claim on a pair: what its first side is beside the second.
 enum class Says { lower, higher, equivalent, noEffect, mean };
 template <>
 inline constexpr auto choices<Says> =
@@ -122,13 +122,13 @@ struct Study {
 /// at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it cannot be read.
 /// Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
-/// The same for a text in memory, as if it lay there.
+/// Reads a study from a text in memory, as if it lay in `file`.
 Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);
 
 /// How many failed and insane runs the text of a study file allows: none where it cannot be read.
 AllowedRuns allowedIn(const std::string& bytes);
 
-/// Whether the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
+/// Returns true if the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
 /// ends in .study.yaml.
 bool isStudy(const std::filesystem::path& file);
 

@@ -7,7 +7,7 @@ namespace morula {
 /// A JSON Schema (draft 2020-12) of study files. Ends with a newline.
 std::string studySchema();
 
-/// The same as a Markdown table: scenarios/STUDIES.md.
+/// Writes the keys as a Markdown table: scenarios/STUDIES.md.
 std::string studyKeysAsMarkdown();
 
 /// A commented study to begin with, named `name`, of the scenario `base`. It loads once that scenario is there.

@@ -113,7 +113,7 @@ Key memoryPerRun() {
 
 /// How many runs may be in a state that is not fine.
 Key allowedKey(const char* path, const char* meaning, std::size_t AllowedRuns::*count) {
-  constexpr std::uint64_t most = mostReplicates;
+  constexpr std::uint64_t most = maxReplicates;
   const std::string allowed = "a whole number from 0 to " + std::to_string(most);
   return {path,
           allowed,

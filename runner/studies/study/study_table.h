@@ -37,7 +37,7 @@ Key checkKey();
 void refuseWord(const scenario::Node& node, const std::string& path, const std::vector<std::string>& names,
                 const std::string& allowed, scenario::Problems& problems);
 
-/// Of a map with these keys alone.
+/// Returns the schema of a map with these keys alone.
 Json objectSchema(Json properties, Json required);
 
 /// Fills the study's claims from `check`; its axes and measures must have been read.
@@ -57,6 +57,6 @@ std::string overrideText(const scenario::Node& node);
 /// their order. Returns the names of such axes.
 std::set<std::string> checkAxes(const Study& study, scenario::Problems& problems);
 
-inline constexpr std::size_t mostConditions = 10'000, mostReplicates = 1'000'000;
+inline constexpr std::size_t maxConditions = 10'000, maxReplicates = 1'000'000;
 
 }  // namespace morula::study

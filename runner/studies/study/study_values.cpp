@@ -88,11 +88,11 @@ void readSeeds(Study& study, const Node& node, Problems& problems) {
                    "each seed is run once: remove it");
       continue;
     }
-    if (range->last - range->first >= mostReplicates - study.seeds.size()) {  // before any is kept
+    if (range->last - range->first >= maxReplicates - study.seeds.size()) {  // before any is kept
       const std::string before =
           study.seeds.empty() ? "" : " and the " + std::to_string(study.seeds.size()) + " before it";
       problems.add(item.place, "seeds",
-                   item.text + before + " are too many, more than " + std::to_string(mostReplicates),
+                   item.text + before + " are too many, more than " + std::to_string(maxReplicates),
                    "needs " + seedsAllowed);
       break;
     }

@@ -24,7 +24,7 @@ const std::vector<std::string> reserved{"base",     "condition_id", "uses_seed",
                                         "seed",     "measure",      "time",      "value",         "labels", "n",
                                         "distinct", "mean",         "low",       "high",          "number"};
 
-/// What a study says itself, and where.
+/// Keys of scenarios that a study sets itself, and where.
 const std::map<std::string, std::string> saidElsewhere{
     {"morula", "the scenario says its own format"},
     {"name", "labels name the conditions"},

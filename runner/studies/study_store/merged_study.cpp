@@ -7,7 +7,7 @@
 namespace morula {
 namespace {
 
-/// What `run` holds of times and machines stands in `timing` alone here.
+/// Returns true for columns of `run` on times and machines, which stand in `timing` alone here.
 bool isBlank(const std::string& column) {
   return column == "binary_hash" || partOf(column) == RunPart::environment || partOf(column) == RunPart::occasion;
 }

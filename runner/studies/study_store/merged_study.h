@@ -12,7 +12,7 @@
 
 namespace morula {
 
-/// What the plan says, as rows.
+/// The plan of a study, as rows.
 struct StudyTables {
   StudyRow study;  // but for its build
   std::vector<AxisRow> axes = {};

@@ -81,7 +81,7 @@ void requireSealedStudy(Database& db) {
 }
 
 const std::vector<const SqlTable*>& allTables() {
-  // Of columns that the design decides, only why they are there.
+  // Columns that the design decides are described by why they are there.
   static const SqlTable condition{{.name = "condition",
                                    .part = TablePart::study,
                                    .csv = "conditions",

@@ -27,7 +27,7 @@ RecordOptions recordingOf(const Plan& plan, const Scenario& scenario) {
   return record;
 }
 
-/// With `when: end` the start is recorded, as of every run, and not compared.
+/// Returns the samples to compare. With `when: end` the start is recorded, as of every run, and not compared.
 std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample>& samples) {
   if (study.when.moments != Moments::end || samples.empty()) return samples;
   return {samples.back()};

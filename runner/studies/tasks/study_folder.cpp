@@ -34,7 +34,7 @@ PlannedStudy openFolder(const StudyChoice& choice) {
                   "changed study a folder of its own");
 }
 
-constexpr std::size_t mostLetters = 40;  // of a level in a name
+constexpr std::size_t maxLetters = 40;  // of a level in a name
 
 std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + ".png"; }
 
@@ -43,7 +43,7 @@ std::string safeName(std::string label) {
   std::ranges::replace_if(
       label, [](char c) { return !isMadeOf(std::string(1, c), ".-"); }, '-');
   label.erase(0, label.find_first_not_of(".-"));
-  return label.substr(0, mostLetters);
+  return label.substr(0, maxLetters);
 }
 
 /// Before the plan is replaced: what stays must be this build's, or the study could not go on with either plan.

@@ -92,10 +92,10 @@ TEST_CASE("The least time is that of the scarcest") {
   MachineLimits limits;
   limits.arithmetic[Isa::scalar] = {10, 2};
   limits.bandwidth = {{100, 50}, {1000, 5}};
-  CHECK(leastTime({20, 0, 0, 0}, limits, Isa::scalar, 1) == 2);
-  CHECK(leastTime({20, 6, 0, 0}, limits, Isa::scalar, 1) == 3);
-  CHECK(leastTime({20, 6, 50, 10}, limits, Isa::scalar, 1) == 3);
-  CHECK(leastTime({20, 6, 50, 10}, limits, Isa::scalar, 20) == 10);
+  CHECK(minTime({20, 0, 0, 0}, limits, Isa::scalar, 1) == 2);
+  CHECK(minTime({20, 6, 0, 0}, limits, Isa::scalar, 1) == 3);
+  CHECK(minTime({20, 6, 50, 10}, limits, Isa::scalar, 1) == 3);
+  CHECK(minTime({20, 6, 50, 10}, limits, Isa::scalar, 20) == 10);
 }
 
 TEST_CASE("A bench of eight cells holds a row for everything that was asked for, and only that") {

@@ -148,7 +148,7 @@ TEST_CASE("Whether lists are too long, and whose, does not depend on the number 
   const double whole = double(list.pairs) * list.bytesPerNeighbour;
   int refused = 0, taken = 0;
   for (double share = 0.1; share < 4; share *= 1.4) {
-    list.mostBytes = share * whole;
+    list.maxBytes = share * whole;
     std::vector<int> blocks;
     for (const int threads : {1, 2, 3, 8}) {
       try {

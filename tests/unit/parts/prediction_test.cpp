@@ -80,17 +80,17 @@ TEST_CASE("A life in eras: as many cells as the run has, from birth to the stop"
   scene = scenes::lineageOnly(scenes::everybodyDivides, 40);
   scene.stop.time = 4.5;
   life = predictLife(scene);
-  CHECK(life.mostCells() == 16);
+  CHECK(life.maxCells() == 16);
   CHECK(life.eras.back().to == 4.5);
   scene.stop.cells = 8;
   life = predictLife(scene);
-  CHECK(life.mostCells() == 8);
+  CHECK(life.maxCells() == 8);
   CHECK(life.eras.back().to == 3);
   scene.stop = {};
   scene.stop.cycles = 40;
   life = predictLife(scene, 1000);
   CHECK_FALSE(life.whole);
-  CHECK(life.mostCells() >= 512);
+  CHECK(life.maxCells() >= 512);
 
   // Deaths: against the run itself.
   scene = scenes::lineageOnly(scenes::eventful, 8);
@@ -105,7 +105,7 @@ TEST_CASE("A life in eras: as many cells as the run has, from birth to the stop"
   for (const Era& era : life.eras)
     if (predicted.empty() || era.cells != predicted.back()) predicted.push_back(era.cells);
   CHECK(predicted == counts);
-  CHECK(life.eras.back().cells < life.mostCells());
+  CHECK(life.eras.back().cells < life.maxCells());
 }
 
 TEST_CASE("A trial run that comes to the end has counted exactly what a run counts") {
@@ -130,7 +130,7 @@ TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory t
   const Predicted f = predict(scene, 1.2e5);
   REQUIRE_FALSE(f.trial.whole);
   CHECK(f.trial.world.bodies->count == 8);
-  CHECK(f.life.mostCells() == 64);
+  CHECK(f.life.maxCells() == 64);
   CHECK(sumOf(&EraCounts::steps, f.eras) == Approx(real.steps).epsilon(0.3));
   CHECK(sumOf(&EraCounts::pairs, f.eras) == Approx(real.pairs).epsilon(0.3));
   const MemoryUse m = extrapolateMemory(f.life, f.trial), r = measureMemory(real.world);

@@ -21,11 +21,11 @@ TEST_CASE("What rests sets out along its forces, by half of them, and no vertex 
       b.write(b.velocity, 0, v, {});
       b.write(b.acceleration, 0, v, push(v));
     }
-    alignas(64) std::array<double, blockLanes> mostMove{}, alpha{}, descents{}, strain{}, sum{};
-    mostMove.fill(most);
+    alignas(64) std::array<double, blockLanes> maxMove{}, alpha{}, descents{}, strain{}, sum{};
+    maxMove.fill(most);
     physicsKernels(Isa::scalar)
         .relaxVelocities(b.mesh.view(), b.block(0, 0),
-                         {mostMove.data(), alpha.data(), descents.data(), strain.data(), sum.data()});
+                         {maxMove.data(), alpha.data(), descents.data(), strain.data(), sum.data()});
     // Half a step before it went against the forces: v = −½ a, so it stops and begins anew.
     const double share = std::min(1.0, most / (0.5 * largest));
     Worst error;

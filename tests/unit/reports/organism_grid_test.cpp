@@ -48,7 +48,7 @@ TEST_CASE("a grid that does not fit is refused", "[comparison]") {
   CHECK_THROWS_AS(drawOrganismGrid({}), InputError);
   OrganismGrid many;
   many.columns = {"one"};
-  for (std::size_t i = 0; i <= mostGridRows; ++i) many.rows.push_back({"row"}), many.tiles.push_back({{}, true, ""});
+  for (std::size_t i = 0; i <= maxGridRows; ++i) many.rows.push_back({"row"}), many.tiles.push_back({{}, true, ""});
   CHECK_THROWS_WITH(drawOrganismGrid(many), ContainsSubstring("41 rows"));
   many.rows.pop_back(), many.tiles.pop_back();
   CHECK_NOTHROW(drawOrganismGrid(many));  // nothing in any tile

@@ -60,7 +60,7 @@ TEST_CASE("Many counts become their median, quartiles and range, few stay points
   }
   CHECK(line > 250);
   CHECK(band == Approx(0.2 * line + 20).margin(14));
-  chart.panels[0].strips[0].values.resize(mostPoints);
+  chart.panels[0].strips[0].values.resize(maxPoints);
   CHECK(groupsAcross(drawSmallMultiples(chart), red) > 1);
 }
 

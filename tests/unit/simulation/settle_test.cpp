@@ -169,7 +169,7 @@ TEST_CASE("Cells grow in small parts, each of which settles") {
     const double before = world.clock.time;
     step(world);
     if (fastest == 0) continue;
-    CHECK((world.clock.time - before) * fastest * scene.mechanics->physics.growth->rate <= mostGrowth + 1e-12);
+    CHECK((world.clock.time - before) * fastest * scene.mechanics->physics.growth->rate <= maxGrowth + 1e-12);
     ++parts;
   }
   CHECK(parts >= 10);

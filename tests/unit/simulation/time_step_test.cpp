@@ -326,7 +326,7 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
 }
 
 TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps or without, and without much beyond") {
-  const auto mostEnergy = [](std::uint64_t substeps, double damping, double times) -> double {
+  const auto maxEnergy = [](std::uint64_t substeps, double damping, double times) -> double {
     Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1, makeIcosphere(2));
     scene.mechanics->physics.integrator = Integrator::xpbd;
     scene.mechanics->physics.substeps = substeps;
@@ -351,7 +351,7 @@ TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps o
   for (const std::uint64_t substeps : {1, 2, 8})
     for (const double damping : {0.0, 0.02}) {
       CAPTURE(substeps, damping);
-      CHECK(mostEnergy(substeps, damping, 0.95) < 1.01);               // they come with 1
-      if (substeps == 1) CHECK(mostEnergy(substeps, damping, 6) > 2);  // at 5: 1.9 and 5.3
+      CHECK(maxEnergy(substeps, damping, 0.95) < 1.01);               // they come with 1
+      if (substeps == 1) CHECK(maxEnergy(substeps, damping, 6) > 2);  // at 5: 1.9 and 5.3
     }
 }
