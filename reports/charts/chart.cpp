@@ -127,7 +127,7 @@ class Shapes {
   bool shown_ = false;
 };
 
-/// Of lines without dots: a mark now and then, at other places than on the line before.
+/// Draws marks on lines without dots now and then, at other places than on the line before.
 void drawSparseMarks(Drawing& drawing, const std::vector<std::vector<Spot>>& lines, const Chart& chart,
                      const Shapes& shapes) {
   constexpr double apart = 130;  // [pixel]

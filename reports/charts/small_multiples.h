@@ -33,8 +33,8 @@ struct Panel {
   std::vector<Strip> strips;
   std::vector<PanelLine> lines;  // where there are no strips
   std::string xLabel = {};       // of lines
-  /// Of strips: of more than maxPoints values of one their median, quartiles and range take the place of points that
-  /// would lie on each other.
+  /// Max number of points of a strip. The median, quartiles and range of more values take the place of points that would lie on
+  /// each other.
   bool counts = false;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double minArrow = 0.02;  // [radii of the egg] a shorter arrow is only a head
 
-/// For each cell of `of` the place in `beside` of the cell with the same path.
+/// Returns for each cell of `of` the place in `beside` of the cell with the same path.
 std::vector<std::optional<std::size_t>> matchCells(const OrganismPicture& of, const OrganismPicture& beside) {
   std::map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < beside.cells.size(); ++i) places.emplace(beside.cells[i].path, i);

@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// What the third picture of a comparison maps.
+/// The distance that the third picture of a comparison maps.
 struct DistanceMap {
   bool ofOther = false;    // the vertices of `other` beside the surfaces of `one`; else those of `one` beside `other`
   bool ofCentres = false;  // how far the centroid of each cell has moved, with an arrow, in place of its vertices

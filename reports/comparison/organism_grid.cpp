@@ -51,7 +51,7 @@ struct Sheet {
 
 constexpr int heading = static_cast<int>(2 * textSize);
 
-/// With tiles of this side.
+/// Lays out the grid with tiles of this side.
 Sheet layOut(const OrganismGrid& grid, int side) {
   constexpr int maxWidth = 1250;
   constexpr double page = 1.42;  // height over width
@@ -75,7 +75,7 @@ Sheet layOut(const OrganismGrid& grid, int side) {
   return sheet;
 }
 
-/// With the largest tiles of which all have room on one page, or else with the smallest.
+/// Lays out the grid with the largest tiles of which all have room on one page, or else with the smallest.
 Sheet layOut(const OrganismGrid& grid) {
   for (const OrganismTile& tile : grid.tiles)
     if (tile.drawn) return layOut(grid, tile.drawn->width);

@@ -12,7 +12,7 @@ namespace morula {
 
 enum class Marker { disc, square, triangle, diamond, hanging, plus, ring, cross };  // hanging: a triangle on its tip
 
-/// Of series number i, counted from 0: no two of the first seven are alike; never a cross.
+/// Returns the marker of series number i, from 0: no two of the first seven are alike, and none is a cross.
 Marker seriesMarker(std::size_t i);
 
 /// Around the centre, about as large as a disc of this radius.
@@ -38,7 +38,7 @@ struct Bands {
 /// middle loses more than half of the height. `textSize` [pixel]: of ordinary text; 0: textSizeFor's.
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize = 0);
 
-/// The same around a middle of this height.
+/// Returns the bands around a middle of this height.
 Bands bandsAround(int middle, const Annotations& annotations, int width, double textSize);
 
 /// Draws the words into the bands of a drawing.

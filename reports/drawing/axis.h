@@ -12,7 +12,7 @@ namespace morula {
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void see(double value);
-  /// Where a number lies between the two, 0 to 1; 0 where they are the same.
+  /// Returns the place of a number between the two, 0 to 1; 0 if they are the same.
   double shareOf(double value) const;
 };
 
@@ -31,7 +31,7 @@ struct Axis {
   std::vector<double> ticks(int wanted = 8) const;
 };
 
-/// Where a chart's lines lie; its axes run along the left and the lower side. [pixel]
+/// The frame of a chart's lines; its axes run along the left and the lower side. [pixel]
 struct ChartFrame {
   double left, top, right, bottom;
   double textSize;

@@ -1,5 +1,5 @@
 #pragma once
-// What the files of this module share of cairo.
+// Parts of cairo that the files of this module share.
 #include <cairo.h>
 
 #include <memory>

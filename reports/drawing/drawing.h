@@ -41,7 +41,7 @@ class Drawing {
   /// Through the points, with round ends and joints. Where it meets itself it is not darker.
   void line(const std::vector<Spot>& points, const Stroke& stroke);
   void disc(Spot centre, double radius, Colour colour);
-  /// What the closed line through the points encloses.
+  /// Fills the area that the closed line through the points encloses.
   void area(const std::vector<Spot>& points, Colour colour);
   void box(Spot topLeft, double width, double height, Colour colour);
   /// UTF-8 on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
@@ -63,7 +63,8 @@ class Drawing {
   std::vector<std::function<void(cairo_t*)>> marks_;
 };
 
-/// Of a horizontal or vertical line one pixel wide: through the middle of a row or column, so that it is crisp.
+/// Returns the place of a horizontal or vertical line one pixel wide that runs through the middle of a row or column, so that it
+/// is crisp.
 double crisp(double place);
 
 }  // namespace morula

@@ -11,7 +11,7 @@ namespace morula {
 /// on one libpng.
 std::string pngFile(const Image& image);
 
-/// Whether a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
+/// Returns true if a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
 bool isOwnPng(std::string_view head);
 
 /// The pixels of a PNG file's content; what shines through lies on `paper`. 16 bits a channel become 8. Throws

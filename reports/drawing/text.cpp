@@ -63,7 +63,7 @@ struct Letters {
   std::vector<std::size_t> starts;  // of its letters in `text`, and its end
 };
 
-/// What is not UTF-8 is U+FFFD, a byte at a time.
+/// Returns the letters of a text. A byte that is not UTF-8 becomes U+FFFD.
 Letters lettersOf(std::string_view text) {
   Letters letters;
   while (!text.empty() && letters.starts.size() < maxLetters) {
@@ -127,7 +127,7 @@ void showText(cairo_t* target, double x, double y, const std::string& text, cons
   }
   setColour(target, style.colour);
   if (cairo_surface_get_type(cairo_get_target(target)) == CAIRO_SURFACE_TYPE_IMAGE) {
-    // As shapes: glyphs would be moved to whole pixels, and letters stand unevenly.
+    // Letters are drawn as shapes: glyphs would be moved to whole pixels, and letters stand unevenly.
     cairo_text_path(target, shown.c_str());
     cairo_fill(target);
   } else cairo_show_text(target, shown.c_str());

@@ -21,7 +21,7 @@ struct TextStyle {
   double halo = 0;      // [pixel] of paper around the letters, for words that lie on a picture
 };
 
-/// Of a text, however long it is, no more than this is looked at: no picture has room for it.
+/// Max number of letters of a text that are drawn; no picture has room for more.
 inline constexpr std::size_t maxLetters = 8192;
 
 /// How far the text runs. [pixel]
@@ -31,7 +31,7 @@ double textWidth(std::string_view text, const TextStyle& style);
 /// pixels; empty if not even one and the ellipsis fit.
 std::string shortened(std::string_view text, const TextStyle& style, double width);
 
-/// For drawing.cpp: the text with its baseline through (x, y).
+/// Draws, for drawing.cpp, the text with its baseline through (x, y).
 void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style);
 
 }  // namespace morula

@@ -25,7 +25,7 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// What pictures are drawn on: near white, so that light cells still stand out against it.
+/// The ground of pictures: near white, so that light cells still stand out against it.
 inline constexpr Colour paper{0xfa, 0xfa, 0xf8};
 
 }  // namespace morula

@@ -1,4 +1,4 @@
-// What runs for cells and lines.
+// The shaders of cells and lines.
 #include "organism/shaders.h"
 
 namespace morula {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-// Those that are called.
+// The functions of OpenGL that are called.
 // clang-format off
 #define MORULA_GL_FUNCTIONS(X) \
   X(glActiveTexture) X(glAttachShader) X(glBindBuffer) X(glBindBufferBase) X(glBindFramebuffer) X(glBindTexture) \

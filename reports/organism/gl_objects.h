@@ -42,7 +42,7 @@ class Texture {
   Texture& operator=(const Texture&) = delete;
   GLuint id() const { return texture_; }
   void bind(int unit) const;
-  /// Of a texture of GL_RGBA32F: these rows, from below, four numbers to a texel.
+  /// Sets rows of a texture of GL_RGBA32F, from below, four numbers to a texel.
   void setRows(int first, int rows, const float* texels) const;
 
  private:

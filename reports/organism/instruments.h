@@ -1,5 +1,5 @@
 #pragma once
-// What a picture is read by: axes, a colour bar, the length of an arrow, a scale bar. They stand in a band of their
+// The instruments by which a picture is read: axes, a colour bar, the length of an arrow, a scale bar. They stand in a band of their
 // own between the picture and its legend.
 #include <optional>
 #include <string>

@@ -53,7 +53,7 @@ bool touches(const PlacedLabel& a, const PlacedLabel& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/// Whether the line from a label to its cell runs through another label.
+/// Returns true if the line from a label to its cell runs through another label.
 bool crosses(const Spot& from, const Spot& to, const PlacedLabel& box) {
   const int steps = 1 + int(std::hypot(to.x - from.x, to.y - from.y) / 2);
   for (int i = 0; i <= steps; ++i) {

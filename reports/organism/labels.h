@@ -1,5 +1,5 @@
 #pragma once
-// Where words stand in a picture so that each lies on its own cell, or beside it with a line to it, and no two touch.
+// The places of words in a picture: each lies on its own cell, or beside it with a line to it, and no two touch.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// Which cell each pixel shows, row by row from the top: its number from 1; 0: none.
+/// The cell that each pixel shows, row by row from the top: its number from 1; 0: none.
 struct LabelGround {
   int width = 0, height = 0;
   std::vector<std::uint32_t> owners;

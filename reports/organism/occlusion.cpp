@@ -13,7 +13,7 @@ namespace {
 constexpr int turns = 16, taps = 18, lanes = 20;  // the last two lanes count for nothing
 constexpr int spread[turns] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // [Bayer 1973]
 
-/// Where a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by its place in a block.
+/// The places at which a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by its place in a block.
 struct Spiral {
   std::array<float, lanes> share{}, x{}, y{};
 };

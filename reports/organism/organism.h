@@ -31,7 +31,7 @@ struct LineMark {
   bool arrow = false;         // with a head at `to`
 };
 
-/// What lies beyond the plane normal · x = offset is cut away.
+/// A plane normal · x = offset, beyond which everything is cut away.
 struct ClipPlane {
   Vector normal;      // any length but 0
   double offset = 0;  // [length · |normal|]
@@ -43,7 +43,7 @@ struct CellLabel {
   std::string text;      // UTF-8
 };
 
-/// Which part of space fills the picture. Give all pictures of a sequence the same one and it does not jump.
+/// The part of space that fills the picture. Give all pictures of a sequence the same one and it does not jump.
 struct Framing {
   Point centre;         // [length] what the eye looks at
   double distance = 1;  // [length] of the eye from the centre
@@ -95,7 +95,7 @@ Framing fitFraming(const OrganismPicture& picture);
 
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
-/// The same of pictures that are made when they are needed, each twice.
+/// Returns the framing of pictures that are made when they are needed, each twice.
 Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::size_t)>& picture);
 
 /// One framing in which the picture is whole from each of these sides: for an eye that goes around. Throws InputError

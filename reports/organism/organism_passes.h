@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of OrganismRenderer share; for its own files only.
+// Parts that the passes of OrganismRenderer share; for its own files only.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -59,7 +59,7 @@ struct OrganismRenderer::Frame {
   int gridHeight() const { return height * samples; }
   int outlineReach() const { return std::max(1, int(0.5f * pixel + 0.5f)); }  // [sample]
 
-  /// What every shader knows.
+  /// Sets the values that every shader knows.
   void describe(const Program& program) const {
     program.use();
     program.setSize("size", gridWidth(), gridHeight());

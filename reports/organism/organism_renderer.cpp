@@ -109,7 +109,7 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   if (!targets_ || targets_->read.width != width || targets_->read.height != height ||
       targets_->read.along != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
-    // As Targets has textures and what is read back, with what is translucent.
+    // The bytes of Targets' textures and of what is read back, translucent parts included.
     constexpr double ofSample = 68, ofPixel = 24, ofThreads = 100e6;
     requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
                         "; draw a smaller picture, with less --supersample, or where there is more");

@@ -24,7 +24,7 @@ class OrganismRenderer {
   /// The scene alone, without words, width × height pixels. The input is checked already.
   Image draw(const OrganismPicture& picture, Style style, const Framing& framing, int width, int height);
 
-  /// Which solid cell each pixel's middle shows in the picture drawn last, row by row from the top: its number from
+  /// The solid cell that each pixel's middle shows in the picture drawn last, row by row from the top: its number from
   /// 1; 0: none.
   std::vector<std::uint32_t> owners() const;
 
@@ -32,7 +32,7 @@ class OrganismRenderer {
   struct Programs;
   struct Targets;
   struct Frame;
-  /// For this pass over the cells, in use and told what the frame is.
+  /// Returns the program for this pass over the cells, in use and with the frame's values set.
   const class Program& cellProgram(const Frame& frame, CellPass pass);
   void drawSolid(const Frame& frame);
   void drawCuts(const Frame& frame);
@@ -47,7 +47,7 @@ class OrganismRenderer {
   std::unique_ptr<Targets> targets_;
 };
 
-/// What draws organisms here, "mesa-22.3.6/x86_64", one word: only pictures of one renderer, without words, are the
+/// The renderer of organisms, "mesa-22.3.6/x86_64", as one word: only pictures of one renderer, without words, are the
 /// same to the pixel.
 std::string rendererName();
 

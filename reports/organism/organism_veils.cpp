@@ -77,7 +77,7 @@ void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
   seen.reserve(std::size_t(4) * width * height);
   const std::vector<Veil> veils = veilsOf(frame.surface, frame.framing.distance, frame.aperture.y, height);
   SharedBuffer cursors(0), fragments(1);
-  // What is solid stays, and hides what is behind it.
+  // Solid parts stay, and hide what is behind them.
   targets_->solid.framebuffer.bind();
   glViewport(0, 0, width, height);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

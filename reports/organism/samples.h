@@ -1,5 +1,5 @@
 #pragma once
-// What OpenGL drew, read back, and the passes over the whole picture. Rows go upward, as OpenGL counts them.
+// The samples that OpenGL drew, read back, and the passes over the whole picture. Rows go upward, as OpenGL counts them.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace morula {
 
-/// Of each sample the cell it shows, by its number from 1, or one of these.
+/// The owner of a sample: the cell that it shows, by its number from 1, or one of these.
 inline constexpr std::uint32_t noOwner = 0, lineOwner = 0x80000000u;  // as in cell_shaders.cpp
 inline bool isCell(std::uint32_t owner) { return owner != noOwner && owner != lineOwner; }
 inline constexpr float outlineShade = 1 - 0.72f;  // what a cell keeps of its light where its outline runs
@@ -31,8 +31,8 @@ struct Samples {
   std::size_t at(int column, int row) const { return std::size_t(row) * columns() + column; }
   std::size_t pixelAt(int x, int y) const { return std::size_t(y) * width + x; }
   int middleOf(int pixel) const { return pixel * along + along / 2; }
-  /// Of the direction in which the eye sees a place between the middles of the first sample, 0, and the last one, for each
-  /// length towards the picture.
+  /// The direction in which the eye sees a place between the middles of the first sample, 0, and the last one, for each length
+  /// towards the picture.
   float rayX(float column) const { return (2 * (column + 0.5f) / float(columns()) - 1) * apertureX; }
   float rayY(float row) const { return (2 * (row + 0.5f) / float(rows()) - 1) * apertureY; }
 };

@@ -18,7 +18,7 @@ struct SurfaceVertex {
   float share;             // where its colour lies on the scale of maps, 0 to 1; −1: `light` is its colour
 };
 
-/// Where one cell's triangles stand among the corners.
+/// The range of one cell's triangles among the corners.
 struct CellCorners {
   std::size_t cell, first, count;
 };

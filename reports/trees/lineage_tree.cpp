@@ -22,7 +22,7 @@ void check(const LineageNode& node) {
 
 constexpr std::size_t maxLabelledTree = 12;  // leaves up to which inner cells are labelled too
 
-/// Where tree units lie in the picture, and how thick things are there.
+/// The map from tree units to the picture, and the widths of lines.
 struct Sheet {
   ChartFrame frame;
   Axis time;     // downwards

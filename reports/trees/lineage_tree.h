@@ -32,7 +32,7 @@ struct TreePlace {
   bool isLeaf() const { return daughter[0] < 0 && daughter[1] < 0; }
 };
 
-/// Where the cells stand, before anything is drawn.
+/// The places of cells, before anything is drawn.
 struct TreeLayout {
   std::vector<TreePlace> places;  // by path: a mother before her daughters, the A side before the B side
   std::size_t leaves = 0;

@@ -8,7 +8,7 @@
 namespace morula::scenario {
 namespace {
 
-/// Whether a gene can make a cell do something that Bullet's bodies do not.
+/// Returns true if a gene can make a cell do something that Bullet's bodies do not.
 bool acts(const std::string& substance, const MechanicsScene& mechanics) {
   if (substance == substance::divide || substance == substance::die) return true;
   return mechanics.physics.growth && (substance == substance::grow || substance == substance::shrink);

@@ -1,5 +1,5 @@
 #pragma once
-// What of a scene cannot be computed by Bullet, or not be compared with it.
+// The parts of a scene that Bullet cannot compute, or that cannot be compared with it.
 #include <string>
 #include <vector>
 

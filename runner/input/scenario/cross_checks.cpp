@@ -1,4 +1,4 @@
-// What the table cannot say: values that do not fit each other, the DNA or the start cells.
+// Checks that the table cannot make: values that do not fit each other, the DNA or the start cells.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -132,7 +132,7 @@ void checkFill(const SceneCheck& check) {
                "needs at most " + numberText(std::floor(1000 * most) / 1000) + ", or a finer physics.mesh");
 }
 
-/// Whether the egg fits its shell, or the cells of the start do.
+/// Checks that the egg or the start cells fit the shell.
 void checkFit(const SceneCheck& check) {
   const Scenario& s = check.scenario;
   const auto& shell = check.physics().shell;
@@ -157,7 +157,7 @@ void checkIntegrator(const SceneCheck& check) {
                  "needs a number > 0 [time]");
 }
 
-/// What a body is not made of has no parameters.
+/// Checks that no parameters are given for parts that the bodies lack.
 void checkModel(const SceneCheck& check) {
   const PhysicsParameters& physics = check.physics();
   const auto refuse = [&](const std::string& path, const std::string& wrong, const std::string& right) {

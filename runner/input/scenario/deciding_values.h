@@ -1,5 +1,5 @@
 #pragma once
-// What decides a scenario's results, value by value, so that two scenarios can be told apart by name.
+// The values that decide a scenario's results, so that two scenarios can be told apart by names of keys.
 #include <string>
 #include <utility>
 #include <vector>

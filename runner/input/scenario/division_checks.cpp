@@ -49,7 +49,7 @@ class DivisionCheck {
       check_.reading.problems.add(place, path, "a sphere has no longest extent", "needs " + planesAllowed(true));
   }
 
-  /// What variation leads out of what can be cut.
+  /// Checks that no variation leads to a share that cannot be cut.
   void checkShare(const std::optional<double>& given, const Place& place, const std::string& path) {
     const double share = given.value_or(0.5), most = largestDeviate * check_.scene().variation.share;
     if (!(most > 0) || (share - most >= minShare && share + most <= largestShare)) return;
@@ -70,7 +70,7 @@ class DivisionCheck {
                       "write a gene such as g1(divide|a0), or remove this");
   }
 
-  /// Whether a cell can hold this when it divides: its genes have just made all that it holds, but for what the
+  /// Returns true if a cell can hold this when it divides: its genes have just made all that it holds, but for what the
   /// simulator lets it sense, which neither it begins with nor a division gives it.
   bool canHold(const std::string& name) const {
     const Dna& dna = check_.scene().dna;
@@ -84,7 +84,7 @@ class DivisionCheck {
            });
   }
 
-  /// Whether there are cells for a rule, and rules before it that take them all.
+  /// Checks that there are cells for a rule, and that no rules before it take them all.
   void checkCells(std::size_t i, const Place& place) {
     const DivisionRule& rule = division_.rules[i];
     const std::string path = pathOf(i) + ".of";
@@ -124,7 +124,7 @@ class DivisionCheck {
   const bool areSpheres_;
 };
 
-/// What is wrong, and what would be right.
+/// Adds a problem: what is wrong, and what would be right.
 using Refuse = std::function<void(const std::string& wrong, const std::string& right)>;
 
 void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse& refuse) {
@@ -146,7 +146,7 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   if (a == b && b == c) refuse("a sphere has no longest axis", right);
 }
 
-/// Where the value could not be read, that has been said.
+/// Returns true if the scene has no drag. A value that could not be read has been told.
 bool hasNoDrag(const SceneCheck& check) {
   if (check.physics().drag > 0) return false;
   const Node* drag = given(check.root, "physics.drag");

@@ -57,7 +57,7 @@ const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, cons
   }
 }
 
-/// What the scenario does with substances outside its DNA.
+/// Returns the scenario's uses of substances outside its DNA.
 DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading) {
   DnaSurroundings around;
   for (const SubstanceUse& use : reading.substances) {

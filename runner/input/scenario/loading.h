@@ -1,5 +1,5 @@
 #pragma once
-// What is done by the table, in the order in which a file is read.
+// The steps of reading a file by the table, in their order.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace morula::scenario {
 /// Fills the scenario from the document. Everything the table does not allow becomes a problem.
 void readTable(const Node& root, Scenario& scenario, Reading& reading);
 
-/// Where named files are looked for.
+/// The places of named files.
 struct Places {
   std::filesystem::path folder;          // "": nowhere, only what is stored
   const std::vector<NamedFile>& stored;  // first, by role

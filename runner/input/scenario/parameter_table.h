@@ -24,7 +24,7 @@ struct Section {
   bool later = false;                             // as of a parameter: with nothing in it no part of the meaning
   std::function<void(Scenario&)> make{};          // called when the section is given
   std::function<bool(const Scenario&)> exists{};  // absent: always
-  // Of a section whose keys are the user's own, such as substances: all of them, as one map.
+  // The entries of a section whose keys are the user's own, such as substances: all of them, as one map.
   std::optional<Parameter> entries{};
   std::string details{};  // Markdown that stands below the section's meaning
 

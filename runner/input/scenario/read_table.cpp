@@ -18,7 +18,7 @@ std::vector<std::string> keysOf(const std::string& section) {
   return keys;
 }
 
-/// Whether a key refines another of its section, or any, instead of standing for itself.
+/// Returns true if a key refines another of its section, or any, instead of standing for itself.
 bool refines(const std::string& section, const std::string& key) {
   const auto* parameter = parameterTable().parameter(inside(section, key));
   return parameter && (!parameter->needs.empty() || parameter->beside);
@@ -33,7 +33,7 @@ std::string pathElsewhere(const std::string& key) {
   return {};
 }
 
-/// What an unknown key was probably meant to be. A key at the top that belongs into a section has been misplaced; one within a
+/// Suggests what an unknown key was probably meant to be. A key at the top that belongs into a section has been misplaced; one within a
 /// section may have been meant there, whatever else is called so.
 std::string remedy(const std::string& section, const std::string& key) {
   const auto here = keysOf(section);

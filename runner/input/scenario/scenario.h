@@ -40,7 +40,7 @@ std::filesystem::path sharedFolder(const std::filesystem::path& folder);
 /// The folder that a scenario's files are looked for in; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-/// The same for a text in memory. Messages call it `name`; the files that it mentions are those among
+/// Reads a scenario from a text in memory. Messages call it `name`; the files that it mentions are those among
 /// `files`, by role, or else looked for in `folder`; with "" nowhere.
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
                       const std::vector<Override>& overrides = {}, const std::vector<NamedFile>& files = {},

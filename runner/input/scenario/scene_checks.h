@@ -4,14 +4,14 @@
 
 namespace morula::scenario {
 
-/// What a check looks at, and says what is wrong with.
+/// The scenario that a check looks at, and the problems that it adds.
 struct SceneCheck {
   const Scenario& scenario;
   Reading& reading;
   const Node& root;
 
   const Scene& scene() const { return scenario.scene; }
-  /// Of a scenario that has them.
+  /// The mechanics of a scenario that has some.
   const MechanicsScene& mechanics() const { return *scenario.scene.mechanics; }
   const PhysicsParameters& physics() const { return mechanics().physics; }
 
@@ -37,7 +37,7 @@ void checkConnections(const SceneCheck& check);
 /// How cells divide: rules that no cell follows, shares and tilts that cannot be.
 void checkDivision(const SceneCheck& check);
 
-/// That a scene has what its division planes and chirality go by.
+/// Checks that a scene has the parts that its division planes and chirality need.
 void checkPlanes(const SceneCheck& check);
 
 /// Adhesion: what sticks must give way, and the law must know how.

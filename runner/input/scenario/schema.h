@@ -7,7 +7,7 @@ namespace morula {
 /// A JSON Schema (draft 2020-12): editors complete and check scenarios by it. Ends with a newline.
 std::string scenarioSchema();
 
-/// The same as Markdown tables: scenarios/PARAMETERS.md.
+/// Writes the parameters as Markdown tables: scenarios/PARAMETERS.md.
 std::string scenarioParametersAsMarkdown();
 
 /// A commented scenario to begin with, named `name`. It loads.

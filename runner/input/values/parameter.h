@@ -26,7 +26,7 @@ struct DnaSource {
   Place place;
 };
 
-/// Where a cell got its name.
+/// The place at which a cell got its name.
 struct NameUse {
   CellPath path;
   Place place;         // in the scenario, of the name or of the file that it stands in
@@ -34,12 +34,12 @@ struct NameUse {
   std::string inFile;  // "names.txt:3:1"; "": it stands in the scenario itself
 };
 
-/// What check.reference says, to be read once cells have their names.
+/// The nodes of check.reference, which are read once cells have their names.
 struct ReferenceSource {
   std::optional<Node> contacts, positions, file;
 };
 
-/// What reading the values needs and leaves behind besides the Scenario.
+/// The state of reading: what values need and leave behind besides the Scenario.
 struct Reading {
   Problems& problems;
   std::vector<SubstanceUse> substances;
@@ -84,7 +84,7 @@ void readCellNames(const std::string& text, const std::string& file, const Place
 /// Finds cells that share a name, and endings for daughters (names.daughters) where no cell has a name.
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
 
-/// What check.reference says, in the scenario and in the file that it names, if any (reference_types.cpp).
+/// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
 
 }  // namespace morula::scenario

@@ -109,7 +109,7 @@ class Statement {
   std::uint64_t natural(int column) const;  // from 0
   int small(int column) const;              // from 0 to a million
   double finite(int column) const;
-  /// As `bind` writes numbers from 2^63 on.
+  /// Reads a number of 64 bits as `bind` writes those from 2^63 on.
   std::uint64_t bits(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   /// NULL reads as NaN: see bind(double).
   double real(int column) const;
@@ -178,7 +178,7 @@ class Statement {
   }
   void bindNext(int& place, const Hash& hash) { bindCopy(++place, hash.text()); }
   void bindNext(int& place, const CellPath& path) { bindCopy(++place, path.text()); }
-  /// Of what does not live until the statement has run.
+  /// Binds a value that does not live until the statement has run.
   template <class T>
   void bindCopy(int place, const T& value) {
     const bool before = std::exchange(copyValues_, true);

@@ -33,7 +33,7 @@ class RowDigester {
   Statement& rows() { return rows_; }
   /// Takes all rows of the statement, which has been started.
   RowDigest digest();
-  /// The same for each value of a column of texts by itself.
+  /// Returns the digest for each value of a column of texts by itself.
   std::map<std::string, RowDigest> digestsBy(const std::string& column);
 
  private:

@@ -28,7 +28,7 @@ double betaFraction(double a, double b, double x) {
   return fraction;
 }
 
-/// Where a function that rises passes `wanted`, by halving [low, high] until nothing lies between its ends.
+/// Finds where a function that rises passes `wanted`, by halving [low, high] until nothing lies between its ends.
 template <class Function>
 double whereItPasses(double wanted, double low, double high, const Function& rises) {
   for (;;) {

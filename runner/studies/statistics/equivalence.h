@@ -16,7 +16,7 @@ inline constexpr auto choices<Equivalent> =
                                        {Equivalent::no, "different", "apart by more than the margin"},
                                        {Equivalent::undecided, "not decided", "neither is shown"}});
 
-/// With a margin > 0. The means are equivalent if both one-sided tests at 5 % say so, which is if the 90 % interval of their
+/// Tests equivalence with a margin > 0. The means are equivalent if both one-sided tests at 5 % say so, which is if the 90 % interval of their
 /// difference lies within ±margin; and different if their difference is larger than the margin at 5 %: with a margin far
 /// below the error that is the two-sided test of a difference, with one far above it a one-sided test.
 /// A difference that does not vary has p-values of the exact test of its signs, or where it is of one run each and no seed
@@ -31,7 +31,7 @@ struct Equivalence {
 };
 Equivalence testEquivalence(const MeanDifference& d, double margin);
 
-/// What the p-values, as they are or corrected, say at 5 %.
+/// Returns the verdict of p-values, as they are or corrected, at 5 %.
 Equivalent verdictOf(double p, double pBeyond);
 
 /// p-values of a family of tests, corrected so that if those below 0.05 are called differences, at most 5 % of such

@@ -127,7 +127,7 @@ void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, dou
   e.errorSquares = each * error;
   e.share = whole > 0 ? e.squares / whole : 0;
   e.errorDegreesOfFreedom = e.degreesOfFreedom * (n - 1);
-  // What rounding leaves of values that do not vary is no error to test against.
+  // The rounding error of values that do not vary is no error to test against.
   if (!(n > 1) || !(e.errorSquares > 1e-24 * size)) return;
   e.partial = e.squares / (e.squares + e.errorSquares);
   e.f = e.squares / (e.errorSquares / (n - 1));

@@ -1,5 +1,5 @@
 #pragma once
-// Which of several factors a value depends on, and whether one changes what another does: the analysis of variance of a
+// Factorial designs: the factors that a value depends on, and their interactions, by the analysis of variance of a
 // balanced factorial design [Fisher 1935; Montgomery 2017, ch. 5] whose replicates are blocks: replicate r of every cell has
 // the same random numbers (the same seed), and what all cells of a replicate have in common is no error.
 //

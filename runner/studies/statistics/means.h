@@ -35,11 +35,11 @@ struct MeanDifference {
 /// The interval of the difference at another level.
 std::optional<Interval> intervalOf(const MeanDifference& d, double level);
 
-/// Of pairs (a[i], b[i]), two at least: Student's t of their differences. Where differences repeat, p is at least that of
+/// Compares pairs (a[i], b[i]), two at least, by Student's t of their differences. Where differences repeat, p is at least that of
 /// the exact test.
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b);
 
-/// Of two samples of two values at least, whose variances may differ [Welch 1947]. Where neither varies, p is that of the
+/// Compares two samples of two values at least, whose variances may differ [Welch 1947]. Where neither varies, p is that of the
 /// exact test: of all ways to deal out the values, how many part them as they are.
 MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What other programs run a study with: a job array for Slurm, a Snakefile, a script for GNU parallel. All of them start
+// Files with which other programs run a study: a job array for Slurm, a Snakefile, a script for GNU parallel. All of them start
 // `morula study run FOLDER` with a share or a task, and end with `morula study merge FOLDER`.
 #include <array>
 #include <filesystem>
@@ -30,10 +30,10 @@ struct EmitOptions {
 /// Slurm, braces.
 std::string emit(const PlannedStudy& study, const EmitOptions& options);
 
-/// Where it lies unless told otherwise: study.sbatch, Snakefile or parallel.sh in the study's folder.
+/// Returns the default path of the file: study.sbatch, Snakefile or parallel.sh in the study's folder.
 std::filesystem::path siteFile(const PlannedStudy& study, Site site);
 
-/// What to type to start it.
+/// Returns the command that starts it.
 std::string howToStart(const PlannedStudy& study, Site site, const std::filesystem::path& file);
 
 }  // namespace morula

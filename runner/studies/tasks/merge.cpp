@@ -23,7 +23,7 @@
 namespace morula {
 namespace {
 
-/// What a level changes, key by key: the texts of the study file.
+/// Lists the changes of a level, key by key: the texts of the study file.
 std::string keysOf(const Level& level) {
   Json keys = Json::object();
   for (const Override& o : level.overrides) keys[o.path] = o.removes ? Json() : Json(o.value);
@@ -106,7 +106,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// What scenarioOf would give as `resolved`, which it takes long to make: the seed stands on a line of its own.
+/// Returns the resolved scenario with another seed, which stands on a line of its own: scenarioOf takes long.
 std::string resolvedWithSeed(const Scenario& scenario, std::uint64_t seed) {
   std::string text = scenario.resolved;
   const std::string before = fmt::format("\n  \"seed\": {}", scenario.scene.seed);
@@ -115,7 +115,7 @@ std::string resolvedWithSeed(const Scenario& scenario, std::uint64_t seed) {
   return text.replace(at, before.size(), fmt::format("\n  \"seed\": {}", seed));
 }
 
-/// Where the files of each task lie; those whose names do not say so are looked into.
+/// Finds the files of each task; files whose names do not tell their task are opened.
 class Sources {
  public:
   Sources(const PlannedStudy& study, const MergeOptions& options, MergeReport& report)
@@ -220,7 +220,7 @@ class Merge {
     if (found.task().id != planned.id)
       return "it is named after task " + planned.id + ", and holds task " + found.task().id;
     const Condition& condition = study_.plan.conditions[planned.condition];
-    // Where no seed changes anything, the plan that it was computed for may have begun with another one.
+    // If no seed changes anything, the plan that it was computed for may have begun with another one.
     const std::uint64_t seed = condition.usesSeed ? planned.seed : found.run().record.seed;
     if (found.run().record.seed != seed || found.resolved() != resolvedWithSeed(condition.scenario, seed))
       return "its run is of another scene or seed than the plan's task " + planned.id;

@@ -41,7 +41,7 @@ struct MergeReport {
   double seconds = 0;                     // [s]
   std::uint64_t bytes = 0;                // of the database
 
-  /// Of the tasks; a file that was left out is one more, which is changed.
+  /// Counts the states of tasks; a file that was left out counts as one more, which is changed.
   StateCounts counts() const;
 };
 

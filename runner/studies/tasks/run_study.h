@@ -22,7 +22,7 @@ struct FailedTask {
   std::string reason;
 };
 
-/// What became of the tasks that were asked for.
+/// The outcome of the tasks that were asked for.
 struct RunStudyReport {
   std::size_t asked = 0, already = 0, computed = 0;  // computed: with those that failed
   std::vector<FailedTask> failed;                    // of those that were computed now, by number
@@ -40,18 +40,18 @@ struct RunStudyReport {
 /// the program has computed.
 RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& options);
 
-/// For people: one line of counts, and one for each task that failed or was stopped.
+/// Describes a report for people: one line of counts, and one for each task that failed or was stopped.
 std::string describe(const RunStudyReport& report, const PlannedStudy& study);
 Json toJson(const RunStudyReport& report, const PlannedStudy& study);
 
 /// The first twenty lines of many, and how many more there are.
 std::string firstOf(const std::vector<std::string>& lines);
-/// Of tasks a line each, "  missing  NAME" and what follows it: of so many as firstOf tells, or of all, with their reasons.
+/// Writes a line for each task, "  missing  NAME" and what follows it: for as many as firstOf tells, or for all with their reasons.
 std::string taskLines(const std::string& what, const std::vector<std::size_t>& tasks, const Plan& plan,
                       const std::string& remark = "");
 std::string taskLines(const std::string& what, const std::vector<FailedTask>& tasks, const Plan& plan,
                       const std::string& remark = "");
-/// The same as id, condition, seed and reason.
+/// Writes tasks as JSON: id, condition, seed and reason.
 Json toJson(const std::vector<std::size_t>& tasks, const Plan& plan);
 Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan);
 
@@ -70,7 +70,7 @@ struct Shard {
 /// "3/40". Throws InputError.
 Shard parseShard(const std::string& text);
 
-/// Of tasks 0 to count − 1, rising.
+/// Returns the shard's tasks among 0 to count − 1, rising.
 std::vector<std::size_t> tasksOf(const Shard& shard, std::size_t count);
 
 }  // namespace morula

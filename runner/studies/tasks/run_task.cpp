@@ -33,8 +33,8 @@ std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample
   return {samples.back()};
 }
 
-/// What is not asked for is not stored: of samples the start's and the end's stay, as of every run; of connections those
-/// that hold at the end, where their history is the largest table of all.
+/// Drops results that were not asked for. The samples of start and end stay, as of every run, and connections that hold at the end:
+/// their history is the largest table of all.
 void drop(RunResults& results, const Study& study) {
   if (study.keep.samples == SamplesKept::all) return;
   if (results.samples.size() > 2) results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
@@ -43,7 +43,7 @@ void drop(RunResults& results, const Study& study) {
 
 FailureKind kindOf(Want want) { return want == Want::memory ? FailureKind::memoryLimit : FailureKind::numerical; }
 
-/// Of a run that has nothing to show.
+/// Makes the end of a run that has nothing to show.
 RunEnd failedEnd(const std::string& why) { return {.status = RunStatus::failed, .failure = why}; }
 
 TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenario, const TaskSettings& settings) {
@@ -96,7 +96,7 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
     const auto values = valuesOf(samples, states, study.measures);
     outcome.values.insert(outcome.values.end(), values.begin(), values.end());
   };
-  // What is not kept is measured and let go.
+  // Samples that are not kept are measured and dropped.
   RunResults before;
   const RecordSink let = [&](const RunResults& records) {
     if (study.when.moments != Moments::end) measure(records.samples, records.stateTexts);

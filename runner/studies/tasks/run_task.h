@@ -1,6 +1,6 @@
 #pragma once
 // One task: its run from beginning to end, and the file of its result. Each is computed in a process of its own.
-// What a study keeps of a run is one number for each measure and time.
+// A study keeps of a run one number for each measure and time.
 #include <map>
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& fold
 void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,
                   FailureKind kind, const std::string& why, const ForkedEnd& end);
 
-/// Whether the study keeps a picture of the task.
+/// Returns true if the study keeps a picture of the task.
 bool keepsPicture(const Plan& plan, std::size_t task);
 
 /// The measures' values in each of the samples: a measure of the world as it is; of cells, the mean over the living cells

@@ -38,7 +38,7 @@ constexpr std::size_t maxLetters = 40;  // of a level in a name
 
 std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + ".png"; }
 
-/// Without what shells, other systems and people stumble over.
+/// Removes characters over which shells, other systems and people stumble.
 std::string safeName(std::string label) {
   std::ranges::replace_if(
       label, [](char c) { return !isMadeOf(std::string(1, c), ".-"); }, '-');
