@@ -29,8 +29,8 @@ std::size_t occurrences(const std::string& text, const std::string& part);
 /// The built program, for tests that start it through a shell.
 std::string programFile();
 
-/// Runs `morula arguments…` in the source folder and waits for its end; calls `meanwhile` with the process's id while it
-/// runs.
+/// Runs `morula arguments…` in the source folder and waits for its end; calls `meanwhile` with the process's id while
+/// it runs.
 Launched launch(const Words& arguments, const Environment& environment = {},
                 const std::function<void(int)>& meanwhile = {});
 
@@ -47,11 +47,12 @@ std::optional<Launched> launchOnTerminal(const Words& arguments, const Environme
 /// What such a test says.
 inline constexpr auto skippedWithoutTerminal = "skipped: no pseudo-terminals here";
 
-/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if it
-/// never comes to hold.
+/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if
+/// it never comes to hold.
 void waitUntil(const std::function<bool()>& holds);
 
-/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time since.
+/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time
+/// since.
 void waitUntilComputing(int process);
 
 /// An empty folder that goes away with its owner.

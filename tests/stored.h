@@ -6,8 +6,8 @@
 
 namespace morula::test {
 
-/// Statements; or one statement, and a value for each of its parameters. Rows fit their digests afterwards, so that what else
-/// guards a reader is tested.
+/// Statements; or one statement, and a value for each of its parameters. Rows fit their digests afterwards, so that
+/// what else guards a reader is tested.
 template <class... Values>
 void change(const std::string& file, const std::string& sql, const Values&... values) {
   {

@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// The resource that ran out, if any. Such an error depends on the machine or on the program, not on the scene, so a run that
-/// ended by it is compared with nothing.
+/// The resource that ran out, if any. Such an error depends on the machine or on the program, not on the scene, so a
+/// run that ended by it is compared with nothing.
 enum class Want {
   nothing,
   memory,

@@ -1,6 +1,6 @@
 #pragma once
-// An optional value that lies elsewhere, as std::indirect of C++26 does: who holds or passes it on need not know its type,
-// which may be declared only. Copied and destroyed with its value, and const with its owner.
+// An optional value that lies elsewhere, as std::indirect of C++26 does: who holds or passes it on need not know its
+// type, which may be declared only. Copied and destroyed with its value, and const with its owner.
 #include <utility>
 
 namespace morula {

@@ -6,8 +6,8 @@ namespace morula::MORULA_ISA {
 
 constexpr int rowColumns = 8, rowStride = 8;
 
-/// loadRows reads the rows of `width` indices as eight columns of lanes. packFloats and unpackFloats: two floats in
-/// the place of one double, as a row holds its velocity. loadFloats and storeFloats: lanes as floats, rounded to nearest.
+/// loadRows reads the rows of `width` indices as eight columns of lanes. packFloats and unpackFloats: two floats in the
+/// place of one double, as a row holds its velocity. loadFloats and storeFloats: lanes as floats, rounded to nearest.
 #if MORULA_WIDTH == 1
 
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[rowColumns]) {
@@ -130,7 +130,8 @@ MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
   return packed;
 }
 
-// Uses intrinsics where there are some: compilers turn __builtin_convertvector into several conversions by way of memory.
+// Uses intrinsics where there are some: compilers turn __builtin_convertvector into several conversions by way of
+// memory.
 MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   FloatLanes both;
   __builtin_memcpy(&both, &packed.v, sizeof both);

@@ -7,9 +7,9 @@
 
 namespace morula {
 
-/// Cube root of a positive, normal number, to within 1 ulp and the same bits everywhere. A first estimate from the exponent
-/// is right to 4 %; each of five Newton iterations for x³ = a then doubles the correct digits, where four are enough. They
-/// use a/x² and not x³ − a, because the cube of an estimate that is too large may overflow.
+/// Cube root of a positive, normal number, to within 1 ulp and the same bits everywhere. A first estimate from the
+/// exponent is right to 4 %; each of five Newton iterations for x³ = a then doubles the correct digits, where four are
+/// enough. They use a/x² and not x³ − a, because the cube of an estimate that is too large may overflow.
 inline double cubeRoot(double a) {
   const auto bits = std::bit_cast<std::uint64_t>(a);
   double x = std::bit_cast<double>(bits / 3 + 0x2A9F7893782DA1CEu);
@@ -61,7 +61,8 @@ struct SineAndCosine {
   double sine, cosine;
 };
 
-/// Sine and cosine of an angle [radian], each to within 2 ulp where |angle| ≤ 1e5: angle = k π/2 + r with |r| ≤ π/4, and there
+/// Sine and cosine of an angle [radian], each to within 2 ulp where |angle| ≤ 1e5: angle = k π/2 + r with |r| ≤ π/4,
+/// and there
 ///
 ///   sin r = r − r³/3! + … + r¹⁷/17!,   cos r = 1 − r²/2! + … + r¹⁶/16!
 ///

@@ -1,6 +1,6 @@
 #pragma once
-// Records: structs with one list of their fields. Columns of the database and their comments, JSON out and in, tables for people
-// come from that list; a field that is added to the struct and not to its list does not compile.
+// Records: structs with one list of their fields. Columns of the database and their comments, JSON out and in, tables
+// for people come from that list; a field that is added to the struct and not to its list does not compile.
 //
 //   template <IsA<TimeStepRecord> T>
 //   void listFields(T& change, auto&& field) {

@@ -13,8 +13,8 @@ std::string_view withoutByteOrderMark(std::string_view text);
 /// True if the text begins with a byte order mark of UTF-16, in either order of bytes.
 bool isUtf16(std::string_view text);
 
-/// "U+00A0 no-break space" for a character beyond ASCII that shows as nothing or as a blank, or that turns what follows; ""
-/// for all others.
+/// "U+00A0 no-break space" for a character beyond ASCII that shows as nothing or as a blank, or that turns what
+/// follows; "" for all others.
 std::string nameOfInvisible(char32_t c);
 
 struct InvisibleCharacter {

@@ -1,5 +1,5 @@
-// Finds DNA that is well written but cannot work. A misspelling must not give an organism that silently does nothing, so a
-// name that nothing can ever produce, or a gene that can never be active, is an error.
+// Finds DNA that is well written but cannot work. A misspelling must not give an organism that silently does nothing,
+// so a name that nothing can ever produce, or a gene that can never be active, is an error.
 #include <algorithm>
 #include <map>
 
@@ -112,8 +112,8 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Di
   }
 }
 
-/// Reports repressors without effect: a substance that is never present represses nothing, and one that is also an input
-/// represses always.
+/// Reports repressors without effect: a substance that is never present represses nothing, and one that is also an
+/// input represses always.
 void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible, Diagnostics& diagnostics) {
   std::set<std::string> inputs, seen;
   for (const Word& input : gene.inputs) inputs.insert(input.text);

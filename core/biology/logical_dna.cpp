@@ -257,7 +257,8 @@ StateId LogicalDna::nextOnSensing(StateId state, std::uint64_t sensed) const {
   return next;
 }
 
-/// Returns true if the cell's cycle would divide it and the cell is too small for that. A cell without a body never waits.
+/// Returns true if the cell's cycle would divide it and the cell is too small for that. A cell without a body never
+/// waits.
 bool LogicalDna::waitsForSize(const CellContext& cell) const {
   if (!cell.physical()) return false;
   const State& next = states_[nextState(cell)];

@@ -1,6 +1,6 @@
 #pragma once
-// The kinds of senses, by which a cell perceives itself and others: one row of a table for each. To add a kind: its value in
-// SenseKind (parameters.h), and its row in a file such as neighbour_senses.cpp.
+// The kinds of senses, by which a cell perceives itself and others: one row of a table for each. To add a kind: its
+// value in SenseKind (parameters.h), and its row in a file such as neighbour_senses.cpp.
 //
 // A kind measures one number of a cell, and a condition (Threshold) says of which numbers the cell takes note.
 #include <functional>

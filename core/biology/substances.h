@@ -22,8 +22,8 @@ inline const std::string release = "release";  // wantsToConnect −1; with `con
 /// Substances that act when a gene produces them.
 inline const std::array<std::string, 6> acting = {divide, die, grow, shrink, connect, release};
 
-/// True for the eight substances above. A pattern such as 'A*' means the names of its author, never these: every newborn holds A
-/// or B.
+/// True for the eight substances above. A pattern such as 'A*' means the names of its author, never these: every
+/// newborn holds A or B.
 inline bool isReserved(std::string_view name) {
   if (name == a || name == b) return true;
   for (const std::string& one : acting)

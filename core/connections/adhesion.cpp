@@ -36,14 +36,16 @@ void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vecto
 double roundRadius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi)); }
 
 double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA, int slotB, double distance) {
-  // At rest, so that the length is no function of where vertices are: the spring's force is then all that its energy asks.
+  // At rest, so that the length is no function of where vertices are: the spring's force is then all that its energy
+  // asks.
   const double radii = b.parameters.cell.radius * (b.restScale[slotA] + b.restScale[slotB]);
   return spring.stiffness * (distance - spring.rest * radii);
 }
 
 namespace {
 
-/// [force] Which cells are connected how strongly: the pull of connection number `i` of the active ones over a distance.
+/// [force] Which cells are connected how strongly: the pull of connection number `i` of the active ones over a
+/// distance.
 class Pulls {
  public:
   Pulls(const Connections& c, const Bodies& b) : c_(c), b_(b) {}

@@ -12,10 +12,12 @@
 namespace morula {
 namespace {
 
-// [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with the margin M lasts M/ċ of
-// them, and pairs that are kept for the margin cost as M does: both together cost least at M = 1.4 √(R ċ), measured.
+// [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with
+// the margin M lasts M/ċ of them, and pairs that are kept for the margin cost as M does: both together cost least at M
+// = 1.4 √(R ċ), measured.
 constexpr double marginScale = 1.4, minMargin = 0.01, maxMargin = 0.07;
-// [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are taken.
+// [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are
+// taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
 // Share of all vertices: if more of them need a new choice at once, all get one.
 constexpr double maxRenewed = 0.1;
@@ -82,8 +84,8 @@ void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   replaceInSlices(lists, lists.acting, lists.chosen, first, bodies.lineCount() * blockLanes);
 }
 
-/// Marks the vertices of this block whose choice has ended, and those of other cells that may act on them now. Other lists may
-/// still name them, which adds nothing.
+/// Marks the vertices of this block whose choice has ended, and those of other cells that may act on them now. Other
+/// lists may still name them, which adds nothing.
 void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
   ActingPairs& acting = c.acting;
   ActingPairs::OfBlock& own = acting.blocks[block];

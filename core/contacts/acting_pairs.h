@@ -1,8 +1,8 @@
 #pragma once
-// The pairs of the neighbour list that may act for a while: as long as surfaces turn, and stray from where their velocities
-// bring them, by no more than a margin (acting_kernel.h). Single vertices that bounce use it up first: for those alone pairs
-// are chosen anew. For the pair law without adhesion slices are cut of these alone, in a packed scene one pair in three. With
-// adhesion all pairs within reach act.
+// The pairs of the neighbour list that may act for a while: as long as surfaces turn, and stray from where their
+// velocities bring them, by no more than a margin (acting_kernel.h). Single vertices that bounce use it up first: for
+// those alone pairs are chosen anew. For the pair law without adhesion slices are cut of these alone, in a packed scene
+// one pair in three. With adhesion all pairs within reach act.
 #include <cstdint>
 #include <vector>
 
@@ -37,7 +37,8 @@ struct ActingPairs {
 /// Returns true if slices are cut from chosen pairs only.
 bool choosesPairs(const Contacts& contacts);
 
-/// Prepares the count of changes in a snapshot of this block. `sinceLast` [time]: how long surfaces have moved by the velocities of the last one.
+/// Prepares the count of changes in a snapshot of this block. `sinceLast` [time]: how long surfaces have moved by the
+/// velocities of the last one.
 ChangeCount countChanges(Contacts& contacts, const Bodies& bodies, int block, double sinceLast);
 
 /// Chooses among all pairs of the neighbour list anew, by all snapshots, and cuts them into slices.

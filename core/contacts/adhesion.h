@@ -2,14 +2,14 @@
 // Adhesion of cells that touch: how strongly each pair of vertices of the neighbour list sticks together. Both laws'
 // kernels read that number beside the list, one after the other: no look-up and no branch per pair.
 //
-// W is the work that parts two flat surfaces, per area. Surfaces with n_i and n_j vertices per area and a gap g, each pair
-// with the energy −s T/6 (1 − r²/A²)³ of pair_law_kernel.h, A = αR, hold
+// W is the work that parts two flat surfaces, per area. Surfaces with n_i and n_j vertices per area and a gap g, each
+// pair with the energy −s T/6 (1 − r²/A²)³ of pair_law_kernel.h, A = αR, hold
 //
 //   n_i n_j s T/6 ∫ (1 − (ρ² + g²)/A²)³ 2πρ dρ = n_i n_j s T πA²/24 (1 − g²/A²)⁴ = W (1 − g²/A²)⁴
 //   ⇒  T = (24/π) W a_i a_j/(A² s),   a = 1/n the area of a vertex at rest, s of flat meshes face to face
 //
-// and attract each other most at g = 0.38 A. So W does not depend on the mesh nor on the cells' sizes. Surfaces that are
-// stretched hold less, and compressed ones more: W a_i n_i a_j n_j.
+// and attract each other most at g = 0.38 A. So W does not depend on the mesh nor on the cells' sizes. Surfaces that
+// are stretched hold less, and compressed ones more: W a_i n_i a_j n_j.
 #include <vector>
 
 #include "base/aligned.h"
@@ -58,9 +58,9 @@ void setAdhesionKinds(Contacts& contacts, AdhesionKinds kinds);
 /// Fills Adhesion::ofPairs for the list as it is.
 void findPairStrengths(Contacts& contacts, const Bodies& bodies, int threads);
 
-/// [force/length] The steepest that adhesion of these cells may change with the distance of two vertices, times the α² as
-/// many that are within A as within R, or of two spheres: counts against the time step as a contact's stiffness does. 0
-/// without adhesion.
+/// [force/length] The steepest that adhesion of these cells may change with the distance of two vertices, times the α²
+/// as many that are within A as within R, or of two spheres: counts against the time step as a contact's stiffness
+/// does. 0 without adhesion.
 double adhesionStiffness(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -1,4 +1,5 @@
-// Finds the cells that touch and the areas of their contacts. Measures and decisions need them now and then, not each step.
+// Finds the cells that touch and the areas of their contacts. Measures and decisions need them now and then, not each
+// step.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -102,23 +103,24 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
 
 constexpr double minOverlap = 1.0 / 5000;  // of the influence radius
 constexpr double maxCover = 2;             // of a vertex's area, and of what forces say of a pair that sticks
-// [1] Both are chosen so that the areas of two cells on icospheres 2 to 4 are nearest to those on icosphere 5, for W from 0.1
-// to 2, free or pressed together.
+// [1] Both are chosen so that the areas of two cells on icospheres 2 to 4 are nearest to those on icosphere 5, for W
+// from 0.1 to 2, free or pressed together.
 constexpr double minHeld = 0.1;       // of a vertex's share of W
 constexpr double stressOverWork = 3;  // σ A/W
-// A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the meshes'
-// orientation.
+// A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the
+// meshes' orientation.
 constexpr double minShare = 0.005;
 
-/// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both sides.
+/// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both
+/// sides.
 double coverOf(const PairSum& p, double work, double own, double atRest) {
   const double held = -2 * p.adhesion * own / (work * atRest * atRest);
   return std::clamp((held - minHeld) / (1 - minHeld), 0.0, 1.0);
 }
 
-/// Areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over the pressure that
-/// the overlap bears where that is larger. No vertex counts for more than twice its area. Areas of cells that stick are as the
-/// header says.
+/// Areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over the
+/// pressure that the overlap bears where that is larger. No vertex counts for more than twice its area. Areas of cells
+/// that stick are as the header says.
 std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
   std::vector<std::vector<double>> areas(b.blocks.size() * blockLanes);  // [slot][vertex]
   for (int slot : b.slots) areas[slot] = vertexAreas(b, slot);

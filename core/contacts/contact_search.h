@@ -18,8 +18,9 @@ inline constexpr auto choices<ContactSearch> = std::to_array<Choice<ContactSearc
 /// Changes speed, never a bit of the result.
 struct SearchSettings {
   ContactSearch method = ContactSearch::grid;
-  /// [1] The skin, over the smallest influence radius: a list stays valid until a vertex has moved half of the skin. A larger
-  /// skin makes longer lists and fewer searches; 0.3 is the measured optimum. 0: a search at every step, for measurements.
+  /// [1] The skin, over the smallest influence radius: a list stays valid until a vertex has moved half of the skin. A
+  /// larger skin makes longer lists and fewer searches; 0.3 is the measured optimum. 0: a search at every step, for
+  /// measurements.
   double skinShare = 0.3;
 };
 

@@ -5,8 +5,8 @@
 
 namespace morula {
 
-/// [length] A cell's mesh where contacts act on it: of the pair law y = x + λ U − γ δ n of each vertex, of another law, of none
-/// (null) and of spheres as others see it (takeSurface).
+/// [length] A cell's mesh where contacts act on it: of the pair law y = x + λ U − γ δ n of each vertex, of another law,
+/// of none (null) and of spheres as others see it (takeSurface).
 Mesh takeContactSurface(const Contacts* contacts, const Bodies& bodies, int slot);
 
 }  // namespace morula

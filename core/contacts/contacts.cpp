@@ -10,11 +10,11 @@ namespace morula {
 namespace {
 
 /// [force·time/length] The most that friction is, per slip speed. Slow cells feel this bound alone: their friction is a
-/// damper, so it follows from what the cells are and not from the time step, or each step would have another law. m is the
-/// lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all directions
-/// of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a quarter of what is
-/// critical; and they do not reverse its slip within a time step, 5c Δt < m, while that is at most 0.53 √(m/K), as automatic
-/// ones of velocity Verlet are. A longer one lowers the bound.
+/// damper, so it follows from what the cells are and not from the time step, or each step would have another law. m is
+/// the lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all
+/// directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
+/// quarter of what is critical; and they do not reverse its slip within a time step, 5c Δt < m, while that is at most
+/// 0.53 √(m/K), as automatic ones of velocity Verlet are. A longer one lowers the bound.
 double strongestGrip(const Contacts& c, double timeStep) {
   const double m = c.lightestVertex;
   return std::min(0.3 * std::sqrt(c.parameters.stiffness * m), 0.16 * m / timeStep);

@@ -58,8 +58,8 @@ void setInfluenceRadii(Contacts& contacts, const Bodies& bodies);
 /// Sets the influence radii to given ones, [cell] [length].
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies, std::span<const double> radii);
 
-/// Takes one block's snapshot, from the scratch that `advance` has just filled. `sinceLast` [time]: since the one before,
-/// of all blocks alike; if it is, fewer pairs need to be looked at, and any other one gives the same result.
+/// Takes one block's snapshot, from the scratch that `advance` has just filled. `sinceLast` [time]: since the one
+/// before, of all blocks alike; if it is, fewer pairs need to be looked at, and any other one gives the same result.
 void takeSnapshot(Contacts& contacts, const Bodies& bodies, const BlockView& block, int index, double sinceLast = 0);
 
 /// Builds the list anew if a vertex has moved half the skin. Needs all snapshots.

@@ -1,6 +1,7 @@
 #pragma once
-// Finds the points near a vertex among those of the rows around it. Rows are short, and a branch per hit would be unpredictable, so
-// there is none: of eight points at a time all places are written, and the list's end advances by the number of hits.
+// Finds the points near a vertex among those of the rows around it. Rows are short, and a branch per hit would be
+// unpredictable, so there is none: of eight points at a time all places are written, and the list's end advances by the
+// number of hits.
 #include "base/lanes.h"
 #include "contacts/search_kernels.h"
 

@@ -54,8 +54,8 @@ void requireRoomForLists(const NeighbourList& list) {
   }
 }
 
-/// The answer to whether lists are too long, and where, must not depend on the number of threads that share the memory. If
-/// the shares do not suffice, one thread searches again and decides.
+/// The answer to whether lists are too long, and where, must not depend on the number of threads that share the memory.
+/// If the shares do not suffice, one thread searches again and decides.
 template <class Search>
 void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
   try {

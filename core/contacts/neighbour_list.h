@@ -1,6 +1,6 @@
 #pragma once
-// The neighbour list: vertices of other cells that may come within reach before the list is built anew. It is a Verlet list
-// with a skin.
+// The neighbour list: vertices of other cells that may come within reach before the list is built anew. It is a Verlet
+// list with a skin.
 //
 // A list holds every pair closer than the pair's influence radius plus the skin, so as long as no vertex has
 // moved more than half the skin it misses no contact; pairs out of reach add exactly nothing. Forces

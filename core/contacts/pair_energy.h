@@ -15,8 +15,8 @@ struct PairSum {
   Vector force;          // −∂E/∂y_i
 };
 
-/// Sums the pairs of all vertices that have another cell's vertices within reach: sorted by the cells' numbers, the lower one
-/// first, and then by vertex. Uses the last snapshot.
+/// Sums the pairs of all vertices that have another cell's vertices within reach: sorted by the cells' numbers, the
+/// lower one first, and then by vertex. Uses the last snapshot.
 std::vector<PairSum> sumPairs(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -43,8 +43,8 @@ constexpr double hardening1 = 6, hardening2 = 200;                           // 
 // B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
 // surfaces are let through.
 constexpr double deepestHeld = 0.37, deepestBulk = 0.54;
-// [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no pair of
-// vertices face to face passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
+// [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no
+// pair of vertices face to face passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
 constexpr double maxFlight = 0.19;
 
 struct ContactParameters {

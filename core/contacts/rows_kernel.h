@@ -1,6 +1,7 @@
 #pragma once
-// Snapshot rows as lanes: 64 bytes in one cache line, read and written by index. Turning rows into columns of lanes is a
-// transposition in registers, not a gather. A row of doubles has its velocity and 1/R² as floats, two in place of a double.
+// Snapshot rows as lanes: 64 bytes in one cache line, read and written by index. Turning rows into columns of lanes is
+// a transposition in registers, not a gather. A row of doubles has its velocity and 1/R² as floats, two in place of a
+// double.
 #include "base/lane_prefetch.h"
 #if defined(MORULA_SINGLE)
 #include "base/lane_rows_single.h"
@@ -47,8 +48,8 @@ MORULA_INLINE Rows loadRowInAllLanes(const RowMemory* row) {
           all(f[3])};
 }
 
-/// Returns a bound on the length of `a`, at most 16 % above it, without a root. The bound is convex, linear where the order of sizes is
-/// the same, and right for (1, 0, 0) and (1, 1, 0); for (1, 1, 1) it is 1.83.
+/// Returns a bound on the length of `a`, at most 16 % above it, without a root. The bound is convex, linear where the
+/// order of sizes is the same, and right for (1, 0, 0) and (1, 1, 0); for (1, 1, 1) it is 1.83.
 MORULA_INLINE Lanes atMost(const Vec& a) {
   const Lanes x = abs(a.x), y = abs(a.y), z = abs(a.z);
   return 0.41421357 * (x + y + z) + 0.58578644 * max(x, max(y, z));
@@ -85,9 +86,9 @@ MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index
   for (int i = 0; i < width; ++i) __builtin_prefetch(rows + index[linesPrefetched * blockLanes + i]);
 }
 
-/// Prefetches, with each slice of a block, its share of the next block's rows and forces: sorted by length, slices name a block's
-/// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Places and velocities are
-/// what the ring pass and the kick behind it wait for; with 2048 cells that is another 8 %.
+/// Prefetches, with each slice of a block, its share of the next block's rows and forces: sorted by length, slices name
+/// a block's own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Places and
+/// velocities are what the ring pass and the kick behind it wait for; with 2048 cells that is another 8 %.
 MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
                                      const Real* force) {
   constexpr int ofRows = blockLanes * sizeof(RowMemory), ofForces = vertexStride * sizeof(Real);

@@ -12,7 +12,8 @@ void cutIntoSlices(BlockLists& block, const RowLists& lists, VertexNumber firstO
 /// Cuts the lists of all blocks into slices, with all pairs that were found.
 void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads);
 
-/// Writes the lists of these rows anew: where a vertex stands, or, if its slice is too short, in slices behind the others.
+/// Writes the lists of these rows anew: where a vertex stands, or, if its slice is too short, in slices behind the
+/// others.
 void replaceInSlices(BlockLists& block, const RowLists& lists, std::span<const std::int32_t> rows,
                      VertexNumber firstOfBlock, VertexNumber far);
 

@@ -7,23 +7,26 @@
 //   U = mean of the ring − x           the vertex' distance from its one-ring
 //   y = x + λ U − γ δ n                where the surface stands,  λ = 1/8,  γ = 0.65
 //
-// Faces cut across a curved surface: the one that holds the cell's volume lies δ inside the smooth one through its vertices
-// (physics/sag.h). δ is the cell's, not the vertex' own −¼ U·n: a vertex that is pressed flat has none, and yet the smooth
-// surface of the cell beside it stands out by δ, so that it would be pressed flat too far. γ δ leaves out the third that
-// surfaces overlap by when they press on each other, and what λ U adds at the rim of a contact: of λ and γ these let nine
-// pressed pairs, whose meshes lie in nine ways, have the contact areas (−2.8 to 3.8 %), pressures (−0.2 to 0.5 %) and places
-// (1.4e-3 radii) of the limit on icosphere 2; with λ = 1/8 alone areas are 5 to 12 % too large.
+// Faces cut across a curved surface: the one that holds the cell's volume lies δ inside the smooth one through its
+// vertices (physics/sag.h). δ is the cell's, not the vertex' own −¼ U·n: a vertex that is pressed flat has none, and
+// yet the smooth surface of the cell beside it stands out by δ, so that it would be pressed flat too far. γ δ leaves
+// out the third that surfaces overlap by when they press on each other, and what λ U adds at the rim of a contact: of λ
+// and γ these let nine pressed pairs, whose meshes lie in nine ways, have the contact areas (−2.8 to 3.8 %), pressures
+// (−0.2 to 0.5 %) and places (1.4e-3 radii) of the limit on icosphere 2; with λ = 1/8 alone areas are 5 to 12 % too
+// large.
 //
-// λ U evens the surface out where it is sharp. Without it rims, where three cells meet, slip into each other under contacts
-// that are soft beside membranes, and cells take twice as long to come to rest (γ = 0.74 alone: as good for pressed pairs).
+// λ U evens the surface out where it is sharp. Without it rims, where three cells meet, slip into each other under
+// contacts that are soft beside membranes, and cells take twice as long to come to rest (γ = 0.74 alone: as good for
+// pressed pairs).
 //
-// A force f on y and q = −∂E/∂n are, to the vertices (n_v neighbours around v; k runs over its ring, counter-clockwise):
+// A force f on y and q = −∂E/∂n are, to the vertices (n_v neighbours around v; k runs over its ring,
+// counter-clockwise):
 //
 //   t   = (q' − n (n·q')/ν²) ν/√(G² + ε² R⁴),  q' = q − γ δ f    −∂E/∂G; 1/√… = √(1 − n²/ν²)/(ε R²)
 //   F_v = (1 − λ) f_v + Σ_k λ f_k/n_k + Σ_k (x_{k−1} − x_{k+1}) × t_k
 //
-// for G_k does not depend on x_k, and changes by (x_{k+1}' − x_{k−1}') × of k's own ring, which are the neighbours that v
-// and k share. The sums over all vertices of these forces and of their couples about any point are those of f and q.
+// for G_k does not depend on x_k, and changes by (x_{k+1}' − x_{k−1}') × of k's own ring, which are the neighbours that
+// v and k share. The sums over all vertices of these forces and of their couples about any point are those of f and q.
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -34,7 +37,8 @@ struct SurfaceForce {
   Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
 };
 
-/// Adds what has changed between two rows of `width` vertices, the first of which is number `row` of the block: the sum.
+/// Adds what has changed between two rows of `width` vertices, the first of which is number `row` of the block: the
+/// sum.
 MORULA_INLINE Lanes countChange(const ChangeCount& count, int row, const Rows& before, const Rows& now) {
   const Lanes faster = atMost(now.v - before.v), fasterBefore = loadFloats(count.speeds + row);
   const Lanes change = loadFloats(count.change + row) + Lanes(count.perTurning) * atMost(now.n - before.n) +
@@ -56,8 +60,8 @@ inline void findEnded(ChangeCount& count, int rows, int liveLanes) {
     }
 }
 
-// takeSnapshot prefetches this many vertices ahead what the step has not read yet. With 1024 cells this takes a tenth off the
-// step.
+// takeSnapshot prefetches this many vertices ahead what the step has not read yet. With 1024 cells this takes a tenth
+// off the step.
 constexpr int linesAhead = 16;
 
 /// [ContactKernels::takeSnapshot] of the surface.

@@ -12,7 +12,8 @@
 
 namespace morula {
 
-/// The place at which a cell is cut. A surface is cut along the plane; a sphere, which has none, into shares of its volume.
+/// The place at which a cell is cut. A surface is cut along the plane; a sphere, which has none, into shares of its
+/// volume.
 struct Cut {
   Point point;    // [length] on the plane
   Vector normal;  // the plane's unit normal; points to daughter A

@@ -20,15 +20,16 @@ int countFolds(Points vertices, Faces faces, const std::vector<char>& isProjecte
 int unfold(std::vector<Point>& vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward,
            int sweeps = 200);
 
-/// The two halves of a closed surface: for each side of the plane a copy, in which the vertices beyond the plane lie on the
-/// plane. Connectivity stays.
+/// The two halves of a closed surface: for each side of the plane a copy, in which the vertices beyond the plane lie on
+/// the plane. Connectivity stays.
 struct Halves {
   std::vector<Point> a, b;  // a on the side that the normal points to
   double volumeA, volumeB;  // [length³]
 };
 
-/// Projects the vertices beyond the plane along its unit normal, and takes out what that folds over.
-/// Projects the surface onto the plane from both sides. If nothing folds, both volumes add up to the whole exactly: a face's shadow on the plane stays the same.
+/// Projects the vertices beyond the plane along its unit normal, and takes out what that folds over. Projects the
+/// surface onto the plane from both sides. If nothing folds, both volumes add up to the whole exactly: a face's shadow
+/// on the plane stays the same.
 Halves halve(Points vertices, Faces faces, const Point& onPlane, const Vector& normal);
 
 }  // namespace morula

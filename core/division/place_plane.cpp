@@ -13,8 +13,8 @@ struct Heights {
   double middle() const { return 0.5 * (low + high); }
 };
 
-/// The heights between which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The number
-/// of halvings is fixed, and enough for the last place of a double.
+/// The heights between which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The
+/// number of halvings is fixed, and enough for the last place of a double.
 template <class ShareAbove>
 Heights bisect(Heights h, double wanted, const ShareAbove& shareAbove) {
   for (int turn = 0; turn < 60; ++turn) (shareAbove(h.middle()) > wanted ? h.low : h.high) = h.middle();

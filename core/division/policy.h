@@ -21,8 +21,8 @@ class DivisionPolicy {
 /// One plane for all cells. Throws InputError for an axis of length 0.
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed);
 
-/// Returns the policy that takes plane, share, tilt and deviations of each cell from the first rule that fits it (rules.cpp).
-/// Throws InputError for an axis of length 0, and for a share that is or may vary below 0.1 or above 0.9.
+/// Returns the policy that takes plane, share, tilt and deviations of each cell from the first rule that fits it
+/// (rules.cpp). Throws InputError for an axis of length 0, and for a share that is or may vary below 0.1 or above 0.9.
 std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& parameters, std::uint64_t seed,
                                                    const VariationParameters& variation = {});
 

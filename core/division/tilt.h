@@ -9,8 +9,8 @@ namespace morula {
 /// both tangents are normal with that standard deviation. Mean of the cosine to the axis: coth κ − 1/κ. The deviation
 /// belongs to the draw, and turns with the axis.
 ///
-/// Tilts an axis by a random angle, drawn by inversion [Ulrich 1984; Wood 1994; Jakob 2012]: w = 1 + ln(u + (1 − u) e^{−2κ})/κ along the axis, and an even
-/// angle about it.
+/// Tilts an axis by a random angle, drawn by inversion [Ulrich 1984; Wood 1994; Jakob 2012]: w = 1 + ln(u + (1 − u)
+/// e^{−2κ})/κ along the axis, and an even angle about it.
 Vector tiltAxis(const Vector& axis, double degrees, const Draw& draw);
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// The simulator for other programs: a scene in; steps, measures and the state's hash out. The same scene gives the same bits as the
-// program `morula` gives, on any machine.
+// The simulator for other programs: a scene in; steps, measures and the state's hash out. The same scene gives the same
+// bits as the program `morula` gives, on any machine.
 //
 //   find_package(Morula REQUIRED)
 //   target_link_libraries(mine PRIVATE Morula::morula)
@@ -10,8 +10,8 @@
 //   while (!organism.finished()) organism.step(64);
 //   std::cout << organism.cells() << ' ' << organism.hash() << '\n';
 //
-// Errors are thrown as std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which the
-// organism stays as it failed. Two simulators share nothing; one must not be used by two threads at once.
+// Errors are thrown as std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which
+// the organism stays as it failed. Two simulators share nothing; one must not be used by two threads at once.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,7 +30,8 @@ class Simulator {
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
 
-  /// Goes on by up to so many time steps, not past the end. Call it first in a thread: it sets how the processor rounds.
+  /// Goes on by up to so many time steps, not past the end. Call it first in a thread: it sets how the processor
+  /// rounds.
   void step(std::uint64_t most = 1);
   bool finished() const;
   std::uint64_t steps() const;
@@ -42,16 +43,18 @@ class Simulator {
   std::string hash() const;
 
   std::size_t cells() const;
-  /// Returns the path of the living cell with this number: A or B for each division, "" for the egg. Cells are sorted by path.
+  /// Returns the path of the living cell with this number: A or B for each division, "" for the egg. Cells are sorted
+  /// by path.
   std::string path(std::size_t cell) const;
   /// Returns the substances that the cell holds, sorted, with blanks between.
   std::string substances(std::size_t cell) const;
-  /// x, y and z of each vertex of its surface, one after the other, and three vertices for each face; empty without bodies.
+  /// x, y and z of each vertex of its surface, one after the other, and three vertices for each face; empty without
+  /// bodies.
   std::vector<double> vertices(std::size_t cell) const;
   std::vector<std::int32_t> faces(std::size_t cell) const;
 
-  /// Takes a measure of the organism or of one cell, by its name in `morula schema --measures`; absent if there is nothing
-  /// to measure.
+  /// Takes a measure of the organism or of one cell, by its name in `morula schema --measures`; absent if there is
+  /// nothing to measure.
   std::optional<double> measure(std::string_view name) const;
   std::optional<double> measure(std::string_view name, std::size_t cell) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// The members of a scene, struct by struct: the one list that writing and reading share (scene_format.cpp). A missing member does
-// not compile. A change of this list changes the format: raise its version.
+// The members of a scene, struct by struct: the one list that writing and reading share (scene_format.cpp). A missing
+// member does not compile. A change of this list changes the format: raise its version.
 #include <tuple>
 
 #include "simulation/scene.h"

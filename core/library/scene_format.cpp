@@ -47,7 +47,8 @@ class Reader {
     skip('\n');
     return s;
   }
-  /// Reads the length of a list. Each of its members takes two bytes at least, so no number can ask for more memory than the text has.
+  /// Reads the length of a list. Each of its members takes two bytes at least, so no number can ask for more memory
+  /// than the text has.
   std::size_t length() {
     const std::uint64_t n = number();
     if (n > rest_.size() / 2) refuse("a list of " + std::to_string(n) + " is longer than the rest of the scene");
@@ -163,7 +164,8 @@ void add(Words& w, T& a) {
   std::apply([&](auto&... field) { (add(w, field), ...); }, fields(a));
 }
 
-/// Checks members that refer to others: numbers of substances and of vertices. Meshes must be valid, as those of scenarios.
+/// Checks members that refer to others: numbers of substances and of vertices. Meshes must be valid, as those of
+/// scenarios.
 void checkReferences(const Scene& scene, const Reader& reader) {
   const Dna& dna = scene.dna;
   const auto areKnown = [&](const std::vector<SubstanceId>& ids) {

@@ -1,6 +1,7 @@
 #pragma once
-// A scene as a text of its own, for programs that have the simulator and know no scenario files: run_scene of the tests, pages
-// that run again, other programs. A scenario is for people; this holds exactly what decides a run, all numbers as their bits.
+// A scene as a text of its own, for programs that have the simulator and know no scenario files: run_scene of the
+// tests, pages that run again, other programs. A scenario is for people; this holds exactly what decides a run, all
+// numbers as their bits.
 //
 //   morula-scene 2
 //   11 unique-four         a text: its bytes, a blank, and the text
@@ -18,8 +19,8 @@ inline constexpr int sceneFormat = 2;
 
 std::string writeScene(Scene scene);
 
-/// Reads just what writeScene writes. Throws InputError "NAME:line: what is wrong; what would be right" for anything else: another
-/// version, a byte that was changed, cut off or added, a number that its member cannot be.
+/// Reads just what writeScene writes. Throws InputError "NAME:line: what is wrong; what would be right" for anything
+/// else: another version, a byte that was changed, cut off or added, a number that its member cannot be.
 Scene readScene(std::string_view text, const std::string& name);
 
 }  // namespace morula

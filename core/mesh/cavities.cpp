@@ -32,8 +32,8 @@ struct Cubes {
 };
 using Marks = std::vector<std::uint8_t>;  // [cube]
 
-/// Marks the cubes whose centres are within `reach` [edges] of that of one for which `isIn` is true: squares of distances, axis by
-/// axis. All are whole numbers.
+/// Marks the cubes whose centres are within `reach` [edges] of that of one for which `isIn` is true: squares of
+/// distances, axis by axis. All are whole numbers.
 Marks around(const Cubes& cubes, double reach, const auto& isIn) {
   constexpr std::int16_t far = 10'000;  // much more than reach²
   std::vector<std::int16_t> square(cubes.size()), next;

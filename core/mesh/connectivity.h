@@ -1,6 +1,6 @@
 #pragma once
-// Connectivity: which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their mother's
-// template, so that cells share lanes and a kernel reads one ring structure for all of them.
+// Connectivity: which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their
+// mother's template, so that cells share lanes and a kernel reads one ring structure for all of them.
 #include <array>
 #include <vector>
 

@@ -53,9 +53,9 @@ class Planes {
     return norm(a.normal - b.normal) * size_ <= within && std::abs(a.offset - b.offset) <= within;
   }
 
-  /// [length] By how much the digits of the file can put a vertex at this distance from the face outside of its plane: each
-  /// coordinate may be off by its rounding ε, so a point by √3 ε; the plane through three such points, of which the
-  /// smallest height is h, is off by √3 ε (1 + 2 r/h) at a distance r from them.
+  /// [length] By how much the digits of the file can put a vertex at this distance from the face outside of its plane:
+  /// each coordinate may be off by its rounding ε, so a point by √3 ε; the plane through three such points, of which
+  /// the smallest height is h, is off by √3 ε (1 + 2 r/h) at a distance r from them.
   double toleranceAt(const Face& face, double distance) const {
     double rounding = 0, longest = 0;
     for (int i = 0; i < 3; ++i) {
@@ -80,8 +80,8 @@ class Planes {
                               : "the origin lies almost in this face; a shell has it well inside, so move it");
   }
 
-  /// Throws if a vertex lies outside of the plane by more than the file's digits explain; moves the plane to the farthest
-  /// of those that they explain, so that the shell holds all of its vertices.
+  /// Throws if a vertex lies outside of the plane by more than the file's digits explain; moves the plane to the
+  /// farthest of those that they explain, so that the shell holds all of its vertices.
   void moveOutwards(std::size_t f, ShellPlane& plane) {
     const Face& face = mesh_.faces[f];
     double farthest = plane.offset;

@@ -22,8 +22,9 @@ struct ConvexShell {
 
 /// Reads a Wavefront OBJ text as readObj does, but neither moves nor scales it. Throws InputError "name:line:column: …"
 /// where readObj does, and for the first face with a vertex outside of its plane (not convex) by more than 1e-9 of the
-/// shell's size and more than the digits explain with which the file writes coordinates (at most 1e-3 of the size), or whose plane has the origin outside or within 1e-3 of that size. The size: from the origin to the farthest
-/// vertex, 1e-6 to 1e6.
+/// shell's size and more than the digits explain with which the file writes coordinates (at most 1e-3 of the size), or
+/// whose plane has the origin outside or within 1e-3 of that size. The size: from the origin to the farthest vertex,
+/// 1e-6 to 1e6.
 ConvexShell readConvexShell(const std::string& text, const std::string& name);
 
 /// Returns the shell `factor` > 0 times as large.

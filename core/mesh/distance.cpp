@@ -78,8 +78,8 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   return squares;
 }
 
-/// Winding number of the closed surface around a point, 0 outside: how often a ray from the point leaves the surface, less
-/// how often it enters. The ray lies in no plane of symmetry of our meshes, so it does not run along edges.
+/// Winding number of the closed surface around a point, 0 outside: how often a ray from the point leaves the surface,
+/// less how often it enters. The ray lies in no plane of symmetry of our meshes, so it does not run along edges.
 int windingAround(const Point& p, const Mesh& mesh) {
   const Vector ray{0.8017837, 0.2672613, 0.5345225};
   int winding = 0;

@@ -21,9 +21,10 @@ struct Mesh {
 /// of the level below. Throws InputError for another level.
 Mesh makeIcosphere(int level);
 
-/// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are cut into triangles, mesh/triangulate.h; names, materials
-/// and the like are passed over), checks it with `checkClosedManifold` and returns it moved and scaled: the mean of the vertices at the
-/// origin, the farthest vertex at distance 1. Throws InputError "name:line:column: …", one line per mistake.
+/// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are cut into triangles, mesh/triangulate.h; names,
+/// materials and the like are passed over), checks it with `checkClosedManifold` and returns it moved and scaled: the
+/// mean of the vertices at the origin, the farthest vertex at distance 1. Throws InputError "name:line:column: …", one
+/// line per mistake.
 Mesh readObj(const std::string& text, const std::string& name);
 
 /// Throws InputError "name: …" that names the offending edge, face or vertex (1-based, as in OBJ) unless the mesh is

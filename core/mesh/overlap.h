@@ -32,8 +32,8 @@ struct Overlap {
 /// Cost: triangles × lines through each, plus sorting the crossings of each line.
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns = 256);
 
-/// Uses vertical lines `spacing` apart, the first at half of it from `low`: calls visit(column, row, from, to) for each stretch
-/// [from, to) along z that lies in a mesh, row by row and upwards. Stretches of several meshes may meet.
+/// Uses vertical lines `spacing` apart, the first at half of it from `low`: calls visit(column, row, from, to) for each
+/// stretch [from, to) along z that lies in a mesh, row by row and upwards. Stretches of several meshes may meet.
 void visitInside(std::span<const MeshView> meshes, const Point& low, double spacing, int columns, int rows,
                  const std::function<void(int, int, double, double)>& visit);
 

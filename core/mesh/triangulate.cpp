@@ -32,7 +32,8 @@ bool fanCovers(const std::vector<Point>& corners, const Vector& normal) {
   return true;
 }
 
-/// The corners without the coordinate along which the normal is longest, turned so that the polygon is counter-clockwise.
+/// The corners without the coordinate along which the normal is longest, turned so that the polygon is
+/// counter-clockwise.
 std::vector<Flat> flatten(const std::vector<Point>& corners, const Vector& normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   std::vector<Flat> flat;

@@ -13,8 +13,8 @@ struct Triangulation {
   std::string wrong;                          // says why the polygon has no triangles; empty if it has
 };
 
-/// Cuts a polygon of three or more corners into triangles that cover it once. The polygon may be concave, a corner may lie
-/// on the line between its neighbours, and corners may lie a little off one plane. The triangles are the fan around
+/// Cuts a polygon of three or more corners into triangles that cover it once. The polygon may be concave, a corner may
+/// lie on the line between its neighbours, and corners may lie a little off one plane. The triangles are the fan around
 /// corner 0 where that fan covers the polygon; otherwise ears are cut off [Meisters 1975], at each step the ear whose
 /// smallest height over its longest side is the largest.
 ///

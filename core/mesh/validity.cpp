@@ -196,8 +196,8 @@ class Checker {
       fail(faceLine(0), "the mesh is flat: it encloses no volume; a cell needs an inside");
   }
 
-  // A height of less than this, in units of the length beside it, counts as none. The bound lies far above rounding and far
-  // below any mesh that springs could hold apart.
+  // A height of less than this, in units of the length beside it, counts as none. The bound lies far above rounding and
+  // far below any mesh that springs could hold apart.
   static constexpr double flat = 1e-10;
 
   const Mesh& mesh_;

@@ -13,8 +13,8 @@ void grow(Bodies& bodies, int slot, double rate, double timeStep);
 /// rest scale.
 double sizeAtRest(const Bodies& bodies, int slot);
 
-/// Grows a cell as `grow` does with a rate > 0, but not beyond this size (sizeAtRest): the last step covers what is missing. A
-/// cell that is as large or larger does not change.
+/// Grows a cell as `grow` does with a rate > 0, but not beyond this size (sizeAtRest): the last step covers what is
+/// missing. A cell that is as large or larger does not change.
 void growUntil(Bodies& bodies, int slot, double rate, double timeStep, double size);
 
 }  // namespace morula

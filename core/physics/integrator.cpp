@@ -30,8 +30,8 @@ bool isStable(int order, double a, double b) {
   return product(p) <= 1 && product(p - 1) >= 0 && product(p + 1) >= 0;
 }
 
-/// Finds the stability limit by bisection: both regions of stability are without gaps on the way from 0 to their border, and within 4
-/// of 0. An undamped oscillator gives 0 for order 1, which is explicit Euler.
+/// Finds the stability limit by bisection: both regions of stability are without gaps on the way from 0 to their
+/// border, and within 4 of 0. An undamped oscillator gives 0 for order 1, which is explicit Euler.
 template <int order>
 double rungeKuttaLimit(double k, double c, double m) {
   const double a = k / m, b = c / m;

@@ -42,9 +42,10 @@ struct MeshTemplate {
 /// Expects a closed manifold (checkClosedManifold).
 MeshTemplate makeTemplate(const Mesh& mesh, Springs springs = Springs::equal);
 
-/// [length] How far inside the smooth surface through the vertices of a closed mesh the surface is that encloses its volume. Of
-/// vertices on a sphere: its radius less that of the ball of this volume. Of others: the mean over all vertices of −¼ U·n, with
-/// U from a vertex to the mean of its one-ring and the normal n, which is 1 to 4 % less on icospheres; 0 at least.
+/// [length] How far inside the smooth surface through the vertices of a closed mesh the surface is that encloses its
+/// volume. Of vertices on a sphere: its radius less that of the ball of this volume. Of others: the mean over all
+/// vertices of −¼ U·n, with U from a vertex to the mean of its one-ring and the normal n, which is 1 to 4 % less on
+/// icospheres; 0 at least.
 double measureSag(const Mesh& mesh);
 
 /// [edge] [1] √3 (cot α + cot β)/2, with the angles opposite of the edge: √3 times the length of its dual, between the

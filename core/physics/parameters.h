@@ -1,6 +1,6 @@
 #pragma once
-// The parameters of one cell's mechanics, as a scenario gives them. Units are the scene's own: a length, a mass and a time.
-// Every field here changes results.
+// The parameters of one cell's mechanics, as a scenario gives them. Units are the scene's own: a length, a mass and a
+// time. Every field here changes results.
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// FIRE, the fast inertial relaxation engine, for each cell by itself: it goes where forces vanish [Bitzek et al. 2006], with
-// velocities half a step ahead of the forces [Guénolé et al. 2020].
+// FIRE, the fast inertial relaxation engine, for each cell by itself: it goes where forces vanish [Bitzek et al. 2006],
+// with velocities half a step ahead of the forces [Guénolé et al. 2020].
 //
 //   v½                velocity on the way from one evaluation to the next:  x' = x + v½, in a step of 1
 //   v = v½ − ½ a      where the forces are known;  a: acceleration, by the cell's own inertia

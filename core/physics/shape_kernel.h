@@ -1,6 +1,6 @@
 #pragma once
-// Shape matching [Müller, Heidelberger, Teschner, Gross 2005; Nilsson 2008, §3.2.2, eq. 3.4, 3.5]: each vertex is drawn to
-// its place in the shape at rest, laid over the cell as well as it can be.
+// Shape matching [Müller, Heidelberger, Teschner, Gross 2005; Nilsson 2008, §3.2.2, eq. 3.4, 3.5]: each vertex is drawn
+// to its place in the shape at rest, laid over the cell as well as it can be.
 //
 //   q_i                         vertex i of the shape at rest, from its centre; c the cell's centre, p_i = x_i − c
 //   A = (Σ p qᵀ)(Σ q qᵀ)⁻¹      the linear map that takes the q closest to the p

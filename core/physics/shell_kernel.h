@@ -20,9 +20,10 @@ struct ShellSlope {
   double inverseSquare[3];
 };
 
-/// The ellipsoid as cells feel it, in each lane with half-axes longer by `more` [length]: shorter by a ball's radius for its
-/// centre, longer by a mesh's sag for its vertices, since the shell holds the surface below them. Exact in a sphere. For an
-/// ellipsoid the parallel surface would be right; this one lies up to 6 % of `more` inside it (half-axes of ratio two).
+/// The ellipsoid as cells feel it, in each lane with half-axes longer by `more` [length]: shorter by a ball's radius
+/// for its centre, longer by a mesh's sag for its vertices, since the shell holds the surface below them. Exact in a
+/// sphere. For an ellipsoid the parallel surface would be right; this one lies up to 6 % of `more` inside it (half-axes
+/// of ratio two).
 struct FeltShell {
   FeltShell() = default;
   FeltShell(const KernelParameters& p, Lanes more) {

@@ -6,8 +6,8 @@
 // at right angles once is exact, elsewhere the passes converge on the shell. Scaling by 1 / max(n·x/d) then puts it on
 // the shell to rounding, whatever is left. In edges and corners it loses what is outward of each plane that it lies on.
 //
-// The centre of a ball feels a shell that is smaller by the ball's radius, as with an ellipsoid. Planes moved inwards by the
-// radius describe this shell exactly.
+// The centre of a ball feels a shell that is smaller by the ball's radius, as with an ellipsoid. Planes moved inwards
+// by the radius describe this shell exactly.
 #include "mesh/convex_shell.h"
 #include "physics/shell_kernel.h"
 

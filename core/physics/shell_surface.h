@@ -5,8 +5,8 @@
 
 namespace morula {
 
-/// [length] The point below a cell's vertex x that must lie in the shell: where it holds surfaces, in a shell whose half-axes a
-/// are longer by the sag δ, x lies where y_i = x_i a_i/(a_i + δ) lies in the shell itself. Else the vertex.
+/// [length] The point below a cell's vertex x that must lie in the shell: where it holds surfaces, in a shell whose
+/// half-axes a are longer by the sag δ, x lies where y_i = x_i a_i/(a_i + δ) lies in the shell itself. Else the vertex.
 Point heldPoint(const Point& x, const ShellParameters& shell, double sag);
 
 /// [length³] What the shell encloses.

@@ -1,4 +1,5 @@
-// The sets of cells that stick to others alike: by the adhesion pairs that their substances fit, and by their deviations.
+// The sets of cells that stick to others alike: by the adhesion pairs that their substances fit, and by their
+// deviations.
 #include <map>
 
 #include "base/random.h"

@@ -1,6 +1,6 @@
 #pragma once
-// A measure as people ask for it, wherever one may stand: in record.measures and in a study, for a chart and for colours. One
-// grammar:
+// A measure as people ask for it, wherever one may stand: in record.measures and in a study, for a chart and for
+// colours. One grammar:
 //
 //   MEASURE               a row of a table, '-' for '_' if one likes: shell_share
 //   SCOPE.MEASURE         where rows of two tables have one name: cell.volume
@@ -40,8 +40,8 @@ const std::vector<AskedMeasure>& allMeasures();
 /// How findMeasure treats a name that rows of two tables have.
 enum class IfSeveral { refuse, first };
 
-/// Reads it. Throws InputError "what is wrong; the remedy" for a name that no row has, or those of two tables, for a selection
-/// that is none, and where the measure has no cells to select from.
+/// Reads it. Throws InputError "what is wrong; the remedy" for a name that no row has, or those of two tables, for a
+/// selection that is none, and where the measure has no cells to select from.
 AskedMeasure readMeasure(const std::string& text, IfSeveral several = IfSeveral::refuse);
 /// Absent instead.
 std::optional<AskedMeasure> findMeasure(const std::string& text);
@@ -49,8 +49,8 @@ std::optional<AskedMeasure> findMeasure(const std::string& text);
 /// One for each clone where `measure` is "of clones": of AA*, AB*, BA*, BB*. Otherwise itself.
 std::vector<AskedMeasure> eachClone(const AskedMeasure& measure);
 
-/// "" unless it is of cells that hold a substance, and it is none of these, all that ever occur; otherwise what is wrong, and
-/// what was probably meant.
+/// "" unless it is of cells that hold a substance, and it is none of these, all that ever occur; otherwise what is
+/// wrong, and what was probably meant.
 std::string unknownSubstance(const AskedMeasure& measure, const std::vector<std::string>& substances);
 
 }  // namespace morula

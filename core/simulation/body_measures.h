@@ -44,8 +44,8 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
 /// Returns a place relative to the shell: over its semi-axes, or over how far its mesh reaches along each axis.
 ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place);
 
-/// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by the surfaces that contacts (null:
-/// none) act on, and by scan lines through a grid of `columns` × `columns` columns; O(cells · faces).
+/// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by the surfaces that contacts
+/// (null: none) act on, and by scan lines through a grid of `columns` × `columns` columns; O(cells · faces).
 double measureMeanOverlap(const Bodies& bodies, const Contacts* contacts, int columns = 256);
 
 }  // namespace morula

@@ -77,8 +77,8 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-/// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles without
-/// reaching that number: its cells may have stopped dividing, and then it would never end.
+/// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles
+/// without reaching that number: its cells may have stopped dividing, and then it would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
@@ -113,8 +113,8 @@ void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;
   requireCellsInTime(world);
   if (!(clock.nextCycle <= until)) return;
-  // Cells that wait for a size have a next cycle in the past; so has a state that another stop has cut short, whose cycles
-  // still count from when they were due.
+  // Cells that wait for a size have a next cycle in the past; so has a state that another stop has cut short, whose
+  // cycles still count from when they were due.
   const bool someWait = world.model.cycle.divisionSize && clock.nextCycle <= before;
   double time = someWait ? findNextRound(world, before) : clock.nextCycle;
   bool some = false, isOver = false;

@@ -1,6 +1,6 @@
 // The file around the fields, and which scene it is of; and what must hold of a state before it is taken over: then
-// nothing that follows can read past an end. The hash of the file finds damage; this finds what was written by something
-// else than this program.
+// nothing that follows can read past an end. The hash of the file finds damage; this finds what was written by
+// something else than this program.
 #include "simulation/checkpoint.h"
 
 #include <algorithm>

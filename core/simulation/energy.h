@@ -21,13 +21,13 @@ struct Energy {
 /// Measures the energy of cells without contacts and connections: motion, membranes and contents.
 Energy measureEnergy(const Bodies& bodies);
 
-/// Measures the energy of the world as it is, with contacts as the last snapshot saw them. The energy of cell models other than
-/// shells with springs, and of spheres in contact, is not included.
+/// Measures the energy of the world as it is, with contacts as the last snapshot saw them. The energy of cell models
+/// other than shells with springs, and of spheres in contact, is not included.
 Energy measureEnergy(const World& world);
 
 /// [force·length/time] What drag, the membranes' damping, and the damping and friction of contacts take from the motion
-/// now: with its integral over time the energy of a scene without shell, growth and division is constant. What the shell
-/// takes from cells that hit it is not in it.
+/// now: with its integral over time the energy of a scene without shell, growth and division is constant. What the
+/// shell takes from cells that hit it is not in it.
 double measureDissipation(const World& world);
 
 }  // namespace morula

@@ -1,7 +1,7 @@
 #pragma once
-// The measures of a World: one row for each measure of the world, of a cell, and of a pair of cells that touch. Columns of
-// the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come from these rows; a new
-// measure is a new row. Measured on demand only: nothing here is computed unless it is asked for.
+// The measures of a World: one row for each measure of the world, of a cell, and of a pair of cells that touch. Columns
+// of the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come from these rows; a
+// new measure is a new row. Measured on demand only: nothing here is computed unless it is asked for.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -40,7 +40,8 @@ struct Measure {
   bool followsNumber =
       false;  // it changes with the number of cells, or with how small they are, though all else is alike
   std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
-  /// Takes the measure of clones of cells that are `depth` divisions from the egg; null for measures that are not of clones.
+  /// Takes the measure of clones of cells that are `depth` divisions from the egg; null for measures that are not of
+  /// clones.
   std::optional<double> (*ofClones)(const Of&, int depth) = nullptr;
 };
 using WorldMeasure = Measure<Observation>;
@@ -122,8 +123,8 @@ struct TakenMeasure {
   double value;
   friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
 };
-/// The values of the measures on demand of these names [asked_measure.h]: of the world in the order of names, then cell by cell
-/// and pair by pair, by path. What there is not to measure has no value.
+/// The values of the measures on demand of these names [asked_measure.h]: of the world in the order of names, then cell
+/// by cell and pair by pair, by path. What there is not to measure has no value.
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 
 inline WorldMeasures measureWorld(const World& world) { return measureWorld(Observation(world)); }

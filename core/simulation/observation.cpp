@@ -37,7 +37,8 @@ const std::vector<ContactArea>& Observation::contacts() const {
   std::partial_sum(firstContact_.begin(), firstContact_.end(), firstContact_.begin());
   contactsByCell_.resize(2 * contacts_->size());
   std::vector<int> next(firstContact_.begin(), firstContact_.end() - 1);
-  // Contacts are sorted by (a, b): each cell first meets cells before it and then cells behind it, both in rising order.
+  // Contacts are sorted by (a, b): each cell first meets cells before it and then cells behind it, both in rising
+  // order.
   for (const auto& [a, b, area] : *contacts_) {
     contactsByCell_[next[a]++] = {b, area};
     contactsByCell_[next[b]++] = {a, area};

@@ -55,8 +55,8 @@ class Observation {
   /// [length] The mean of a cell's vertices; the world has bodies.
   const Point& centreOf(int number) const;
 
-  /// The cavities between the surfaces of all cells, for a probe with half the radius of a ball with their mean volume. Requires
-  /// bodies.
+  /// The cavities between the surfaces of all cells, for a probe with half the radius of a ball with their mean volume.
+  /// Requires bodies.
   const Cavities& cavities() const;
   /// [length] The probe's radius.
   double probe() const;

@@ -1,5 +1,6 @@
 #pragma once
-// Measures of all cells together: contacts, and the places of relatives. The observation's world has bodies. Clones: the living descendants of each cell at some depth; cells nearer to the egg belong to none.
+// Measures of all cells together: contacts, and the places of relatives. The observation's world has bodies. Clones:
+// the living descendants of each cell at some depth; cells nearer to the egg belong to none.
 #include <optional>
 #include <span>
 
@@ -13,8 +14,8 @@ constexpr int cloneDepth =
 /// Divisions on the way from the egg to the youngest common ancestor of two cells, which may be one of them.
 int commonDepth(const CellPath& a, const CellPath& b);
 
-/// [1] Of the living pairs of sisters (relation 1), or of cousins with one grandmother and two mothers (relation 2), the
-/// share that touch; absent without such a pair.
+/// [1] Of the living pairs of sisters (relation 1), or of cousins with one grandmother and two mothers (relation 2),
+/// the share that touch; absent without such a pair.
 std::optional<double> measureRelativesInContact(const Observation& now, int relation);
 /// [1] Of the contact area between cells of clones, the share within one clone; absent where none touch.
 std::optional<double> measureCloneContact(const Observation& now, int depth);
@@ -33,11 +34,12 @@ std::optional<double> measureClonePieces(const Observation& now, int depth);
 ///
 ///   √(Σ (Sᵢ + Vᵢ |xᵢ − x|²) / V) / √(3/5) R,   V = Σ Vᵢ,  x = Σ Vᵢ xᵢ / V,  4/3 π R³ = V
 ///
-/// with the volume Vᵢ, its centre xᵢ and its second moment Sᵢ = ∫ |y − xᵢ|² dV of each of its cells; in the mean over the clones
-/// that live. 1 for a ball, whatever it is divided into, and more for anything else. What lies in two cells counts twice.
+/// with the volume Vᵢ, its centre xᵢ and its second moment Sᵢ = ∫ |y − xᵢ|² dV of each of its cells; in the mean over
+/// the clones that live. 1 for a ball, whatever it is divided into, and more for anything else. What lies in two cells
+/// counts twice.
 std::optional<double> measureCloneSpread(const Observation& now, int depth);
-/// [1] Of Observation::cavities: all pockets, and the largest, over the volume of the cells and the pockets. Absent where the cells
-/// are too many for its grid (some 60 000 in a ball), and without any.
+/// [1] Of Observation::cavities: all pockets, and the largest, over the volume of the cells and the pockets. Absent
+/// where the cells are too many for its grid (some 60 000 in a ball), and without any.
 struct Lumen {
   double all, largest;
 };
@@ -48,7 +50,8 @@ std::optional<double> measureLineageInSpace(const Observation& now);
 /// [1] The largest over the second largest extent of all cells' vertices together.
 std::optional<double> measureOrganismElongation(const Observation& now);
 
-/// Contacts between living cells that occur in the reference, compared with those of the reference between living cells.
+/// Contacts between living cells that occur in the reference, compared with those of the reference between living
+/// cells.
 struct ContactsCompared {
   double both = 0, here = 0, there = 0;  // pairs that touch in both, in the world, in the reference
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Observed or computed elsewhere, for an organism to be compared with: which of its cells touch, and where they lie. Nothing
-// here changes what the cells do.
+// Observed or computed elsewhere, for an organism to be compared with: which of its cells touch, and where they lie.
+// Nothing here changes what the cells do.
 #include <map>
 #include <set>
 #include <utility>

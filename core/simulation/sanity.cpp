@@ -197,9 +197,9 @@ void addSurfaceMeasures(const World& world, const Observation& now, std::vector<
   all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::maxSelfOverlap));
 }
 
-/// Surfaces that touch hold W per area [contacts/adhesion.h], so that a cell of area A holds at most ½ W A: the other half
-/// is that of its neighbours. The worst cell's energy over this. A surface that is compressed holds more per area, W (a n)²,
-/// and less than at rest in all; so A is its area at rest if that is larger.
+/// Surfaces that touch hold W per area [contacts/adhesion.h], so that a cell of area A holds at most ½ W A: the other
+/// half is that of its neighbours. The worst cell's energy over this. A surface that is compressed holds more per area,
+/// W (a n)², and less than at rest in all; so A is its area at rest if that is larger.
 Worst strongestAdhesion(const World& world, const Observation& now) {
   const Bodies& b = *world.bodies;
   const Contacts& c = *world.contacts;

@@ -1,6 +1,6 @@
 #pragma once
-// The sanity check: bounds on a world with bodies at its end. They are plain and wide, so that a world outside of them is
-// wrong unless the scene is about just that.
+// The sanity check: bounds on a world with bodies at its end. They are plain and wide, so that a world outside of them
+// is wrong unless the scene is about just that.
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +50,8 @@ constexpr double maxSelfOverlap = 0.0025;          // [1] share of a cell's volu
 constexpr double maxAdhesion = 2;                  // [1] of the energy that a surface holds that sticks everywhere
 constexpr double maxOverlap = 0.2;                 // [1] share of a cell's volume that one other cell has too
 constexpr double maxOutermost = 1 + 1e-6;          // [shell radii] vertices are projected onto it, up to rounding
-// [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 % where
-// cells of twice the shell's volume are pressed together (senses/pressed-and-old).
+// [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 %
+// where cells of twice the shell's volume are pressed together (senses/pressed-and-old).
 constexpr double maxFill = 1.02;
 // [radii of the largest cell] of empty space with cells on both sides: no picture shows both
 constexpr double maxGap = 1000;
@@ -76,9 +76,9 @@ struct SanityMeasure {
 /// between the two: what cells have in common lies in both boxes. 0: of no pair. The pair with the most in
 /// common comes first, and the first that is outside of the bound ends it. Spheres have a formula.
 ///
-/// A cell is tested for passing through itself only if it is not star-shaped about the mean of its vertices, by lines along
-/// all three axes (measureSelfOverlap). Adhesion is that of the pair law, which alone has an energy; the energy is that of
-/// the last snapshot.
+/// A cell is tested for passing through itself only if it is not star-shaped about the mean of its vertices, by lines
+/// along all three axes (measureSelfOverlap). Adhesion is that of the pair law, which alone has an energy; the energy
+/// is that of the last snapshot.
 ///
 /// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to
 /// three time steps.

@@ -1,4 +1,5 @@
-// The sentences about a world that is not sane. They say what was measured and which keys change it, never why it came so.
+// The sentences about a world that is not sane. They say what was measured and which keys change it, never why it came
+// so.
 #include "base/error.h"
 #include "base/number_text.h"
 #include "contacts/contacts.h"

@@ -95,8 +95,8 @@ class Descent {
   }
 
  private:
-  /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more inertia
-  /// it would oscillate without end.
+  /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more
+  /// inertia it would oscillate without end.
   void followStrain(bool anew) {
     for (int slot : bodies_.slots) {
       const double factor = 1 + inertiaPerStrain * strain_[slot];
@@ -142,7 +142,8 @@ double heldEnergy(const World& world) {
   return energy.total() - energy.kinetic;
 }
 
-/// How far from rest the world is: goes there and comes back, to the same bits. Nothing is told where cells fail on the way.
+/// How far from rest the world is: goes there and comes back, to the same bits. Nothing is told where cells fail on the
+/// way.
 void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
   Bodies& b = *world.bodies;
   const SettleParameters& p = b.parameters.settle;

@@ -37,12 +37,12 @@ void setStages(World& world, Isa isa);
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);
 
-/// Throws BodyFailure if a cell begins deeper in another one than contacts reach: no force would part the two. Cost: for
-/// each pair of cells whose bounding boxes overlap that deep, the vertices of one times the faces of the other.
+/// Throws BodyFailure if a cell begins deeper in another one than contacts reach: no force would part the two. Cost:
+/// for each pair of cells whose bounding boxes overlap that deep, the vertices of one times the faces of the other.
 void checkStart(const World& world);
 
-/// Throws NumericalError if one of these numbers of a cell's state is not finite. The step itself looks at volumes alone:
-/// what they do not show yet, the next step brings into them.
+/// Throws NumericalError if one of these numbers of a cell's state is not finite. The step itself looks at volumes
+/// alone: what they do not show yet, the next step brings into them.
 void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values);
 /// All numbers of all cells' bodies.
 void checkNumbers(const World& world);
@@ -51,9 +51,9 @@ void checkNumbers(const World& world);
 /// pass through each other and never have touched. To be called with all snapshots, before the list follows.
 void checkReach(const World& world);
 
-/// Throws BodyFailure if a cell in flight has more of its volume in another one than sanity allows: cells that meet at high
-/// speed crumple, and where vertices slip between vertices, none is seen deep. Looks every 4 steps, and only while contacts
-/// are pressed hard.
+/// Throws BodyFailure if a cell in flight has more of its volume in another one than sanity allows: cells that meet at
+/// high speed crumple, and where vertices slip between vertices, none is seen deep. Looks every 4 steps, and only while
+/// contacts are pressed hard.
 void checkCrossing(const World& world);
 
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
@@ -87,34 +87,36 @@ bool hasEnoughCells(const World& world);
 /// without bodies.
 double dueUntil(const World& world, double before);
 
-/// Ends connections whose cells are too far apart, that pull too hard or are too old. Returns at once where there are none.
+/// Ends connections whose cells are too far apart, that pull too hard or are too old. Returns at once where there are
+/// none.
 void releaseConnections(World& world);
 
 /// [time] Up to which a time step is stable for the cells as they are, with some margin; an automatic one is
 /// the power of two below. Needs at least one cell.
 double timeStepLimit(const World& world);
 
-/// [time] An automatic time step where steps up to `limit` are stable: the largest power of two that is no
-/// longer than this and than the shortest cell cycle that the scene may bring, so that no cell has more than one cycle in a step.
+/// [time] An automatic time step where steps up to `limit` are stable: the largest power of two that is no longer than
+/// this and than the shortest cell cycle that the scene may bring, so that no cell has more than one cycle in a step.
 double automaticTimeStep(const Scene& scene, double limit);
 
 /// Throws InputError if more cell cycles would come one after the other than any run can make, or if one
 /// cycle is so much shorter than another that times cannot tell its beginning from its end.
 void refuseEndlessPace(const Scene& scene);
 
-/// Gives each cell the inertia with which a time step of 1 is 0.8 of the longest that is stable for it; its accelerations
-/// follow. Of all cells, or where not `anew` of those blocks whose contacts have become stiffer than `counted` [block], by
-/// how much they have hardened, which is kept. `factor` [slot]: by how much more inertia a cell gets. [settle.h]
+/// Gives each cell the inertia with which a time step of 1 is 0.8 of the longest that is stable for it; its
+/// accelerations follow. Of all cells, or where not `anew` of those blocks whose contacts have become stiffer than
+/// `counted` [block], by how much they have hardened, which is kept. `factor` [slot]: by how much more inertia a cell
+/// gets. [settle.h]
 void followInertia(World& world, std::span<double> counted, std::span<const double> factor, bool anew);
 
-/// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the
-/// forces for it if it has changed. Quasi-static scenes have none: there it only evaluates the forces. Throws NumericalError if the scene's own lies above 0.8 of a stability
-/// limit, is longer than the shortest cell cycle or than the whole run, or moves a cell by more than maxFlight of its
-/// contacts' reach; the text names both numbers.
+/// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the forces
+/// for it if it has changed. Quasi-static scenes have none: there it only evaluates the forces. Throws NumericalError
+/// if the scene's own lies above 0.8 of a stability limit, is longer than the shortest cell cycle or than the whole
+/// run, or moves a cell by more than maxFlight of its contacts' reach; the text names both numbers.
 void chooseTimeStep(World& world);
 
-/// After a step: an automatic time step is chosen anew when contacts have become too stiff for it, and every 64 steps when
-/// a longer one would do or cells have become too fast for it (maxFlight).
+/// After a step: an automatic time step is chosen anew when contacts have become too stiff for it, and every 64 steps
+/// when a longer one would do or cells have become too fast for it (maxFlight).
 void followContacts(World& world);
 
 }  // namespace morula

@@ -12,8 +12,8 @@ StartCell moved(StartCell cell, const Vector& by) {
   return cell;
 }
 
-/// Moves a start cell as far as it stays in the shell, or no farther out than it stood: an icosphere's vertices lie a little
-/// outside of the sphere that it stands for.
+/// Moves a start cell as far as it stays in the shell, or no farther out than it stood: an icosphere's vertices lie a
+/// little outside of the sphere that it stands for.
 StartCell movedWithin(const StartCell& cell, const Vector& by, const MechanicsScene& scene) {
   if (!scene.physics.shell) return moved(cell, by);
   const auto outermost = [&](const StartCell& c) { return outermostSquare(c, scene.mesh, *scene.physics.shell); };

@@ -187,8 +187,8 @@ void visitState(W& world, auto&& visit) {
   if (settlings) visit("settlings", *settlings);
 }
 
-/// Leaves out the parts that only checkpoints hold, because they tell how the state came about, or follow from positions.
-/// Base of visitors that hash or compare states.
+/// Leaves out the parts that only checkpoints hold, because they tell how the state came about, or follow from
+/// positions. Base of visitors that hash or compare states.
 struct SavedParts {
   void operator()(const char*, const std::vector<TimeStepChange>&) const {}
   void operator()(const char*, const std::vector<DivisionRecord>&) const {}

@@ -27,8 +27,8 @@ struct Swirl {
 };
 
 /// Finds the living cells that swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
-/// constants have passed and 1/3000 of the angle is left. Call it whenever the living cells have changed. Without a rule that
-/// has chirality it returns at once.
+/// constants have passed and 1/3000 of the angle is left. Call it whenever the living cells have changed. Without a
+/// rule that has chirality it returns at once.
 void findSwirls(World& world);
 
 /// Adds their forces, at the clock's time.

@@ -28,7 +28,8 @@ struct Limit {
   int cell;
 };
 
-/// Combines the limits of all modes: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with 1/stiffness.
+/// Combines the limits of all modes: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
+/// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
   if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
@@ -76,8 +77,8 @@ double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   return hardening * c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
-/// Returns the limits of the cell in a slot. `held`, `contact`: stiffnesses of all its connections, and of a pair. `steepness`:
-/// stiffness of its steepest pair over K.
+/// Returns the limits of the cell in a slot. `held`, `contact`: stiffnesses of all its connections, and of a pair.
+/// `steepness`: stiffness of its steepest pair over K.
 Limit limitOf(const World& world, int cell, int slot, double held, double contact, double steepness) {
   const Bodies& b = *world.bodies;
   const StabilityLimits own = measureLimits(b, slot);
@@ -88,8 +89,8 @@ Limit limitOf(const World& world, int cell, int slot, double held, double contac
     return contactLimit(b.parameters.integrator, stiffness, c.damping, b.vertexMass[slot], b.parameters.drag, pairs);
   };
   l.contact = limit(contact, usualPairs);
-  // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move, but those that its other pairs
-  // press on stand still, so these damp it by half.
+  // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move, but those that its other
+  // pairs press on stand still, so these damp it by half.
   constexpr double others = 0.5 * usualPairs;
   if (steepness > 0) l.contact = std::min(l.contact, limit(2 * steepness * c.stiffness / others, others));
   return l;
@@ -252,8 +253,8 @@ double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
 }
 
-/// [time] The longest automatic time step: stable, and short enough for the fastest cell. Steps are shortened for speed by
-/// 64 times at most: faster cells move farther than contacts reach in a step, and the run ends (checkReach).
+/// [time] The longest automatic time step: stable, and short enough for the fastest cell. Steps are shortened for speed
+/// by 64 times at most: faster cells move farther than contacts reach in a step, and the run ends (checkReach).
 double automaticLimit(const World& world, double combined) {
   constexpr double minShare = 1.0 / 64;
   const PhysicsParameters& p = world.bodies->parameters;

@@ -117,9 +117,9 @@ World makeWorld(const Scene& scene, const Execution& execution = {});
 /// Makes a world whose cells are controlled by another biology than the scene's DNA.
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
-/// Goes on by one time step, or in a lineage-only or quasi-static world to the next cell cycle, and does the
-/// divisions, deaths and connections that are due; a quasi-static one settles then. Throws NumericalError when the physics cannot go on; the world then
-/// holds the failed state.
+/// Goes on by one time step, or in a lineage-only or quasi-static world to the next cell cycle, and does the divisions,
+/// deaths and connections that are due; a quasi-static one settles then. Throws NumericalError when the physics cannot
+/// go on; the world then holds the failed state.
 void step(World& world);
 
 /// Goes on by up to `most` steps, but not past a cell cycle or the planned end: the same as so many calls of

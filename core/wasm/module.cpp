@@ -1,5 +1,5 @@
-// The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without glue of a tool.
-// The caller writes a text into the module's memory at the address that `place` gives, and reads answers at that of `text`.
+// The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without glue of a tool. The
+// caller writes a text into the module's memory at the address that `place` gives, and reads answers at that of `text`.
 #include "wasm/module.h"
 
 #include <vector>

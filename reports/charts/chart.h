@@ -33,8 +33,8 @@ struct Chart {
   int width = 1100, height = 760;        // [pixel]
 };
 
-/// Each line's label stands at its right end. Colours have shapes of their own at the points of lines and in the legend,
-/// for print in grey: by the order in which lines bring the colours. Without points: the words alone.
+/// Each line's label stands at its right end. Colours have shapes of their own at the points of lines and in the
+/// legend, for print in grey: by the order in which lines bring the colours. Without points: the words alone.
 Drawing drawChart(const Chart& chart);
 
 }  // namespace morula

@@ -98,7 +98,8 @@ Drawing drawMatrix(const MatrixPicture& asked) {
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column)
       if (const auto& value = picture.values[row * n + column]) {
-        // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
+        // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around
+        // it.
         const double gap = side >= minFramed ? 0.06 * side : 0, own = side - 2 * gap;
         const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
         drawing.box({x, y}, own, own, scaleColour(range.shareOf(*value)));

@@ -16,8 +16,8 @@ struct MatrixPicture {
   int width = 0, height = 0;                  // [pixel] 0: what suits the number of names
 };
 
-/// The least and the greatest value are the ends of the colour bar below. Names stand at rows and columns where there is
-/// room for letters. Throws InputError if there is not one value for each place.
+/// The least and the greatest value are the ends of the colour bar below. Names stand at rows and columns where there
+/// is room for letters. Throws InputError if there is not one value for each place.
 Drawing drawMatrix(const MatrixPicture& picture);
 
 struct Rose {

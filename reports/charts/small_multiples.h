@@ -33,8 +33,8 @@ struct Panel {
   std::vector<Strip> strips;
   std::vector<PanelLine> lines;  // where there are no strips
   std::string xLabel = {};       // of lines
-  /// Max number of points of a strip. The median, quartiles and range of more values take the place of points that would lie on
-  /// each other.
+  /// Max number of points of a strip. The median, quartiles and range of more values take the place of points that
+  /// would lie on each other.
   bool counts = false;
 };
 
@@ -46,8 +46,8 @@ struct SmallMultiples {
   int panelWidth = 400;  // [pixel]
 };
 
-/// Panels as high as their strips need, in as few columns as suit a page. All words are level. One panel alone is legible
-/// on a telephone.
+/// Panels as high as their strips need, in as few columns as suit a page. All words are level. One panel alone is
+/// legible on a telephone.
 Drawing drawSmallMultiples(const SmallMultiples& chart);
 
 }  // namespace morula

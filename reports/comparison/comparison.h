@@ -22,10 +22,10 @@ struct ComparisonImages {
   std::string unmatched;  // a sentence on the cells that only one of the two has; "" if both have the same
 };
 
-/// `one`, `other`, and the cells of one of them with each vertex in the colour of its distance [length] from the surface
-/// that the cell of the same path has in the other one, with their scale below. Cells that only one of the two has
-/// are grey there: nothing can be said of them. Size, camera direction and titles are those of the two; their legends are
-/// left out. `eggRadius` [length] is for the caption. Throws InputError as drawOrganism does.
+/// `one`, `other`, and the cells of one of them with each vertex in the colour of its distance [length] from the
+/// surface that the cell of the same path has in the other one, with their scale below. Cells that only one of the two
+/// has are grey there: nothing can be said of them. Size, camera direction and titles are those of the two; their
+/// legends are left out. `eggRadius` [length] is for the caption. Throws InputError as drawOrganism does.
 ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, double eggRadius,
                                   const DistanceMap& map = {});
 
@@ -36,8 +36,8 @@ Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string>
 /// their numbers differ.
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius);
 
-/// All images as tiles in rows of `columns` (0: as square as possible), with a gap of `gap` pixels. Tiles are
-/// as large as the largest image; smaller ones stand centred. `notes`: lines below all of them, shortened to the sheet's width.
+/// All images as tiles in rows of `columns` (0: as square as possible), with a gap of `gap` pixels. Tiles are as large
+/// as the largest image; smaller ones stand centred. `notes`: lines below all of them, shortened to the sheet's width.
 /// Throws InputError for no image.
 Drawing contactSheet(const std::vector<Image>& images, int columns = 0, int gap = 8,
                      const std::vector<std::string>& notes = {});

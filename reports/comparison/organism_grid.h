@@ -29,10 +29,10 @@ struct OrganismGrid {
 
 inline constexpr std::size_t maxGridRows = 40, maxGridColumns = 12;
 
-/// Pages that are no higher than a sheet of paper beside their width: where columns are few, rows go on beside each other,
-/// and then on further pages. One camera and one scale for all; each page has title, legend and scale bar. Tiles are smaller
-/// the more there are. Throws InputError for no tile, more rows or columns than there is room for, a number of tiles that
-/// does not fit them, and as drawOrganism does.
+/// Pages that are no higher than a sheet of paper beside their width: where columns are few, rows go on beside each
+/// other, and then on further pages. One camera and one scale for all; each page has title, legend and scale bar. Tiles
+/// are smaller the more there are. Throws InputError for no tile, more rows or columns than there is room for, a number
+/// of tiles that does not fit them, and as drawOrganism does.
 std::vector<Drawing> drawOrganismGrid(OrganismGrid grid);
 
 }  // namespace morula

@@ -63,8 +63,8 @@ class Drawing {
   std::vector<std::function<void(cairo_t*)>> marks_;
 };
 
-/// Returns the place of a horizontal or vertical line one pixel wide that runs through the middle of a row or column, so that it
-/// is crisp.
+/// Returns the place of a horizontal or vertical line one pixel wide that runs through the middle of a row or column,
+/// so that it is crisp.
 double crisp(double place);
 
 }  // namespace morula

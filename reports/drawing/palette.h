@@ -17,15 +17,15 @@ inline constexpr Colour gridInk{0xe6, 0xe6, 0xe2};
 Colour seriesColour(std::size_t i);
 inline constexpr std::size_t fewSeries = 7, manySeries = 24;
 
-/// Returns the colour of a clone, by the lineage path of its founder: letters A and B, of which the first `maxFounders` count. Daughter A goes
-/// on in her mother's colour, so that no two cells that live at one time share one. The first eight (of three divisions)
-/// are told apart by eyes of all kinds, and by lightness, for print in grey.
+/// Returns the colour of a clone, by the lineage path of its founder: letters A and B, of which the first `maxFounders`
+/// count. Daughter A goes on in her mother's colour, so that no two cells that live at one time share one. The first
+/// eight (of three divisions) are told apart by eyes of all kinds, and by lightness, for print in grey.
 Colour cloneColour(std::string_view founder);
 inline constexpr std::size_t maxFounders = 4;
 
-/// Returns the colour of a quantity: `share` 0 (its least value) to 1 (its greatest); beyond, the colour of the nearer end.
-/// Lightness rises with the share, so that order is seen in grey and by any eyes: viridis [van der Walt &
-/// Smith 2015], in which equal steps look equal.
+/// Returns the colour of a quantity: `share` 0 (its least value) to 1 (its greatest); beyond, the colour of the nearer
+/// end. Lightness rises with the share, so that order is seen in grey and by any eyes: viridis [van der Walt & Smith
+/// 2015], in which equal steps look equal.
 Colour scaleColour(double share);
 
 }  // namespace morula

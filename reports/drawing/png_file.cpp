@@ -37,8 +37,8 @@ void append(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
-/// False where libpng has no memory: all else fits. No object with a destructor may stand in here, because libpng leaves
-/// it by a long jump.
+/// False where libpng has no memory: all else fits. No object with a destructor may stand in here, because libpng
+/// leaves it by a long jump.
 bool write(Writer& to, const Image& image) {
   if (!to.info || setjmp(png_jmpbuf(to.png))) return false;
   const bool opaque = image.opacity.empty();

@@ -1,6 +1,6 @@
 #pragma once
-// The camera: the place of the eye, and the map from space to the picture, a gentle perspective, so that a compact organism
-// looks solid without being bent. It is placed by name or by angles, and goes once around.
+// The camera: the place of the eye, and the map from space to the picture, a gentle perspective, so that a compact
+// organism looks solid without being bent. It is placed by name or by angles, and goes once around.
 #include <array>
 #include <string_view>
 #include <vector>

@@ -44,8 +44,8 @@ struct OffscreenContext::Handle {
 
 namespace {
 
-/// Removes from the environment what users set for other programs, and what would give another driver, an older OpenGL or
-/// other pixels.
+/// Removes from the environment what users set for other programs, and what would give another driver, an older OpenGL
+/// or other pixels.
 void unsetMesaVariables() {
   std::vector<std::string> names;
   for (char** entry = environ; *entry; ++entry) {
@@ -58,8 +58,8 @@ void unsetMesaVariables() {
 
 /// llvmpipe compiles shaders for the CPU it finds. At a width of 128 bits it still fuses multiplications with additions
 /// where the CPU can, which moves a pixel in ten thousand by one level; told that there is nothing beyond SSE 4.1 it
-/// does not, and gives the same pixels on every x86-64. The disk cache would write into the user's home directory, so it is
-/// off unless the environment asks for it: it saves the 0.05 s in which a process compiles shaders.
+/// does not, and gives the same pixels on every x86-64. The disk cache would write into the user's home directory, so
+/// it is off unless the environment asks for it: it saves the 0.05 s in which a process compiles shaders.
 void settleDriver() {
   static std::once_flag once;
   std::call_once(once, [] {

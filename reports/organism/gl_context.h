@@ -1,6 +1,6 @@
 #pragma once
-// All code that depends on OSMesa, which provides OpenGL without a display. Mesa 25.1 and later lack OSMesa: to use another
-// provider there (such as a surfaceless EGL context), change gl_context.cpp; nothing else depends on it.
+// All code that depends on OSMesa, which provides OpenGL without a display. Mesa 25.1 and later lack OSMesa: to use
+// another provider there (such as a surfaceless EGL context), change gl_context.cpp; nothing else depends on it.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -28,14 +28,14 @@
 
 namespace morula {
 
-// OSMesa's library, and LLVM with it, is loaded with the first context: it takes three quarters of the time that a command
-// needs to start, and most draw nothing. Within this namespace OpenGL's names are of pointers to it.
+// OSMesa's library, and LLVM with it, is loaded with the first context: it takes three quarters of the time that a
+// command needs to start, and most draw nothing. Within this namespace OpenGL's names are of pointers to it.
 #define MORULA_GL_FUNCTION(name) extern decltype(&::name) name;
 MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
 #undef MORULA_GL_FUNCTION
 
-/// OpenGL breaks down where memory fails it. Throws a NumericalError that wants memory, with a sentence, if there are not so
-/// many bytes; `remedy` ends it.
+/// OpenGL breaks down where memory fails it. Throws a NumericalError that wants memory, with a sentence, if there are
+/// not so many bytes; `remedy` ends it.
 void requireMemoryToDraw(double bytes, const std::string& remedy);
 
 /// On how many threads to draw: 1 where the system gives no more.

@@ -19,7 +19,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void use() const;
-  /// Uniforms of the program in use; a texture is bound to the unit, too. A name that the shader does not use is ignored.
+  /// Uniforms of the program in use; a texture is bound to the unit, too. A name that the shader does not use is
+  /// ignored.
   void set(const char* name, int value) const;
   void set(const char* name, const class Texture& texture, int unit) const;
   void set(const char* name, float value) const;

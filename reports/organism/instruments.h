@@ -1,6 +1,6 @@
 #pragma once
-// The instruments by which a picture is read: axes, a colour bar, the length of an arrow, a scale bar. They stand in a band of their
-// own between the picture and its legend.
+// The instruments by which a picture is read: axes, a colour bar, the length of an arrow, a scale bar. They stand in a
+// band of their own between the picture and its legend.
 #include <optional>
 #include <string>
 

@@ -13,7 +13,8 @@ namespace {
 constexpr int turns = 16, taps = 18, lanes = 20;  // the last two lanes count for nothing
 constexpr int spread[turns] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // [Bayer 1973]
 
-/// The places at which a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by its place in a block.
+/// The places at which a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by
+/// its place in a block.
 struct Spiral {
   std::array<float, lanes> share{}, x{}, y{};
 };
@@ -43,8 +44,8 @@ float rounded(float x) {
 
 }  // namespace
 
-// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: points nearby that rise above the tangent plane take light away,
-// more the nearer they are; beyond `radius` none.
+// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: points nearby that rise above the tangent plane take light
+// away, more the nearer they are; beyond `radius` none.
 void findOcclusion(Samples& samples, float radius, int y, const float* normals) {
   const float lastX = float(samples.width - 1), lastY = float(samples.height - 1),
               atX = samples.rayX(float(samples.middleOf(0))), atY = samples.rayY(float(samples.middleOf(0))),

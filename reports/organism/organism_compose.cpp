@@ -8,14 +8,14 @@
 namespace morula {
 namespace {
 
-/// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what is
-/// looked at would lie too thin in the picture.
+/// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what
+/// is looked at would lie too thin in the picture.
 double occlusionRadius(const OrganismPicture& picture, double maxInPicture) {
   return std::min(0.8 * meanRadius(picture, picture.cells.size()), maxInPicture);
 }
 
-/// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a sample,
-/// row by row) for each row of pixels.
+/// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a
+/// sample, row by row) for each row of pixels.
 template <class Number, class Body>
 void eachRow(const Samples& samples, GLenum attachment, GLenum format, int numbers, Body&& body) {
   const std::size_t ofRow = std::size_t(numbers) * samples.columns() * samples.along;

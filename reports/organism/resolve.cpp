@@ -19,8 +19,8 @@ std::vector<std::uint8_t> levelsOfLight() {
   return levels;
 }
 
-/// The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this side of
-/// the edge.
+/// The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this
+/// side of the edge.
 float visibleAt(const Samples& samples, int x, int y, std::uint32_t owner) {
   if (owner == samples.middles[samples.pixelAt(x, y)]) return samples.visible[samples.pixelAt(x, y)];
   float sum = 0, weight = 0;

@@ -1,5 +1,6 @@
 #pragma once
-// The samples that OpenGL drew, read back, and the passes over the whole picture. Rows go upward, as OpenGL counts them.
+// The samples that OpenGL drew, read back, and the passes over the whole picture. Rows go upward, as OpenGL counts
+// them.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,15 +32,15 @@ struct Samples {
   std::size_t at(int column, int row) const { return std::size_t(row) * columns() + column; }
   std::size_t pixelAt(int x, int y) const { return std::size_t(y) * width + x; }
   int middleOf(int pixel) const { return pixel * along + along / 2; }
-  /// The direction in which the eye sees a place between the middles of the first sample, 0, and the last one, for each length
-  /// towards the picture.
+  /// The direction in which the eye sees a place between the middles of the first sample, 0, and the last one, for each
+  /// length towards the picture.
   float rayX(float column) const { return (2 * (column + 0.5f) / float(columns()) - 1) * apertureX; }
   float rayY(float row) const { return (2 * (row + 0.5f) / float(rows()) - 1) * apertureY; }
 };
 
-/// How much of the sky a row's pixels see, from the heights around them up to `radius` [length]; 1 where there is no cell.
-/// `normals`: of the samples in the middle of the row of pixels, four numbers each. Each pixel of a 4 × 4 block looks in
-/// other directions and at other distances; evenOut() takes the pattern out again.
+/// How much of the sky a row's pixels see, from the heights around them up to `radius` [length]; 1 where there is no
+/// cell. `normals`: of the samples in the middle of the row of pixels, four numbers each. Each pixel of a 4 × 4 block
+/// looks in other directions and at other distances; evenOut() takes the pattern out again.
 void findOcclusion(Samples& samples, float radius, int y, const float* normals);
 
 /// Gives each pixel the mean of the 4 × 4 around it that show the same.
@@ -56,12 +57,13 @@ struct Seen {
   float light[3], opacity;  // of a pixel
 };
 
-/// A row of pixels, seen through the shell. Nearly nothing is lost where one looks straight through it, more towards its rim.
+/// A row of pixels, seen through the shell. Nearly nothing is lost where one looks straight through it, more towards
+/// its rim.
 void coverWithGlass(const Samples& samples, const GlassShell& shell, int y, std::vector<Seen>& row);
 
-/// Outlines, shading, the mean of the samples, the shell if there is one, linear light to sRGB: a row of pixels. `lights`:
-/// of its samples, row by row, four numbers each. Of an image with opacity what nothing is drawn on is transparent, and
-/// light that of what is drawn alone.
+/// Outlines, shading, the mean of the samples, the shell if there is one, linear light to sRGB: a row of pixels.
+/// `lights`: of its samples, row by row, four numbers each. Of an image with opacity what nothing is drawn on is
+/// transparent, and light that of what is drawn alone.
 void resolve(const Samples& samples, const std::optional<GlassShell>& shell, int y, const float* lights, Image& image);
 
 }  // namespace morula

@@ -6,9 +6,9 @@
 
 namespace morula {
 
-/// Surfaces of cells: lit colour, normal and depth, and which cell it is, for each sample. `cut`: instead of the surface
-/// itself, the clip plane before it. `count` and `list`: how many translucent surfaces each sample meets, and their list
-/// (veil_lists.h).
+/// Surfaces of cells: lit colour, normal and depth, and which cell it is, for each sample. `cut`: instead of the
+/// surface itself, the clip plane before it. `count` and `list`: how many translucent surfaces each sample meets, and
+/// their list (veil_lists.h).
 enum class CellPass { whole, cut, count, list };
 struct CellProgram {
   CellPass pass = CellPass::whole;

@@ -1,6 +1,7 @@
 #pragma once
-// One page that needs nothing but itself: no network, no other file. What it shows comes as finished HTML: runner/document writes it.
-// And texts and bytes as they may stand in HTML: every text from a scenario or a database goes through one of these.
+// One page that needs nothing but itself: no network, no other file. What it shows comes as finished HTML:
+// runner/document writes it. And texts and bytes as they may stand in HTML: every text from a scenario or a database
+// goes through one of these.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,8 @@ namespace morula {
 /// Between tags and in quoted attributes: & < > " ' are named. What is not UTF-8 must have been made visible before.
 std::string htmlText(std::string_view text);
 
-/// JSON for a script element: < > & and the line ends of Unicode (U+2028, U+2029) as \u003c …, so that nothing in it ends
-/// the element or begins a comment. It reads as the same JSON.
+/// JSON for a script element: < > & and the line ends of Unicode (U+2028, U+2029) as \u003c …, so that nothing in it
+/// ends the element or begins a comment. It reads as the same JSON.
 std::string scriptJson(std::string_view json);
 
 /// RFC 4648, with padding.
@@ -49,7 +50,8 @@ struct Page {
   bool runsAgain = false;
 };
 
-/// The file. Equal pages give equal bytes. A content security policy forbids all requests, and every program but `program`.
+/// The file. Equal pages give equal bytes. A content security policy forbids all requests, and every program but
+/// `program`.
 std::string pageFile(const Page& page);
 
 /// The page's own style sheet.

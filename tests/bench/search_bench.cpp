@@ -21,7 +21,8 @@ namespace {
 
 constexpr double fixedStep = 1.0 / 2800;  // between the stability limits of 128 and of 256 of these cells
 
-/// [ns] Of so many calls, for one of them: CPU, all threads together, which other programs on the machine disturb least.
+/// [ns] Of so many calls, for one of them: CPU, all threads together, which other programs on the machine disturb
+/// least.
 template <class Work>
 double timed(int calls, const Work& work) {
   return 1e9 / calls * timeOf(ClockKind::process, [&] {

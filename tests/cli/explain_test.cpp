@@ -124,7 +124,8 @@ TEST_CASE("what differs waits for a review, beside the goldens, and is rejected 
   CHECK_FALSE((waits(".golden") || waits(".png")));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
 
-  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is told and stays.
+  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is told and
+  // stays.
   const auto reviewHere = [&] {
     return std::system(("cd '" + folder.path() + "' && '" MORULA_PROGRAM "' review >said 2>&1").c_str());
   };

@@ -1,5 +1,5 @@
-// morula export --format: what is written where, what is said, and what cannot be. What the files hold is read by programs
-// of others: export_readers.sh.
+// morula export --format: what is written where, what is said, and what cannot be. What the files hold is read by
+// programs of others: export_readers.sh.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>

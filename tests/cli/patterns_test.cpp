@@ -44,8 +44,8 @@ TEST_CASE("a cyst has sixteen cells and fifteen bridges: two cells with 4, two w
   for (const auto& [bridges, cells] : {std::pair{1, 8}, {2, 4}, {3, 2}, {4, 2}})
     CHECK(realIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
                            " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
-  // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. Of the first and the ninth, which hold
-  // four bridges each, the one between them is drawn out a little, and they do not touch.
+  // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. Of the first and the ninth, which
+  // hold four bridges each, the one between them is drawn out a little, and they do not touch.
   CHECK(realIn(file,
                "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
                "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 14);
@@ -62,8 +62,8 @@ TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
   const auto area = [&](const std::string& a, const std::string& b) {
     return realIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
   };
-  // On icosphere 3 these are 3.57 and 2.28 at rest. Slack cells that stick weakly are 7.4 % off on icosphere 2, and by 0.9 %
-  // more at time 5.
+  // On icosphere 3 these are 3.57 and 2.28 at rest. Slack cells that stick weakly are 7.4 % off on icosphere 2, and by
+  // 0.9 % more at time 5.
   CHECK(area("AAA", "AAB") == Approx(3.57).epsilon(0.05));
   CHECK(area("AB", "BAA") == Approx(2.28).epsilon(0.084));
   // What does not stick lies side by side, and presses on nothing.

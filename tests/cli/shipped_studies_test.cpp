@@ -1,6 +1,7 @@
-// Every sentence of scenarios/policies/README.md and scenarios/worm/README.md is what its command says. The command is put to the values of all runs of
-// a study: some of these the test makes again, and they must be to the last bit what golden/FAMILY keeps; the others are
-// taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes a quarter of an hour of CPU time.
+// Every sentence of scenarios/policies/README.md and scenarios/worm/README.md is what its command says. The command is
+// put to the values of all runs of a study: some of these the test makes again, and they must be to the last bit what
+// golden/FAMILY keeps; the others are taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made
+// again, which takes a quarter of an hour of CPU time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -43,8 +44,8 @@ Words wordsOf(const std::string& line) {
   return words;
 }
 
-/// What a document shows in a block of code: a command, and lines of what it prints. "…" stands for lines, and at the end of one
-/// for its rest. Of an answer to a question each line is a claim.
+/// What a document shows in a block of code: a command, and lines of what it prints. "…" stands for lines, and at the
+/// end of one for its rest. Of an answer to a question each line is a claim.
 struct Shown {
   std::string text;  // before the block
   Words command;     // without the program's name

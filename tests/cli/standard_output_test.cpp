@@ -1,5 +1,5 @@
-// What cannot be printed, because standard output is closed or its disk is full, is exit 6 with a sentence; and no file that
-// is opened meanwhile takes the number of a closed stream, so that nothing is printed into it.
+// What cannot be printed, because standard output is closed or its disk is full, is exit 6 with a sentence; and no file
+// that is opened meanwhile takes the number of a closed stream, so that nothing is printed into it.
 #include <sys/wait.h>
 
 #include <cstdlib>

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A study and its scenario, as `morula init` writes them; without `variation`, so that seeds change random planes alone.
+/// A study and its scenario, as `morula init` writes them; without `variation`, so that seeds change random planes
+/// alone.
 std::string starterIn(const TemporaryFolder& folder) {
   const std::string study = folder / "first.study.yaml", scenario = folder / "organism.yaml";
   CHECK(launch({"init", scenario}).code == 0);

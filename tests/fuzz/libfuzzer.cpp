@@ -1,4 +1,5 @@
-// One of the readers for libFuzzer, which the environment names: MORULA_FUZZ=scenario fuzz_readers CORPUS (fuzz.sh does it).
+// One of the readers for libFuzzer, which the environment names: MORULA_FUZZ=scenario fuzz_readers CORPUS (fuzz.sh does
+// it).
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// In every test run: each reader reads its seeds, what earlier findings were (corpus/READER), and a fixed number of inputs that are
-// made of them by chance, the same ones everywhere.
+// In every test run: each reader reads its seeds, what earlier findings were (corpus/READER), and a fixed number of
+// inputs that are made of them by chance, the same ones everywhere.
 //
 //   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each (Reader::times); exit 1 and the input in a file for a finding; what inputs are
 //                                            made of goes into FOLDER

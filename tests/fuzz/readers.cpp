@@ -63,8 +63,8 @@ void readNamed(const char* role, const std::string& path, std::string_view bytes
                "", {}, {{role, "fuzz.txt", text(bytes)}});
 }
 
-/// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are taken as
-/// fields and sealed, for else the hash would refuse nearly all.
+/// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are
+/// taken as fields and sealed, for else the hash would refuse nearly all.
 constexpr std::size_t checkpointHead = 24, checkpointTail = 16;
 
 std::string sealed(std::string_view fields) {

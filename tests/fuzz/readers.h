@@ -1,6 +1,7 @@
 #pragma once
-// Everything that reads what others wrote, as functions of bytes: whatever the bytes are, a reader takes them or refuses them with
-// an error for people. Anything else (a BugError, another exception, a crash, a read out of bounds) is a finding.
+// Everything that reads what others wrote, as functions of bytes: whatever the bytes are, a reader takes them or
+// refuses them with an error for people. Anything else (a BugError, another exception, a crash, a read out of bounds)
+// is a finding.
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Each lint finds what is planted for it, and lets pass what only looks like it.
 #
-#   planted.sh words|files|flags|layers
+#   planted.sh words|beginnings|files|flags|layers
 #   planted.sh symbols NM COMPILER
 #   planted.sh instructions OBJDUMP COMPILER
 set -euo pipefail
@@ -94,6 +94,21 @@ PLANTS
     plant=
     passes "comments, texts, paths and the folders that may" "$here/files.sh" "$work/runner"
     finds "there is no source" "$here/files.sh" "$work/runner/store"
+    ;;
+
+  beginnings)
+    mkdir "$work/core"
+    for first in "Of a cell." "Whether it is." "What is left." "The same of a pair." "Those that live." "As above."; do
+      plant=$first
+      printf 'int a;\n/// %s\nint b;\n' "$first" >"$work/core/a.h"
+      finds "a.h:2:" "$here/beginnings.sh" "$work/core"
+      printf '  // %s\n' "$first" >"$work/core/a.h"
+      finds "a.h:1:" "$here/beginnings.sh" "$work/core"
+    done
+    plant=
+    printf '// Returns the share\n// Of a cell.\nint a; // What is left.\n/// Offers. Asks.\n' >"$work/core/a.h"
+    passes "further lines, comments behind code, and other words" "$here/beginnings.sh" "$work/core"
+    finds "there is no source" "$here/beginnings.sh" "$work/elsewhere"
     ;;
 
   flags)

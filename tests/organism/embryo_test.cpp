@@ -99,7 +99,8 @@ Embryo grow(int seed, const std::vector<Stage>& stages, bool whole) {
   return grown;
 }
 
-/// Grows the embryo under the seeds 1 to `ofAll` to 15 cells, and the first `whole` of them to 28, and compares them with real ones.
+/// Grows the embryo under the seeds 1 to `ofAll` to 15 cells, and the first `whole` of them to 28, and compares them
+/// with real ones.
 void compareWithReal(int ofAll, int whole) {
   const auto stages = realStages();
   std::vector<Embryo> seeds(ofAll);
@@ -145,7 +146,8 @@ void compareWithReal(int ofAll, int whole) {
 
 }  // namespace
 
-TEST_CASE("four and eight cells touch as in the real embryo; 12 and 15 lie near its places; all stages are gone through") {
+TEST_CASE(
+    "four and eight cells touch as in the real embryo; 12 and 15 lie near its places; all stages are gone through") {
   compareWithReal(4, 2);
 }
 
@@ -159,9 +161,9 @@ TEST_CASE(
 TEST_CASE("mirrored rules give the mirrored embryo") {
   using namespace mirrored;
   Scene scene = withoutSeed(embryo({"stop.time=13"}).scene);
-  // P0 along the egg, 3 degrees from its measured axis. With that one rounding decides in a cut, and not alike in the mirror:
-  // 1e-15 more or less of the axis moves four cells by 0.02 radii (perhaps where a fold of the flat side opens or does not,
-  // division/halves.h; it was not looked into).
+  // P0 along the egg, 3 degrees from its measured axis. With that one rounding decides in a cut, and not alike in the
+  // mirror: 1e-15 more or less of the axis moves four cells by 0.02 radii (perhaps where a fold of the flat side opens
+  // or does not, division/halves.h; it was not looked into).
   scene.mechanics->division.rules.at(0).plane->axis = {-1, 0, 0};
   World world = makeWorld(scene), image = makeWorld(mirror(scene, Axis::z));
   while (!finished(world)) step(world), step(image);

@@ -29,7 +29,8 @@ Pairs pairsAtEnd(const Scene& scene, double from, double share) {
 }  // namespace
 
 TEST_CASE("shell-64: at an eighth of the time step 97 % of the pairs that touch at the end are the same") {
-  // From one state after the last division on: what comes before is chaotic, and a rounding error decides who divides where.
+  // From one state after the last division on: what comes before is chaotic, and a rounding error decides who divides
+  // where.
   constexpr double afterLastDivision = 6.5;
   constexpr int seeds = 3;
   std::vector<std::size_t> touching(seeds);

@@ -72,7 +72,8 @@ TEST_CASE("sea urchin: 8 mesomeres, 4 macromeres and 4 micromeres, from pole to 
 }
 
 TEST_CASE("sea urchin: starts a millionth of a radius apart go through the third cleavage, too") {
-  // Steps that did not follow pairs held at the end of their reach ended these seeds before time 9.2: "it is pressed into".
+  // Steps that did not follow pairs held at the end of their reach ended these seeds before time 9.2: "it is pressed
+  // into".
   for (const std::uint64_t seed : {3, 4, 6, 7, 8, 9}) {
     Scene scene = sceneOf("urchin");
     scene.seed = seed, scene.variation.start = 1e-6, scene.stop.time = 9.5;

@@ -1,5 +1,5 @@
-// Loaded before a program (LD_PRELOAD), it lets one operation fail: of those on files below FAULT_FOLDER, or of those that
-// ask for memory. Programs that it starts are counted with it.
+// Loaded before a program (LD_PRELOAD), it lets one operation fail: of those on files below FAULT_FOLDER, or of those
+// that ask for memory. Programs that it starts are counted with it.
 //
 //   FAULT=KIND:N:HOW   the N-th of KIND, counted from 1 and in all processes together
 //     KIND  write, sync, rename, make (to open for writing, mkdir, truncate), remove, read (also to open),
@@ -13,9 +13,9 @@
 //   FAULT_PLACES=FILE  while it only counts: eight bytes for each operation, a hash of the six innermost calls that led to it
 //   FAULT_CLOCK=N      the clock is so many seconds fast; also without FAULT
 //
-// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM,
-// cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program looks
-// beforehand whether there is enough.
+// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and
+// LLVM, cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program
+// looks beforehand whether there is enough.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -50,7 +50,8 @@ namespace {
 using Counter = std::atomic<std::uint64_t>;
 
 enum Kind { none, writes, syncs, renames, makes, removes, reads, files, news, mallocs, all };
-constexpr const char* kindNames[] = {"", "write", "sync", "rename", "make", "remove", "read", "files", "new", "malloc", "all"};
+constexpr const char* kindNames[] = {"",     "write", "sync", "rename", "make", "remove",
+                                     "read", "files", "new",  "malloc", "all"};
 
 struct Fault {
   Kind kind = none;
@@ -59,7 +60,7 @@ struct Fault {
   bool goesOn = false, isShort = false, kills = false, killsAll = false;
   char folder[PATH_MAX] = {};
   Counter* counts = nullptr;  // of `all` at the kind's number, else the first
-  int places = -1;  // a file
+  int places = -1;            // a file
 } fault;
 bool inMain = false;
 

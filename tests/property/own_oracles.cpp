@@ -83,8 +83,9 @@ std::string ownVerdict(const World& world) {
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
     if (b.parameters.shell) {
       std::vector<Point> inside;
-      // A ball is drawn with a mesh of its volume: its vertices stand out. A shell that holds the surface that holds a mesh's
-      // volume is felt by vertices as if its half-axes were longer by the sag; how large that is unit/physics tests.
+      // A ball is drawn with a mesh of its volume: its vertices stand out. A shell that holds the surface that holds a
+      // mesh's volume is felt by vertices as if its half-axes were longer by the sag; how large that is unit/physics
+      // tests.
       const double* a = b.parameters.shell->semiAxes;
       const bool holdsVertices = b.parameters.shell->mesh || b.parameters.shell->holds == Held::vertices;
       const double sag = sphere || holdsVertices ? 0 : b.sag[slot];

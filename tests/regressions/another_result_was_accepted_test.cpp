@@ -1,6 +1,6 @@
-// `review --accept` accepted another result than the one that waited and was looked at, without a word. In a copied project
-// `review` showed the other project's result, or deleted it. A picture of an earlier result stayed beside a new one, and a
-// page of an earlier check showed pictures of now. A golden's name and reason could hold control characters.
+// `review --accept` accepted another result than the one that waited and was looked at, without a word. In a copied
+// project `review` showed the other project's result, or deleted it. A picture of an earlier result stayed beside a new
+// one, and a page of an earlier check showed pictures of now. A golden's name and reason could hold control characters.
 #include "catch.h"
 #include "project.h"
 

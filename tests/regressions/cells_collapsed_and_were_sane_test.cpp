@@ -1,6 +1,6 @@
-// Cells whose adhesion had crushed them into clumps of vertices, or that passed through themselves, were told as "sane yes", or
-// their run died with a cause that nobody had measured ("it cannot divide"). Each has a check of its own, and a sentence
-// with the cell, the number and the key to change.
+// Cells whose adhesion had crushed them into clumps of vertices, or that passed through themselves, were told as "sane
+// yes", or their run died with a cause that nobody had measured ("it cannot divide"). Each has a check of its own, and
+// a sentence with the cell, the number and the key to change.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

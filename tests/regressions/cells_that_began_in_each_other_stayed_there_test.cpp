@@ -1,5 +1,6 @@
-// Cells that begin deeper in each other than contacts see were left there: no vertex felt the other cell, and the run ended
-// with exit 0, "sane yes". Cells a little less deep were refused by "it is pressed into cell A", which told only one of the two.
+// Cells that begin deeper in each other than contacts see were left there: no vertex felt the other cell, and the run
+// ended with exit 0, "sane yes". Cells a little less deep were refused by "it is pressed into cell A", which told only
+// one of the two.
 #include "catch.h"
 #include "launch.h"
 

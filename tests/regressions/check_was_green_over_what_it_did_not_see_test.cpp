@@ -1,6 +1,6 @@
-// `check` was green over a family behind a symbolic link, scenarios that end in .yml, and an empty project; one scenario that
-// could not be read ended it before its reports were written, and those of an earlier check stayed, green. A project whose
-// scenarios all must stop ended with exit 6.
+// `check` was green over a family behind a symbolic link, scenarios that end in .yml, and an empty project; one
+// scenario that could not be read ended it before its reports were written, and those of an earlier check stayed,
+// green. A project whose scenarios all must stop ended with exit 6.
 #include "catch.h"
 #include "project.h"
 

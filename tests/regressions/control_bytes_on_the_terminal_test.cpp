@@ -1,6 +1,6 @@
-// Keys, names, --set, file names, OBJ lines, goldens and databases brought control bytes to the terminal, where they could
-// rewrite what stands there; bytes that are not UTF-8 in JSON ended as a bug, exit 70. All output passes one function that
-// shows such bytes instead of sending them; JSON stays JSON.
+// Keys, names, --set, file names, OBJ lines, goldens and databases brought control bytes to the terminal, where they
+// could rewrite what stands there; bytes that are not UTF-8 in JSON ended as a bug, exit 70. All output passes one
+// function that shows such bytes instead of sending them; JSON stays JSON.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

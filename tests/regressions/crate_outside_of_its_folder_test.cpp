@@ -1,5 +1,5 @@
-// export --ro-crate wrote where a stranger's database told it to: run_document.role or path could be absolute or climb with
-// `..`. Every file of a crate lies in its folder, under a safe name, and no two of them under one.
+// export --ro-crate wrote where a stranger's database told it to: run_document.role or path could be absolute or climb
+// with `..`. Every file of a crate lies in its folder, under a safe name, and no two of them under one.
 #include <filesystem>
 #include <set>
 

@@ -1,6 +1,6 @@
-// A database with user_version -1 ended `run --db` by SIGSEGV; a status that is none or a hash of other digits ended readers
-// with exit 70, as bugs. Whatever a column of a stranger's file holds, every verb that reads it ends with an answer or with
-// a sentence.
+// A database with user_version -1 ended `run --db` by SIGSEGV; a status that is none or a hash of other digits ended
+// readers with exit 70, as bugs. Whatever a column of a stranger's file holds, every verb that reads it ends with an
+// answer or with a sentence.
 #include <filesystem>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
-// The name of a study's folder stood unquoted in the script for Slurm: a line end in it began a command of its own, and a
-// blank, a quote or a '%' led elsewhere. Whatever its name, the script names this folder and runs nothing else.
+// The name of a study's folder stood unquoted in the script for Slurm: a line end in it began a command of its own, and
+// a blank, a quote or a '%' led elsewhere. Whatever its name, the script names this folder and runs nothing else.
 #include <filesystem>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
-// A ball was exported as an icosphere of its volume, whose vertices stood 2.7 % out of it, and of the shell that held it. They
-// lie on the ball.
+// A ball was exported as an icosphere of its volume, whose vertices stood 2.7 % out of it, and of the shell that held
+// it. They lie on the ball.
 #include <cmath>
 #include <cstring>
 

@@ -1,6 +1,6 @@
 #pragma once
-// What several of these tests need: a scene that takes a moment, limits of the system, and what a terminal must never be
-// sent.
+// What several of these tests need: a scene that takes a moment, limits of the system, and what a terminal must never
+// be sent.
 #include <sys/resource.h>
 
 #include <string>

@@ -13,7 +13,8 @@ namespace {
 
 const std::string dividing = "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n";
 
-/// Two cells that begin with their centres on each other: contacts hold surfaces apart that face each other, and know no inside.
+/// Two cells that begin with their centres on each other: contacts hold surfaces apart that face each other, and know
+/// no inside.
 std::string overlapping(const std::string& check = "") {
   return "morula: 1\nname: overlapping\n" + dividing +
          "stop: {time: 0.5}\ncells: [{at: [-5e-10, 0, 0]}, {at: [5e-10, 0, 0]}]\n"

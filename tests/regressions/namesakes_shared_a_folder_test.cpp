@@ -1,5 +1,5 @@
-// Two scenario files of one name wrote into one folder, one after the other: the pictures of the one were replaced by the
-// other's. The second gets a folder of its own, with eight digits; a file that was only edited keeps its folder.
+// Two scenario files of one name wrote into one folder, one after the other: the pictures of the one were replaced by
+// the other's. The second gets a folder of its own, with eight digits; a file that was only edited keeps its folder.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

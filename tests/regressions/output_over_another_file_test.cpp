@@ -1,5 +1,5 @@
-// render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. What a command writes
-// replaces files of its own kind only, whatever their names end in, and the message says what the other file is.
+// render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. What a command
+// writes replaces files of its own kind only, whatever their names end in, and the message says what the other file is.
 #include <sys/stat.h>
 
 #include <filesystem>

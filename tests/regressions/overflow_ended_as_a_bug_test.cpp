@@ -1,5 +1,6 @@
 // A speed near the largest number that there is made an acceleration that is not a number, and the hash of that state
-// ended the run with exit code 70, before the next step would have found it. Such a run is refused or a numerical failure.
+// ended the run with exit code 70, before the next step would have found it. Such a run is refused or a numerical
+// failure.
 #include "catch.h"
 #include "launch.h"
 

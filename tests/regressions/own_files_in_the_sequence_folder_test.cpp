@@ -1,5 +1,5 @@
-// run removed the whole folder `sequence` of an earlier run, with files of the user's in it. It removes only pictures that
-// Morula itself wrote there and that the new run does not replace.
+// run removed the whole folder `sequence` of an earlier run, with files of the user's in it. It removes only pictures
+// that Morula itself wrote there and that the new run does not replace.
 #include <filesystem>
 
 #include "catch.h"

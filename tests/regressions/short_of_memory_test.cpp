@@ -1,6 +1,6 @@
-// Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke down
-// in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused with a
-// sentence. Its checkpoint was thrown away, and with it all that had been computed.
+// Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke
+// down in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused
+// with a sentence. Its checkpoint was thrown away, and with it all that had been computed.
 #include "catch.h"
 #include "hostile.h"
 #include "store/store.h"

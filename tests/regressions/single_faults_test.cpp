@@ -1,7 +1,7 @@
-// Found by letting every operation fail, one after the other (tests/faults): drafts of killed runs stayed for ever, a folder
-// that could not be opened after it was made stayed and was made again and again, a folder exported into the current one
-// could be there by half, and memory that ended in a destructor of a library or in the first words of the program ended in
-// SIGABRT, in a database or a PNG in another exit code.
+// Found by letting every operation fail, one after the other (tests/faults): drafts of killed runs stayed for ever, a
+// folder that could not be opened after it was made stayed and was made again and again, a folder exported into the
+// current one could be there by half, and memory that ended in a destructor of a library or in the first words of the
+// program ended in SIGABRT, in a database or a PNG in another exit code.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

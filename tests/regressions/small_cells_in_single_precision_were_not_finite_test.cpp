@@ -1,5 +1,5 @@
-// Lists are filled up with a vertex far away. Over the squared radius of small cells its squared distance is beyond single
-// precision, and nothing times infinity was no number: forces of all cells smaller than a fifth.
+// Lists are filled up with a vertex far away. Over the squared radius of small cells its squared distance is beyond
+// single precision, and nothing times infinity was no number: forces of all cells smaller than a fifth.
 #include "catch.h"
 #include "launch.h"
 

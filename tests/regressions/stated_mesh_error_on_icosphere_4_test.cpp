@@ -80,8 +80,8 @@ TEST_CASE(
     std::string timeStep, fineTimeStep;
     double within;
   };
-  // After a division finer meshes are hardly nearer: 0.017 is stated for 0.0218 at 1.109, when `accuracy` compares. Between
-  // its times of comparison, at 1.03, it is 0.035 (runner/measurements/accuracy/README.md).
+  // After a division finer meshes are hardly nearer: 0.017 is stated for 0.0218 at 1.109, when `accuracy` compares.
+  // Between its times of comparison, at 1.03, it is 0.035 (runner/measurements/accuracy/README.md).
   const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
                               Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
   const std::string root = MORULA_SOURCE_DIR;

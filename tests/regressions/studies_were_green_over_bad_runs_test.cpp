@@ -1,6 +1,6 @@
-// A study whose runs had failed, had ended insane, were missing or were made from another scenario was green: `study run`,
-// `status`, `check` and `compare` ended with 0 and without a word. Statistics of a study went into a golden whose DNA had
-// changed since. A crate of a study held one run of many.
+// A study whose runs had failed, had ended insane, were missing or were made from another scenario was green: `study
+// run`, `status`, `check` and `compare` ended with 0 and without a word. Statistics of a study went into a golden whose
+// DNA had changed since. A crate of a study held one run of many.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
-// Threads of the standard library in place of oneTBB's (MORULA_THREADS=std), for the thread sanitizer: it sees how these
-// begin and end, and cannot see into oneTBB's library.
+// Threads of the standard library in place of oneTBB's (MORULA_THREADS=std), for the thread sanitizer: it sees how
+// these begin and end, and cannot see into oneTBB's library.
 #include "base/parallel.h"
 
 #include <algorithm>

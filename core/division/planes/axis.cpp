@@ -12,8 +12,8 @@ struct FixedAxis final : DivisionPolicy {
   Vector axis;
 };
 
-/// The new wall meets the one before at right angles [Sachs 1877]: of the directions within the mother's plane, the one of
-/// the cell's largest extent. Cells that no division made are cut across the given axis.
+/// The new wall meets the one before at right angles [Sachs 1877]: of the directions within the mother's plane, the one
+/// of the cell's largest extent. Cells that no division made are cut across the given axis.
 struct AlternatingPlane final : DivisionPolicy {
   explicit AlternatingPlane(const PlaneChoice& p) : first(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override {

@@ -41,8 +41,8 @@ const DivisionPlaneKind awayFromPlane{
     .make = makeFromChoice<ByContact<awayFromContact>>,
 };
 
-/// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of it, as skin cells
-/// do that stay on what they cover.
+/// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of it, as skin
+/// cells do that stay on what they cover.
 const DivisionPlaneKind acrossPlane{
     .plane = DivisionPlane::across,
     .name = "across",

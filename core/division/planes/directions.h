@@ -11,8 +11,8 @@
 
 namespace morula {
 
-/// The `make` of a row of the table of planes: a policy made from the scenario's choice, or from the seed, or, where it needs
-/// neither, from nothing.
+/// The `make` of a row of the table of planes: a policy made from the scenario's choice, or from the seed, or, where it
+/// needs neither, from nothing.
 template <class Policy>
 std::unique_ptr<DivisionPolicy> makeFromChoice([[maybe_unused]] const PlaneChoice& choice,
                                                [[maybe_unused]] std::uint64_t seed) {
@@ -36,10 +36,10 @@ Vector longestExtentAcross(const CellContext& cell, const Vector& normal);
 /// the cell: the sum is then less than 1e-6 of the areas, and rounding must not decide.
 std::optional<Vector> contactDirection(const CellContext& cell, const std::string& substance);
 
-/// The unit vector from the inside of the organism to its outside, at the cell's centre: with a shell the
-/// normal of the ellipsoid of its shape through this point, (x/a², y/b², z/c²), or of a mesh that of its nearest face;
-/// without one away from the centre of all cells' volume. Absent for a cell within 1 % of its own radius (of the ball of equal volume) from the
-/// organism's centre.
+/// The unit vector from the inside of the organism to its outside, at the cell's centre: with a shell the normal of the
+/// ellipsoid of its shape through this point, (x/a², y/b², z/c²), or of a mesh that of its nearest face; without one
+/// away from the centre of all cells' volume. Absent for a cell within 1 % of its own radius (of the ball of equal
+/// volume) from the organism's centre.
 std::optional<Vector> outwardDirection(const CellContext& cell);
 
 }  // namespace morula

@@ -46,8 +46,8 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   return json;
 }
 
-/// All scenarios below the folder `scenarios` of the project, sorted. Studies are named on stderr: other verbs check them. Throws
-/// FileError if there is no such folder, InputError if it holds nothing to check.
+/// All scenarios below the folder `scenarios` of the project, sorted. Studies are named on stderr: other verbs check
+/// them. Throws FileError if there is no such folder, InputError if it holds nothing to check.
 std::vector<std::string> projectScenarios(bool quiet) {
   if (!isFolder("scenarios"))
     throw FileError("there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
@@ -153,7 +153,8 @@ std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   return names;
 }
 
-/// Adds what `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end states.
+/// Adds what `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end
+/// states.
 void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   std::size_t i = 0;
   report["changes"] = report["files"] = report["states"] = Json::object();
@@ -189,7 +190,8 @@ CheckReport withNames(CheckReport report, const CellNames& names) {
 
 constexpr const char* reportFiles[] = {"junit.xml", "report.json", "summary.md", "report.html"};
 
-/// Removes the reports of an earlier check, which must not be taken for this one's, however it ends. Files of others stay.
+/// Removes the reports of an earlier check, which must not be taken for this one's, however it ends. Files of others
+/// stay.
 void removeReports(const std::filesystem::path& folder) {
   makeFolder(folder);
   for (const char* name : reportFiles) {

@@ -92,7 +92,8 @@ CellLife lifeOf(const Tree& tree, const CellNames& names, const std::string& tex
   return life;
 }
 
-/// A line for each of path, name, born, ended, fate, state, mother, daughters and sister; what it does not have has none.
+/// A line for each of path, name, born, ended, fate, state, mother, daughters and sister; what it does not have has
+/// none.
 std::string lifeAsText(const CellLife& life, const Tree& tree, const Units& units) {
   const NameOf nameOf = nameIn(tree);
   const LineageEntry& cell = *life.cell;
@@ -126,8 +127,8 @@ Json cellAsJson(const LineageEntry& cell, const Tree& tree) {
           {"state", tree.results.stateTexts.at(cell.state)}};
 }
 
-/// Writes a cell as JSON: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree; "mother" and
-/// "sister" as {"path", "name"}, or null; "daughters", a list of such.
+/// Writes a cell as JSON: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree;
+/// "mother" and "sister" as {"path", "name"}, or null; "daughters", a list of such.
 Json lifeAsJson(const CellLife& life, const Tree& tree) {
   const NameOf nameOf = nameIn(tree);
   Json json = cellAsJson(*life.cell, tree);
@@ -165,8 +166,8 @@ void draw(const Tree& tree, const LineageOptions& options) {
   writePicture(drawLineage(picture), options.picture);
 }
 
-/// Computes the lineage by genes alone: without bodies a thousand cells take a moment. If cells sense or wait for a size, bodies
-/// decide, too.
+/// Computes the lineage by genes alone: without bodies a thousand cells take a moment. If cells sense or wait for a
+/// size, bodies decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;

@@ -1,6 +1,6 @@
 #pragma once
-// The command line as it was declared: verbs, and what each takes. Completions of shells and the manual are made of it, so that they
-// never say anything else than the program does.
+// The command line as it was declared: verbs, and what each takes. Completions of shells and the manual are made of it,
+// so that they never say anything else than the program does.
 #include <string>
 #include <vector>
 

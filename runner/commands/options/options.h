@@ -66,8 +66,8 @@ Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high);
 /// "1..50": the numbers from 1 to 50.
 std::vector<std::uint64_t> readSeeds(const std::string& text);
 
-/// Throws InputError unless the file's ending asks for what `verb` writes: PNG, and where it is a `drawing` (a chart or a
-/// tree) SVG and PDF.
+/// Throws InputError unless the file's ending asks for what `verb` writes: PNG, and where it is a `drawing` (a chart or
+/// a tree) SVG and PDF.
 void checkPictureName(const std::string& verb, const std::string& file, bool drawing);
 
 /// A file's name for which checkPictureName holds.

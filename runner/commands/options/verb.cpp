@@ -30,7 +30,8 @@ void takeAll(const CLI::Option& option, const std::function<void(const std::stri
     }
 }
 
-/// CLI11 keeps what it checks, not what it completes. Of all options of the command line, while it is declared and afterwards.
+/// CLI11 keeps what it checks, not what it completes. Of all options of the command line, while it is declared and
+/// afterwards.
 std::map<const CLI::Option*, std::vector<std::string>>& choicesOfOptions() {
   static std::map<const CLI::Option*, std::vector<std::string>> all;
   return all;

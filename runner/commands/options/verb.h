@@ -1,7 +1,7 @@
 #pragma once
 // A verb's place on the command line. Each option is declared once: name, type and range, default, help, and what it
-// excludes; the verb's function gets values that have been checked. CLI11 stays in verb.cpp, since its header takes longer
-// to compile than most verbs.
+// excludes; the verb's function gets values that have been checked. CLI11 stays in verb.cpp, since its header takes
+// longer to compile than most verbs.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -56,8 +56,8 @@ class Verb {
     require(name);
   }
 
-  /// Declares an option: a word, of which the help shows what stands in it as the default; or as many as wanted, where the
-  /// type ends in ",..." also several with commas or blanks between.
+  /// Declares an option: a word, of which the help shows what stands in it as the default; or as many as wanted, where
+  /// the type ends in ",..." also several with commas or blanks between.
   template <class Words>
   void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
     takes(
@@ -90,7 +90,8 @@ class Verb {
 
   /// Allows at most one of these options.
   void oneOf(const std::vector<std::string>& names);
-  /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a sentence.
+  /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a
+  /// sentence.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
   /// Each of `names` says something only where one of `owners` is given, too.
   void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);

@@ -36,8 +36,8 @@ struct Planned {
 /// Eight hexadecimal digits of a hash over all values of a scenario.
 std::string digits(const Scenario& scenario) { return Hasher().add(scenario.resolved).digest().text().substr(0, 8); }
 
-/// Returns true if the last run of this name and seed in the database is of another scenario file with other values; absent
-/// without such a run. If several began in the same second, any of them may be the last.
+/// Returns true if the last run of this name and seed in the database is of another scenario file with other values;
+/// absent without such a run. If several began in the same second, any of them may be the last.
 std::optional<bool> isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
   if (database.empty() || !fileExists(database)) return {};
   try {
@@ -58,8 +58,8 @@ std::optional<bool> isOfOther(const std::filesystem::path& database, const Scena
   } catch (const FileError&) { return {}; }  // the error is reported when the run opens the database for writing
 }
 
-/// Returns true if the folder may hold results of another file with this name and seed. If its pictures are of a run that is
-/// stored elsewhere, only the database of --db shows whose they are.
+/// Returns true if the folder may hold results of another file with this name and seed. If its pictures are of a run
+/// that is stored elsewhere, only the database of --db shows whose they are.
 bool isTaken(const std::filesystem::path& folder, const std::filesystem::path& database, const Scenario& scenario) {
   const auto inside = isOfOther(folder / "run.db", scenario), given = isOfOther(database, scenario);
   return inside.value_or(false) || given.value_or(false) ||

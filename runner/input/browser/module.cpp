@@ -1,5 +1,5 @@
-// The part of the playground's module beside the simulator's (core/wasm/module.cpp): scenarios as people write them, their costs,
-// and the picture of a run while it goes on. JSON goes in and out.
+// The part of the playground's module beside the simulator's (core/wasm/module.cpp): scenarios as people write them,
+// their costs, and the picture of a run while it goes on. JSON goes in and out.
 #include "wasm/module.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ constexpr double evaluationsToRest = 400;  // of the forces, after a division: 1
 std::optional<Scenario> scenario;
 std::size_t entriesTold = 0;
 
-/// How many time steps of so many vertices a run will be: its lineage runs beforehand without bodies, which takes no time. Genes
-/// that listen to bodies may make more or fewer cells.
+/// How many time steps of so many vertices a run will be: its lineage runs beforehand without bodies, which takes no
+/// time. Genes that listen to bodies may make more or fewer cells.
 Json costOf(const Scenario& of) {
   Scene lineage = of.scene;
   const bool hasBodies = lineage.mechanics.has_value();

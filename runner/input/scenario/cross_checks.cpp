@@ -180,7 +180,7 @@ void checkModel(const SceneCheck& check) {
   if (check.scenario.check.energy) refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
 }
 
-/// What a sphere has not, and what it cannot do.
+/// Checks that spheres are given no part that they lack, and asked for nothing that they cannot do.
 void checkSpheres(const SceneCheck& check) {
   const auto& contact = check.mechanics().contact;
   const auto& cells = check.scene().cells;
@@ -199,7 +199,7 @@ void checkSpheres(const SceneCheck& check) {
   }
 }
 
-/// What a seed may change only of bodies.
+/// Checks that variations of bodies are given only in scenes with bodies.
 void checkVariation(const SceneCheck& check) {
   const VariationParameters& v = check.scene().variation;
   if (!check.scene().mechanics) {
@@ -252,7 +252,7 @@ void checkInterval(const SceneCheck& check, const std::string& path, std::option
                  "needs at least " + exactText(*end / most) + " [time]");
 }
 
-/// What record.measures asks for must be there to be measured, and what check.reference gives must be asked for.
+/// Checks that the scene has what record.measures asks for, and that a measure asks for what check.reference gives.
 void checkMeasures(const SceneCheck& check) {
   const RecordParameters& record = check.scenario.record;
   std::set<Needs> asked;

@@ -1,5 +1,5 @@
-// How cells divide: rules that no cell can follow, and what cannot be done. Planes go by what a scene may lack: contacts,
-// connections, a long shell. So does chirality, by drag.
+// How cells divide: rules that no cell can follow, and what cannot be done. Planes go by what a scene may lack:
+// contacts, connections, a long shell. So does chirality, by drag.
 #include <algorithm>
 
 #include "base/number_text.h"

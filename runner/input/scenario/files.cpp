@@ -27,8 +27,8 @@ void guarded(Problems& problems, const Place& place, Read read) {
   } catch (const InputError& error) { problems.addForeign(place, error.what()); }
 }
 
-/// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come to
-/// stand in messages and in the database, so a stranger's scenario must not reach files of others.
+/// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come
+/// to stand in messages and in the database, so a stranger's scenario must not reach files of others.
 const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name, const Place& place,
                                const Places& places, Problems& problems) {
   for (const auto& stored : places.stored)

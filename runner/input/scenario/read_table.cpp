@@ -33,8 +33,8 @@ std::string pathElsewhere(const std::string& key) {
   return {};
 }
 
-/// Suggests what an unknown key was probably meant to be. A key at the top that belongs into a section has been misplaced; one within a
-/// section may have been meant there, whatever else is called so.
+/// Suggests what an unknown key was probably meant to be. A key at the top that belongs into a section has been
+/// misplaced; one within a section may have been meant there, whatever else is called so.
 std::string remedy(const std::string& section, const std::string& key) {
   const auto here = keysOf(section);
   if (const auto near = closest(key, here); !near.empty()) return "did you mean " + near + "?";

@@ -1,6 +1,6 @@
 #pragma once
-// Names of an organism's cells. They are presentation alone: the simulator knows lineage paths, and no result depends on a
-// name.
+// Names of an organism's cells. They are presentation alone: the simulator knows lineage paths, and no result depends
+// on a name.
 #include <functional>
 #include <map>
 #include <optional>
@@ -32,8 +32,8 @@ struct CellNames {
 };
 
 /// The cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and "/" and
-/// "egg" are the egg. Throws InputError that begins with `where` ("--cell"; may be empty) for a text that is neither, with the
-/// name that was probably meant.
+/// "egg" are the egg. Throws InputError that begins with `where` ("--cell"; may be empty) for a text that is neither,
+/// with the name that was probably meant.
 CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where);
 
 /// "ABa (path AAB)", or without a name what base/cell_path.h calls it: "cell AAB".
@@ -42,8 +42,8 @@ std::string cellWords(const NameOf& nameOf, const CellPath& path);
 /// A message with "ABa (path AAB)" for each "cell AAB" in it that has a name.
 std::string withNames(std::string_view message, const NameOf& nameOf);
 
-/// Returns true if a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character, the
-/// first none of / = + - @. In words: nameAllowed.
+/// Returns true if a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character,
+/// the first none of / = + - @. In words: nameAllowed.
 bool isCellName(std::string_view text);
 extern const char* const nameAllowed;
 

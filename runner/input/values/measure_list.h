@@ -14,7 +14,8 @@ std::string measuresAsMarkdown();
 std::string measuresAsJson();
 
 struct Scenario;
-/// Returns the part that a scenario lacks for measures with these needs: "bodies: add a physics block"; "" if it lacks none.
+/// Returns the part that a scenario lacks for measures with these needs: "bodies: add a physics block"; "" if it lacks
+/// none.
 std::string lackingFor(Needs needs, const Scenario& scenario);
 
 /// Adds each value under its measure's name; null where it was not measured.
@@ -30,8 +31,8 @@ void addMeasures(Json& json, const Measured<Of>& measured) {
   }
 }
 
-/// Units for pages, as {name: [unit, how many of it are one of the scene's]}: for sampled measures, for "time", for lengths of a
-/// "scale" bar and for areas of a "contact"; the latter two have no name in the scene's own units.
+/// Units for pages, as {name: [unit, how many of it are one of the scene's]}: for sampled measures, for "time", for
+/// lengths of a "scale" bar and for areas of a "contact"; the latter two have no name in the scene's own units.
 Json shownUnits(const Units& units);
 
 }  // namespace morula

@@ -35,8 +35,8 @@ struct Bounds {
   double least = 0, most = 0;
 };
 
-/// The comparison with the same scene in Bullet, and how far apart the two may be at the end. Without any tolerance, tolerances
-/// that fit the scene hold (engines/bullet_check.h).
+/// The comparison with the same scene in Bullet, and how far apart the two may be at the end. Without any tolerance,
+/// tolerances that fit the scene hold (engines/bullet_check.h).
 struct BulletCheck {
   Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
   double margin = 0.01;              // [radii of the egg] of each surface in Bullet: what touches is two of them apart
@@ -85,7 +85,8 @@ struct Scenario {
   CellNames names;                       // of cells, by their paths
   Units units;                           // that people see
   std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names
-  /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have been scaled.
+  /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have
+  /// been scaled.
   std::optional<double> shellFill;
   bool eggIsStretched = false;  // to the shell's shape: the egg in scene.cells is that one, not from the file
   RecordParameters record;

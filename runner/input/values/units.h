@@ -23,8 +23,8 @@ struct ShownUnit {
   std::string after(const std::string& title) const { return name.empty() ? title : title + " [" + name + "]"; }
 };
 
-/// Converts a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other part, as
-/// a force, or a part without a name stays what it is: nothing is said of masses.
+/// Converts a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other
+/// part, as a force, or a part without a name stays what it is: nothing is said of masses.
 ShownUnit shownUnit(const Units& units, std::string_view unit);
 
 /// Returns the units that all runs have, where `of` gives those of each run; the scenes' own units if runs differ.

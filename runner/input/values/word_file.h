@@ -1,5 +1,6 @@
 #pragma once
-// Text files with a few words a line, where '#' begins a comment: names of cells, and what an organism is compared with.
+// Text files with a few words a line, where '#' begins a comment: names of cells, and what an organism is compared
+// with.
 #include <string>
 #include <vector>
 
@@ -12,9 +13,9 @@ struct WordLine {
   std::vector<std::string> words;  // one at least
 };
 
-/// The lines that hold words. Line ends are LF, CR LF or CR; a byte order mark is passed over. A file that is not UTF-8, and
-/// a line with characters that show as blanks and are none, are problems that name the place in `file`; `place` is where
-/// the scenario names the file.
+/// The lines that hold words. Line ends are LF, CR LF or CR; a byte order mark is passed over. A file that is not
+/// UTF-8, and a line with characters that show as blanks and are none, are problems that name the place in `file`;
+/// `place` is where the scenario names the file.
 std::vector<WordLine> readWordFile(std::string_view text, const std::string& file, const Place& place,
                                    Problems& problems);
 

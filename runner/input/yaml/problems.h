@@ -6,7 +6,8 @@
 
 namespace morula::scenario {
 
-/// The place at which something was written: a line and column of the file (from 1, columns in characters), or an option.
+/// The place at which something was written: a line and column of the file (from 1, columns in characters), or an
+/// option.
 struct Place {
   int line = 1, column = 1;
   std::string option;  // "--set physics.time_step"; not empty: line and column mean nothing
@@ -15,8 +16,8 @@ struct Place {
 /// "file:line:column", or the option.
 std::string placeText(const std::string& file, const Place& place);
 
-/// Collects mistakes, each one line: "<place>: <path>: <what>; <right>". Path and right may be empty. What the parts hold of
-/// control characters becomes visible, so that no text of a file can pass for a line of ours.
+/// Collects mistakes, each one line: "<place>: <path>: <what>; <right>". Path and right may be empty. What the parts
+/// hold of control characters becomes visible, so that no text of a file can pass for a line of ours.
 class Problems {
  public:
   explicit Problems(const std::string& file);

@@ -48,7 +48,8 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
       indenting = true;
       continue;
     }
-    // Invisible characters are at home in texts; where a line begins, and behind the colon of a key, they are mistaken for blanks.
+    // Invisible characters are at home in texts; where a line begins, and behind the colon of a key, they are mistaken
+    // for blanks.
     if (length > 1 && (indenting || text_.ends_with(':')))
       if (const std::string name = nameOfInvisible(utf8Value(bytes, length)); !name.empty())
         problems.add(at, "", name + " stands where a blank should be", "replace it by a space");

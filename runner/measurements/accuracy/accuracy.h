@@ -112,12 +112,13 @@ void refuseWithoutError(const Scenario& scenario);
 /// Throws InputError for such a scene, or one whose own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
-/// How far from rest each settling of a quasi-static scene ends: runs it to its end, and from each settling once more until the
-/// residual is a hundredth of the tolerance (SettlingRecord). Throws InputError for a scene that cannot run to its end.
+/// How far from rest each settling of a quasi-static scene ends: runs it to its end, and from each settling once more
+/// until the residual is a hundredth of the tolerance (SettlingRecord). Throws InputError for a scene that cannot run
+/// to its end.
 Table measureSettlings(Scenario scenario, const Execution& how);
 
-/// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more than `target`,
-/// by CPU time.
+/// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more
+/// than `target`, by CPU time.
 std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours = true);
 
 /// Between neighbouring runs of a series, or one that is more exact and not dearer.

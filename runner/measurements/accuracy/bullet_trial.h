@@ -1,11 +1,11 @@
 #pragma once
-// The same scene in Bullet, as a trial like those of our own settings.
+// Trials in Bullet: the same scene, as a trial like those of our own settings.
 #include "accuracy/trial.h"
 #include "values/baseline.h"
 
 namespace morula {
 
-/// Of the longest time step otherwise tried: B2 and B3 may bear such.
+/// Number of doublings of the longest time step otherwise tried: B2 and B3 may bear such steps.
 inline constexpr int bulletDoublings = 3;
 
 bool areMultiples(const std::vector<double>& times, double timeStep);
@@ -20,8 +20,8 @@ struct BulletSetting {
 /// "bullet b1, margin 0.01, 2 iterations"
 std::string seriesName(const BulletSetting& setting, bool touching);
 
-/// What a baseline can be tried with besides the time step, which is left 0: where cells touch four margins,
-/// and one to four iterations where there is something to iterate.
+/// Returns the settings of a baseline besides the time step, which is left 0: four margins if cells touch, and one to
+/// four iterations if there is something to iterate.
 std::vector<BulletSetting> bulletChoices(Baseline baseline, bool touching);
 
 /// From eight times `longest` down by so many halvings of it, and `longestStable` unless it is 0, as far as

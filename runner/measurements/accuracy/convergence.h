@@ -1,5 +1,5 @@
 #pragma once
-// What convergence says, as pure functions: slopes, what is left of an error, and cost at an error. Powers
+// Convergence as pure functions: slopes, the rest of an error, and cost at an error. Powers
 // become straight lines in logarithms, so all numbers are > 0 unless it says otherwise.
 #include <optional>
 #include <vector>
@@ -21,7 +21,7 @@ struct PowerLaw {
 /// different x.
 std::optional<PowerLaw> fitPowerLaw(const std::vector<XY>& points);
 
-/// What is left of the error of the finest of three solutions whose steps were halved twice.
+/// Estimates the error of the finest of three solutions whose steps were halved twice.
 struct LeftError {
   double error = 0;  // of the finest; as `coarseToMiddle` and `middleToFine`
   double order = 0;  // observed; 0: it does not converge

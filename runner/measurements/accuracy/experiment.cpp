@@ -92,8 +92,8 @@ class Experiment {
 
   AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->minTimeStep), "as it is"); }
 
-  /// Returns steps as fine as rows ask for. Where the steps are still too long for integrators that only bear stable ones,
-  /// finer; in brief, as fine as the scenario as it is asks for.
+  /// Returns steps as fine as rows ask for. Where the steps are still too long for integrators that only bear stable
+  /// ones, finer; in brief, as fine as the scenario as it is asks for.
   void findReference() {
     constexpr int most = 6;
     for (int halvings = options_.brief ? 1 : options_.halvings;; ++halvings) {
@@ -231,8 +231,8 @@ class Experiment {
     return row;
   }
 
-  /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and on to that on
-  /// the finest mesh.
+  /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and on
+  /// to that on the finest mesh.
   ErrorParts partsOf(const AccuracyRow& row, const Trial& t, double before) const {
     const Setting& s = row.setting;
     ErrorParts parts;

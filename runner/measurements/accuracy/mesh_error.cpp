@@ -33,7 +33,7 @@ double pressureDifference(const Shapes& a, const Shapes& b) {
   return largest;
 }
 
-/// Of the pairs that touch in either.
+/// The differences of the pairs that touch in either world.
 struct PairDifference {
   double area = 0;  // the largest
   int pairs = 0, inOneAlone = 0;
@@ -84,8 +84,8 @@ RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRa
     for (const ErrorQuantity& q : errorQuantities) d.worst.*q.of = std::max(d.worst.*q.of, e.*q.of);
     d.until = b.time;
   }
-  // A pressure passes through 0, and so does an area: over all times their largest is the scale. A pair begins to touch a
-  // moment sooner in one than in the other: the share is of all times.
+  // A pressure passes through 0, and so does an area: over all times their largest is the scale. A pair begins to touch
+  // a moment sooner in one than in the other: the share is of all times.
   d.worst.pressure = over(pressure, pressureScale), d.worst.contactArea = over(area, areaScale);
   d.worst.neighbours = over(inOneAlone, pairs);
   d.touch = pairs > 0;
@@ -144,8 +144,8 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const bool isFinest = i + 1 == solved.size();
     LevelError level{solved[i].level, toFinest[i].worst, toFinest[i].atEnd};
-    // What does not converge cannot be extrapolated: the distance that was measured stands, which is the
-    // least that it can be. The finest mesh is taken to be as far off as it moved at last.
+    // A value that does not converge cannot be extrapolated: the measured distance stands, which is a lower bound. The
+    // finest mesh is taken to be as far off as it moved at last.
     const auto add = [&](double& to, double coarseToMiddle, double middleToFine) {
       const LeftError l = left(coarseToMiddle, middleToFine);
       if (l.order >= minMeshOrder) to += l.error;

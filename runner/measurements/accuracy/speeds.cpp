@@ -1,4 +1,4 @@
-// What rows say together: orders, speeds at equal error, and who is the cheapest.
+// Results of rows together: orders, speeds at equal error, and the cheapest settings.
 #include <algorithm>
 #include <cmath>
 

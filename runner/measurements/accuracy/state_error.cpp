@@ -14,8 +14,8 @@
 namespace morula {
 namespace {
 
-/// Returns the centre of the enclosed volume: tetrahedra from the vertices' mean, each with its centre a quarter of the way
-/// behind its four corners' sum. The vertices' mean where nothing is enclosed.
+/// Returns the centre of the enclosed volume: tetrahedra from the vertices' mean, each with its centre a quarter of the
+/// way behind its four corners' sum. The vertices' mean where nothing is enclosed.
 Point volumeCentroid(const Mesh& mesh) {
   const Point origin = measureCentroid(mesh.vertices);
   Vector moment;

@@ -43,11 +43,11 @@ struct StateError {
   double pressure = 0;     // [1] over the reference's largest
   double contactArea = 0;  // [1] the same; a pair that touches in one alone differs by all of its area
   double neighbours = 0;   // [1] share of the pairs that touch in either, over all times, that do so in one alone
-  /// Of centroids, volumes and surfaces: what rows are compared by.
+  /// Returns the largest error of centroids, volumes and surfaces, by which rows are compared.
   double largest() const;
 };
 
-/// What an error is stated of, wherever it is: at a terminal, on pages, in JSON, in goldens.
+/// The quantities whose errors are stated, everywhere: at a terminal, on pages, in JSON, in goldens.
 struct ErrorQuantity {
   const char *name, *unit;
   double StateError::*of;

@@ -20,7 +20,7 @@ struct TooLong {
   std::string text;
 };
 
-/// Of the forces; XPBD's sub-steps count.
+/// Returns the number of force evaluations in a step; XPBD's sub-steps count.
 std::uint64_t evaluationsPerStep(const Setting& s) {
   return static_cast<std::uint64_t>(kindOf(s.integrator).evaluations) * s.substeps.value_or(1);
 }

@@ -58,8 +58,8 @@ std::string timeStepChange(const Setting& setting);
 /// "path=value", as --set takes them. All of them: they make any scenario of the scene compute in this way.
 std::vector<std::string> changesFor(const Setting& setting);
 
-/// Names the common settings of a series of runs whose time steps differ: "rk4, icosphere 2, single". Settings that are as in
-/// `usual` are not named, except for the integrator.
+/// Names the common settings of a series of runs whose time steps differ: "rk4, icosphere 2, single". Settings that are
+/// as in `usual` are not named, except for the integrator.
 std::string seriesName(const Setting& setting, const Setting& usual);
 
 /// Reads the scenario with further changes.
@@ -80,8 +80,8 @@ struct Trial : Outcome {
   std::vector<DivisionRecord> divisions;
 };
 
-/// Runs it `rounds` times, which give the same, through the times [time], rising multiples of its time step.
-/// Runs a setting. `failure` tells if it cannot run, does not reach the end, or takes more CPU time than `maxSeconds` [s].
+/// Runs it `rounds` times, which give the same, through the times [time], rising multiples of its time step. Runs a
+/// setting. `failure` tells if it cannot run, does not reach the end, or takes more CPU time than `maxSeconds` [s].
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
                const Execution& execution, int rounds, double maxSeconds = INFINITY);
 

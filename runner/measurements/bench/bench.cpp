@@ -74,7 +74,7 @@ class SceneBench {
     return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
   }
 
-  /// What asks Bullet in the scene's precision; "" where it is not asked.
+  /// Returns the program that runs Bullet in the scene's precision; "" if Bullet is not asked.
   std::string bulletProgram() const {
     if (!options_.bullet) return "";
     return whole_ ? options_.program : packed_.precision == Precision::binary32 ? options_.singleBullet : "";
@@ -156,7 +156,8 @@ class SceneBench {
     scene.mesh = bodies.mesh.mesh;
     scene.physics = bodies.parameters;
     scene.timeStep = subject_.world().clock.timeStep;
-    // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every step.
+    // The cells have settled. Our world is stirred, so that it has to search for neighbours; Bullet searches in every
+    // step.
     scene.cells = settledBodies(packed_, options_.folder, options_.tell);
     return {scene, shareRadius(packed_.cells),
             [program = bulletProgram_](const BulletRequest& request) { return runInBullet(request, program); }};

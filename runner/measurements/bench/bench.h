@@ -64,7 +64,7 @@ struct BenchRow {
   std::optional<double> nsPerVertexSearch;  // rebuild: of one search, however often there is one
   // Counted, not measured: the same on every machine.
   std::optional<double> pairsPerVertexStep, rebuildsPerStep;
-  // Of Bullet's rows: all that it was tried with, the fastest first. That is the row's own.
+  // For rows of Bullet: all settings that were tried, the fastest first, which is the row's own.
   std::vector<BulletSettingRow> bulletSettings = {};
 };
 
@@ -96,7 +96,7 @@ BenchReport runBench(const BenchOptions& options);
 /// For people.
 Document describe(const BenchReport& report);
 
-/// As a picture: time per vertex and step over the number of cells, both on logarithmic scales. One line per
+/// Draws time per vertex and step over the number of cells, both on logarithmic scales. One line per
 /// engine and instruction set, for whole steps of packed cells of 162 vertices; the thesis' own times, scaled
 /// so that 8 cells cost as much as ours.
 Drawing drawBench(const BenchReport& report);

@@ -28,7 +28,7 @@ class BulletSubject {
   /// every setting. Later ones time those that were the fastest.
   void round();
 
-  /// Of all settings whose cells stayed whole, by their medians, the fastest first.
+  /// Returns all settings whose cells stayed whole, by their medians, the fastest first.
   std::vector<BulletSettingRow> timings() const;
 
  private:

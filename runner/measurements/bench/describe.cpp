@@ -1,4 +1,4 @@
-// What a bench has measured, for people.
+// The measurements of a bench, for people.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::string labelOf(const BenchRow& row) {
   return row.search.empty() ? label : label + ", " + row.search;
 }
 
-/// What Bullet was at its best with and what its other settings took, or what a search takes.
+/// Describes Bullet's best settings and the times of its others, or the time of a search.
 std::string noteOf(const BenchRow& row) {
   if (row.nsPerVertexSearch) return fmt::format("{:.0f} ns/search", *row.nsPerVertexSearch);
   if (row.bulletSettings.empty()) return "";

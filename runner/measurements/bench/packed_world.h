@@ -39,7 +39,7 @@ struct PackedScene {
   Precision precision = Precision::binary64;
 };
 
-/// What makeWorld needs for it. Its one egg stands for no cell of the packed world.
+/// Returns the scene that makeWorld needs. Its one egg stands for no cell of the packed world.
 Scene describe(const PackedScene& packed);
 
 /// A world of the given cells, in which no cell cycle is ever due. Contact forces are not evaluated yet.

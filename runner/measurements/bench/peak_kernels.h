@@ -1,5 +1,5 @@
 #pragma once
-// What the machine can do at most, one table per instruction set: nothing but multiplications and additions
+// Peak speeds of the machine, one table per instruction set: nothing but multiplications and additions
 // in registers, or nothing but memory.
 #include <cstddef>
 

@@ -18,11 +18,11 @@ namespace morula {
 constexpr double stirredMove = 6e-4;
 constexpr int stirEvery = 32;  // [steps]
 
-/// [s] per vertex: what a whole step took in the mean over groups of steps in which no search for neighbours fell; of one in
-/// which one fell, if there are no others. The mean, since pairs are chosen in some steps only.
+/// [s] per vertex: what a whole step took in the mean over groups of steps in which no search for neighbours fell; of
+/// one in which one fell, if there are no others. The mean, since pairs are chosen in some steps only.
 using StepTime = double;
 
-/// The same on every machine, instruction set and number of threads.
+/// Counters of a step, equal on every machine, instruction set and number of threads.
 struct StepCounters {
   std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: entries of the lists that were gone through
 };
@@ -63,7 +63,7 @@ class Subject {
     AlignedVector<RowMemory> rows;
     AlignedVector<double> farthest;
   };
-  /// As the world's, but empty.
+  /// Returns contacts with the world's parameters, but empty.
   Contacts contactsWith(Isa isa, const SearchSettings& search) const;
   void useIsa(Isa isa, int threads);
   State keep() const;
@@ -71,7 +71,8 @@ class Subject {
   /// [s] per vertex of a call for every block, on a state that stays.
   template <class Call>
   double timeBlocks(Isa isa, const Call& call);
-  /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there were.
+  /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there
+  /// were.
   template <class Each, class After>
   StepTime timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 

@@ -67,7 +67,7 @@ Work integrationWork(bool shell) {
 }
 
 Work stepWork(const Work& internal, const Work* contact, const Work& integration) {
-  // What internal forces touch, integration has just brought.
+  // Integration has just brought the memory that internal forces touch.
   Work all = integration;
   all.operations += internal.operations;
   all.roots += internal.roots;

@@ -38,7 +38,7 @@ ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
   return trend;
 }
 
-/// Of an equal part of the egg, free and round.
+/// Returns the stability limit of an equal part of the egg, free and round.
 double idealLimit(const Scene& scene, int generation) {
   Scene any = scene;
   any.mechanics->physics.timeStep.reset();  // to ask is not to use it

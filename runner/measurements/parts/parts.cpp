@@ -17,7 +17,7 @@ class PartList {
 
   /// `asks`: keys that ask for it, of which the first that is given is told.
   void add(const char* name, const std::string& what, Paths asks) { parts.push_back({name, true, what, whyOf(asks)}); }
-  /// The same where it is engaged; otherwise `needs` would ask for it.
+  /// Adds a part that is engaged; otherwise tells by `needs` what would engage it.
   void add(const char* name, bool engaged, const std::string& what, Paths asks, const std::string& needs) {
     if (engaged) add(name, what, asks);
     else absent({name}, needs);
@@ -39,7 +39,7 @@ class PartList {
   const Scenario& scenario_;
 };
 
-/// What slows cells does not matter where none moves.
+/// Returns the remark on parts that slow cells: in scenes that settle they do not change where cells rest.
 const char* ofMotion(const PhysicsParameters& p) {
   return kindOf(p.integrator).settles ? "without effect on where cells rest" : "";
 }

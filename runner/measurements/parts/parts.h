@@ -17,7 +17,7 @@ struct Part {
   std::string why;
 };
 
-/// What a run does besides the scene itself.
+/// The requests of a run besides the scene itself.
 struct RunAsk {
   ContactSearch search = ContactSearch::grid;
   bool pictures = true;

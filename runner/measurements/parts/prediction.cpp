@@ -102,7 +102,7 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
   }
 }
 
-/// What the steps themselves cost.
+/// Returns the costs of the steps themselves.
 Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
   const double lanes = sums.laneSteps * vertices;
   Costs costs;
@@ -120,8 +120,8 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   return costs;
 }
 
-/// How much longer the trial run took than its rates explain: calls and checks take more, and rates that are measured one by one
-/// find less of the world in the cache.
+/// How much longer the trial run took than its rates explain: calls and checks take more, and rates that are measured
+/// one by one find less of the world in the cache.
 double slowness(const Prediction& f, const TrialRun& trial, const StepRates& rates, const Scenario& scenario, Isa isa) {
   const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(trial.eras.size())}};
   double pairs = 0, explained = 0;

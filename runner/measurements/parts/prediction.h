@@ -1,5 +1,5 @@
 #pragma once
-// What a run will cost, part by part: cells from the genes, steps and contacts from a trial run of its
+// Predicts the costs of a run, part by part: cells from the genes, steps and contacts from a trial run of its
 // beginning, rates from this machine. Times are those of one thread.
 #include <optional>
 #include <string>
@@ -47,14 +47,14 @@ struct PredictionOptions {
 /// Throws InputError and NumericalError as the run would.
 Prediction predictCost(const Scenario& scenario, const PredictionOptions& options);
 
-/// The scenario with physics.integrator fire, from rest to rest, whose cost may be predicted likewise. Absent: it settles
-/// already, or has no bodies. Throws InputError with the keys that do not go with it.
+/// The scenario with physics.integrator fire, from rest to rest, whose cost may be predicted likewise. Absent: it
+/// settles already, or has no bodies. Throws InputError with the keys that do not go with it.
 std::optional<Scenario> settledInstead(const Scenario& scenario);
 
 /// "350 ms", "12.5 s", "40 min".
 std::string timeText(double seconds);
 
-/// What each part costs, and what is not there.
+/// Make the tables of the parts' costs and of absent parts.
 Table costTable(const Prediction& prediction);
 Table absentTable(const Prediction& prediction);
 /// For people.

@@ -67,7 +67,7 @@ class Timing {
                [&] { call(world_); }) /
            vertices(world_);
   }
-  /// The same of one step of the physics.
+  /// Measures the time of one step of the physics.
   double ofStep(const Change& change) {
     return of(change, [](World& w) { movePhysics(w, w.clock.timeStep); });
   }
@@ -94,7 +94,8 @@ void integrateOnly(World& w) {
   }
 }
 
-/// What each cell does for itself. Springs and pressure share a walk around each vertex; they are told apart by counting.
+/// Measures the work of each cell for itself. Springs and pressure share a walk around each vertex; they are told apart
+/// by counting.
 void measureOwnStep(World& world, StepRates& rates) {
   Timing timing(world);
   const PhysicsParameters p = world.bodies->parameters;
@@ -128,7 +129,7 @@ void measureOwnStep(World& world, StepRates& rates) {
         timing.of([](World&) {}, [](World& w) { addConnectionForces(*w.connections, w.cells.path, *w.bodies); });
 }
 
-/// What touching cells do to each other. Snapshots and pairs are told apart by counting.
+/// Measures the work of touching cells. Snapshots and pairs are told apart by counting.
 void measureContact(World& world, StepRates& rates) {
   Timing timing(world);
   const Contacts own = *world.contacts;

@@ -1,5 +1,5 @@
 #pragma once
-// What each mechanism costs on this machine, for one scene: the same steps with it and without it.
+// Measures the cost of each mechanism on this machine, for one scene: the same steps with it and without it.
 #include "simulation/world.h"
 
 namespace morula {

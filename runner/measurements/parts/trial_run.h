@@ -1,7 +1,7 @@
 #pragma once
-// The beginning of a run, made to see what the rest will be like: how many cells live when, as the genes alone say, and how
-// many steps, searches and contacts the first of them need; and from its eras to those that it did not come to. What is counted
-// is the same on every machine.
+// The beginning of a run, made to see what the rest will be like: how many cells live when, as the genes alone say, and
+// how many steps, searches and contacts the first of them need; and from its eras to those that it did not come to.
+// What is counted is the same on every machine.
 #include <cstdint>
 #include <vector>
 
@@ -28,11 +28,11 @@ struct Life {
   std::uint64_t maxCells() const;
 };
 
-/// Follows the genes, without bodies, to the scene's stop, or until cells have been asked `most` times. While cells know
-/// nothing of their bodies, it holds for a run with physics too.
+/// Follows the genes, without bodies, to the scene's stop, or until cells have been asked `most` times. While cells
+/// know nothing of their bodies, it holds for a run with physics too.
 Life predictLife(const Scene& scene, std::uint64_t most = 1'000'000);
 
-/// What an era of bodies needs.
+/// The counts of an era of bodies.
 struct EraCounts {
   double steps = 0, searches = 0;  // of a quasi-static scene: evaluations of the forces
   double pairs = 0;                // evaluations of a vertex and a neighbour
@@ -44,10 +44,11 @@ struct TrialRun {
   bool whole = false;           // it came to the run's end
   double seconds = 0;           // [s] of CPU time, all steps
   double lastEvaluations = 1;   // of a quasi-static scene's last settling after a birth or death
-  // Of these, the steps in which cells were born or died, and the cells that were there then, added up.
+  // The steps among these in which cells were born or died, and the sum of cells that lived then.
   double changeSeconds = 0;
   std::uint64_t changeCells = 0;
-  // After the last of them: up to which a time step was stable, at most [time], and the divisions before the youngest cell.
+  // After the last of them: up to which a time step was stable, at most [time], and the divisions before the youngest
+  // cell.
   double timeStepLimit = 0;
   int generation = 0;
 };

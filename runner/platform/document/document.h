@@ -1,6 +1,6 @@
 #pragma once
-// Documents on results, as blocks that a terminal, a page, Markdown and other programs each get in their own form. Nothing here
-// is markup: every text may come from anywhere.
+// Documents on results, as blocks that a terminal, a page, Markdown and other programs each get in their own form.
+// Nothing here is markup: every text may come from anywhere.
 #include <string>
 #include <variant>
 #include <vector>

@@ -64,7 +64,8 @@ Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& field
   return table;
 }
 
-/// Tables one below the other: the first column says which, the others are joined by their CSV names, the named ones first.
+/// Tables one below the other: the first column says which, the others are joined by their CSV names, the named ones
+/// first.
 Table stacked(const std::vector<std::pair<std::string, Table>>& tables, const std::vector<std::string>& first);
 
 /// Columns two blanks apart and in from the left, numbers at the right; what is not there is "-".

@@ -1,6 +1,6 @@
 #pragma once
-// Text with emphasis: a sentence, or what stands in a cell of a table. It may come from anywhere: whatever shows it (html.h, text.h)
-// makes it safe.
+// Text with emphasis: a sentence, or what stands in a cell of a table. It may come from anywhere: whatever shows it
+// (html.h, text.h) makes it safe.
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -31,8 +31,8 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
 std::mutex knownMutex;
 std::set<fs::path> known;
 
-/// Returns true if this process meets the folder for the first time. Each folder is searched once for drafts of processes that
-/// died.
+/// Returns true if this process meets the folder for the first time. Each folder is searched once for drafts of
+/// processes that died.
 bool isNewHere(const fs::path& folder) {
   const std::lock_guard lock(knownMutex);
   return known.insert(folder).second;

@@ -33,8 +33,8 @@ class Draft {
 /// A name in the folder that nothing else uses. Processes of several machines may share the folder.
 std::filesystem::path draftIn(const std::filesystem::path& folder);
 
-/// Removes the drafts in the folder, files and folders [ScratchFolder], that no process holds any more. Returns how many.
-/// Does nothing where folders cannot be listed.
+/// Removes the drafts in the folder, files and folders [ScratchFolder], that no process holds any more. Returns how
+/// many. Does nothing where folders cannot be listed.
 std::size_t removeAbandonedDrafts(const std::filesystem::path& folder);
 
 /// Removes the drafts of this process, for who ends it without destructors.

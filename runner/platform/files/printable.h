@@ -17,8 +17,8 @@ std::string printable(std::string_view text);
 std::string printableLine(std::string_view text);
 
 /// A file name made from a text of unknown origin: what follows its last '/', with '_' in place of everything but
-/// letters, digits, blanks and . - _ + ( ), and without leading dots. At most 100 bytes, of which the extension is kept.
-/// `fallback` if nothing is left. Never "." or "..", never a path.
+/// letters, digits, blanks and . - _ + ( ), and without leading dots. At most 100 bytes, of which the extension is
+/// kept. `fallback` if nothing is left. Never "." or "..", never a path.
 std::string safeName(std::string_view text, std::string_view fallback);
 
 }  // namespace morula

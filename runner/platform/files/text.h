@@ -1,6 +1,6 @@
 #pragma once
-// Texts split and joined, and texts of any content written for CSV, SQL, shells and YAML, from which the same text is read
-// back. HTML: reports/page/page.h.
+// Texts split and joined, and texts of any content written for CSV, SQL, shells and YAML, from which the same text is
+// read back. HTML: reports/page/page.h.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +28,8 @@ std::string markdownText(std::string_view text);
 /// A text of unknown origin as code in Markdown: `text`, with more backticks around it where it has some.
 std::string markdownCode(std::string_view text);
 
-/// A field of comma-separated values, by RFC 4180: in quotes where it needs them, and an empty text as "", which is not a
-/// missing one.
+/// A field of comma-separated values, by RFC 4180: in quotes where it needs them, and an empty text as "", which is not
+/// a missing one.
 std::string csvField(std::string_view text);
 
 /// The name of a table or a column in SQL.

@@ -1,8 +1,8 @@
 #pragma once
 // The one way to write a file. It is whole under a name of its own and on the disk before it takes its place, so that a
-// reader sees the old file or the new one, and a full disk costs neither. What stands at the place is replaced only if it
-// is of the kind that the caller may replace: a mistyped -o must not cost a scenario or a database. A symbolic link is
-// neither followed nor replaced. All functions throw FileError with the path and the reason.
+// reader sees the old file or the new one, and a full disk costs neither. What stands at the place is replaced only if
+// it is of the kind that the caller may replace: a mistyped -o must not cost a scenario or a database. A symbolic link
+// is neither followed nor replaced. All functions throw FileError with the path and the reason.
 #include <filesystem>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
-// A part of this program's work in a process of its own, made by fork: whatever it does to its memory, and however it ends,
-// the others go on. To be made while the process has one thread only.
+// A part of this program's work in a process of its own, made by fork: whatever it does to its memory, and however it
+// ends, the others go on. To be made while the process has one thread only.
 #include <sys/types.h>
 
 #include <cstdint>
@@ -34,8 +34,8 @@ struct ForkedEnd {
 
 class Forked {
  public:
-  /// Begins `work`, which must not throw, print or return to its callers by other ways. If this process dies, so does the
-  /// new one. Throws FileError if no process can be made.
+  /// Begins `work`, which must not throw, print or return to its callers by other ways. If this process dies, so does
+  /// the new one. Throws FileError if no process can be made.
   Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& work);
   /// Ends it at once, if it still runs.
   ~Forked();
@@ -53,8 +53,8 @@ class Forked {
   Descriptor answer_{-1};  // a pipe that ends with the process
 };
 
-/// Waits until one of the processes has something to say or has ended, a signal has come, or so much time [s] has passed.
-/// Waits for processes and returns the places of those that have ended.
+/// Waits until one of the processes has something to say or has ended, a signal has come, or so much time [s] has
+/// passed. Waits for processes and returns the places of those that have ended.
 std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds);
 
 /// In such a process: memory is not limited any more, so that what has been computed can be written.

@@ -6,8 +6,8 @@
 namespace morula {
 namespace {
 
-/// Reads with plumbing commands, not with `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file
-/// system monitor, signatures, remotes that fetch what is missing).
+/// Reads with plumbing commands, not with `git show` or `git log`: a repository of a stranger may name programs that
+/// they would start (text conversion, file system monitor, signatures, remotes that fetch what is missing).
 ChildEnd askGit(const std::filesystem::path& file, const std::vector<std::string>& question) {
   const std::string folder = absolutePath(file).parent_path().string();
   std::vector<std::string> command{"git", "-c", "core.fsmonitor=false", "-c", "protocol.allow=never", "-C", folder};

@@ -1,6 +1,6 @@
 #pragma once
-// JSON: nlohmann_json, with members in the order in which they were added. What programs may have been given by strangers is
-// read by parseJson or tryParseJson.
+// JSON: nlohmann_json, with members in the order in which they were added. What programs may have been given by
+// strangers is read by parseJson or tryParseJson.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@ namespace morula {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws Json::exception where `text` is no JSON, or nested more than 32 deep as YAML may not be either: what writes, copies
-/// or shows JSON calls itself for each level.
+/// Throws Json::exception where `text` is no JSON, or nested more than 32 deep as YAML may not be either: what writes,
+/// copies or shows JSON calls itself for each level.
 Json parseJson(std::string_view text);
 /// Null where parseJson throws.
 Json tryParseJson(std::string_view text);

@@ -1,8 +1,8 @@
 #pragma once
 // Records [base/record.h] as JSON: an object with a member for each field.
 //
-// Vectors in space are lists of three numbers, and a list of them is one flat list x, y, z, x, …; a number that is not finite is
-// null, and NaN again. What is read is what was written: anything else is a Json::exception.
+// Vectors in space are lists of three numbers, and a list of them is one flat list x, y, z, x, …; a number that is not
+// finite is null, and NaN again. What is read is what was written: anything else is a Json::exception.
 #include <limits>
 #include <vector>
 

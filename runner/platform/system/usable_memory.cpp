@@ -49,8 +49,8 @@ double freeBelow(const std::string& root, std::string path, const char* limit, c
   }
 }
 
-/// [byte] What the control groups of this process leave: those of version 2, and the memory groups of version 1. A container
-/// may show its own group as the root.
+/// [byte] What the control groups of this process leave: those of version 2, and the memory groups of version 1. A
+/// container may show its own group as the root.
 double freeOfGroups() {
   const std::string root = "/sys/fs/cgroup";
   double free = INFINITY;

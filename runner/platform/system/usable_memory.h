@@ -12,8 +12,8 @@ double usableMemory();
 /// [byte] The most that this process has had resident so far.
 std::uint64_t peakMemory();
 
-/// From now on, where memory ends in code that cannot throw, as libraries' destructors, the process says so and ends at once
-/// with this code: what it was writing is a draft, or a transaction that is undone.
+/// From now on, where memory ends in code that cannot throw, as libraries' destructors, the process says so and ends at
+/// once with this code: what it was writing is a draft, or a transaction that is undone.
 void endOutOfMemoryWith(int code);
 
 /// The end of a message about memory that was not to be had.

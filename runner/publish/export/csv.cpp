@@ -28,8 +28,8 @@ bool holdsPaths(const std::string& column) {
   return column == "path" || column == "parent" || column == "a" || column == "b";
 }
 
-/// The rows of a table. Paths are written as csvPath gives them. Seeds from 2⁶³ on, which SQLite's signed integers hold as
-/// negative ones, become what they are.
+/// The rows of a table. Paths are written as csvPath gives them. Seeds from 2⁶³ on, which SQLite's signed integers hold
+/// as negative ones, become what they are.
 std::string plainTable(Store& store, const std::string& table, const std::string& id,
                        const std::vector<std::string>& columns) {
   CsvTable csv(columns);

@@ -36,10 +36,11 @@ std::string formatList();
 /// The row's name. Throws InputError with the name that was probably meant.
 std::string formatCalled(const std::string& text);
 
-/// Writes the files; a folder is there only when all of them are in it. csv: all runs in the same tables, in a folder, or one table in a file that ends in .csv. The others: of
-/// one run a file (newick, npz; ply and gltf where the name has their ending) or a folder (vtk; ply and gltf: a file for each
-/// time); of several runs a folder with one of these for each, called by the run's id. Runs that are not done, and have not
-/// what is asked for, are left out, which stderr says; with none left it is an error. Throws UsageError, FileError.
+/// Writes the files; a folder is there only when all of them are in it. csv: all runs in the same tables, in a folder,
+/// or one table in a file that ends in .csv. The others: of one run a file (newick, npz; ply and gltf where the name
+/// has their ending) or a folder (vtk; ply and gltf: a file for each time); of several runs a folder with one of these
+/// for each, called by the run's id. Runs that are not done, and have not what is asked for, are left out, which stderr
+/// says; with none left it is an error. Throws UsageError, FileError.
 Exported exportRuns(Store& store, const ExportRequest& request);
 
 }  // namespace morula

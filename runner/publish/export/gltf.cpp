@@ -141,8 +141,8 @@ class GltfWriter {
                                     {"volume", orNull((*measures)["volume"])}}}});
   }
 
-  /// Adds the parent of the first `cells` nodes and returns its number. The y axis points upwards in glTF, the z axis in
-  /// Morula: the parent's matrix, column by column, takes (x, y, z) to (x, z, -y) exactly.
+  /// Adds the parent of the first `cells` nodes and returns its number. The y axis points upwards in glTF, the z axis
+  /// in Morula: the parent's matrix, column by column, takes (x, y, z) to (x, z, -y) exactly.
   std::size_t addRoot(std::size_t cells) {
     Json root{{"name", run_.run.record.scenario}, {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}}};
     for (std::size_t i = 0; i < cells; ++i) root["children"].push_back(i);

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Licences of the SPDX list (https://spdx.org/licenses) under which results are published. The newest of a family stands
-/// first.
+/// Licences of the SPDX list (https://spdx.org/licenses) under which results are published. The newest of a family
+/// stands first.
 const std::vector<std::string> identifiers{"CC0-1.0",
                                            "CC-BY-4.0",
                                            "CC-BY-SA-4.0",

@@ -36,8 +36,8 @@ CrateFile crateFile(const SourceText& d) {
   return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content};
 }
 
-/// The golden file that the run is held against, if it is here: below the current folder, for the database says where the
-/// scenario was, and must not reach other files.
+/// The golden file that the run is held against, if it is here: below the current folder, for the database says where
+/// the scenario was, and must not reach other files.
 void addGolden(std::vector<CrateFile>& files) {
   for (const CrateFile& file : files) {
     if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
@@ -49,8 +49,8 @@ void addGolden(std::vector<CrateFile>& files) {
   }
 }
 
-/// Adds the pictures that `morula run` draws. The database does not know their place: they lie beside it, unless it holds other runs,
-/// too.
+/// Adds the pictures that `morula run` draws. The database does not know their place: they lie beside it, unless it
+/// holds other runs, too.
 void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   const auto add = [&](const fs::path& picture, const std::string& description) {
     const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();

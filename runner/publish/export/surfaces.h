@@ -1,6 +1,6 @@
 #pragma once
-// The tree, samples and surfaces of one run, for the formats. Surfaces come from the database if the run kept them, or else from
-// running it again, with the same bits.
+// The tree, samples and surfaces of one run, for the formats. Surfaces come from the database if the run kept them, or
+// else from running it again, with the same bits.
 #include <map>
 #include <optional>
 #include <set>
@@ -37,7 +37,8 @@ struct ExportedRun {
 
   /// The place of a cell in results.lineage; −1: there never was one. O(log cells)
   int cellNumber(const CellPath& path) const;
-  /// Returns the words for a cell: its name, or else its path, or "egg"; with a '/' before a path that is another cell's name.
+  /// Returns the words for a cell: its name, or else its path, or "egg"; with a '/' before a path that is another
+  /// cell's name.
   std::string nameOf(const LineageEntry& cell) const;
   const MeshFaces& meshOf(const CellSurface& surface) const;
   /// Returns the measures of a cell in a sample; null if it has none.
@@ -46,9 +47,9 @@ struct ExportedRun {
   int stateNumber(StateId state) const;
 };
 
-/// Reads the run, and runs it again where it needs to, which stderr says. Throws UsageError for a run without bodies and a
-/// time that it has not, FileError for a run that has not finished and would have to be made again, or that ends otherwise
-/// now.
+/// Reads the run, and runs it again where it needs to, which stderr says. Throws UsageError for a run without bodies
+/// and a time that it has not, FileError for a run that has not finished and would have to be made again, or that ends
+/// otherwise now.
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request);
 
 }  // namespace morula

@@ -35,7 +35,8 @@ std::string nameOfRow(const AccuracyRow& row) { return row.series + ", time step
 /// Writes an error; an infinite one is not known.
 std::string orUnknown(double error) { return std::isfinite(error) ? numberText(error, 3) : "not known"; }
 
-/// Error against CPU time: a line a series, a point a time step; the mesh's own error across, and the scenario as it is.
+/// Error against CPU time: a line a series, a point a time step; the mesh's own error across, and the scenario as it
+/// is.
 PageSection accuracyChartSection(const AccuracyReport& report) {
   const std::size_t out = beatenBullets(report).size();
   const std::string caption =
@@ -48,8 +49,8 @@ PageSection accuracyChartSection(const AccuracyReport& report) {
                                     caption, Picture::Size::large))};
 }
 
-/// Lists for errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the mesh adds.
-/// `scenario`: its file, as a word of a command.
+/// Lists for errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the
+/// mesh adds. `scenario`: its file, as a word of a command.
 PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
   PageSection section{"cheapest", "Cheapest settings for an error", {}};
   Table table{section.title,

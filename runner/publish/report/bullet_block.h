@@ -14,15 +14,16 @@ struct BulletShown {
 Document besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
                       const std::vector<CheckResult>* stored, const BulletShown& shown);
 
-/// Adds the findings on Bullet that a reader must know first: that it was not asked, gave no answer, or another one than is
-/// stored.
+/// Adds the findings on Bullet that a reader must know first: that it was not asked, gave no answer, or another one
+/// than is stored.
 void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);
 
-/// Makes the section on all runs that were made again in Bullet; empty without any. Bullet's runs stand in the explorer behind all others.
+/// Makes the section on all runs that were made again in Bullet; empty without any. Bullet's runs stand in the explorer
+/// behind all others.
 PageSection bulletSection(const std::vector<RunFacts>& runs);
 
-/// For a check: runs the first scenarios that were compared with Bullet, those that differ before others, run again in both. Returns the
-/// signal that interrupted it, or 0.
+/// For a check: runs the first scenarios that were compared with Bullet, those that differ before others, run again in
+/// both. Returns the signal that interrupted it, or 0.
 int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
 /// A section of each of these.
 std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked);

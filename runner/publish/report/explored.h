@@ -15,8 +15,8 @@ inline constexpr std::size_t minFrames = 11;
 /// The failed scenarios of a check that were run again, each before its run in Bullet.
 void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored);
 
-/// Makes runs again, up to what there is room for, and some in Bullet, which stand behind ours. Where none is made again, their trees are
-/// shown. Returns the signal that interrupted it, or 0.
+/// Makes runs again, up to what there is room for, and some in Bullet, which stand behind ours. Where none is made
+/// again, their trees are shown. Returns the signal that interrupted it, or 0.
 int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
 
 /// Makes runs of studies again until their frames would fill the page. Returns the signal that interrupted it, or 0.

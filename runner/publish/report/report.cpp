@@ -42,8 +42,8 @@ bool addSource(const std::string& file, Sources& sources) {
   return false;
 }
 
-/// Returns the sources that `what` names; the files of a folder are sorted by name. Throws FileError for a missing file, UsageError
-/// for a file that is nothing to report on.
+/// Returns the sources that `what` names; the files of a folder are sorted by name. Throws FileError for a missing
+/// file, UsageError for a file that is nothing to report on.
 Sources sourcesOf(const std::vector<std::string>& what) {
   Sources sources;
   for (const std::string& name : what) {

@@ -31,8 +31,8 @@ struct ReportAnswer {
   int signal = 0;                    // that interrupted it; then there is no page
 };
 
-/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none. Of a page that runs
-/// again also the simulator; throws FileError where one of the two is not there.
+/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none. Of a
+/// page that runs again also the simulator; throws FileError where one of the two is not there.
 void findExplorer(ReportQuestion& question);
 
 /// Throws UsageError for what is nothing to report on, FileError, InputError.

@@ -10,14 +10,15 @@
 
 namespace morula {
 
-/// How runs differ from their goldens, and those of one scenario from the first of them; empty where there is nothing to hold
-/// them against.
+/// How runs differ from their goldens, and those of one scenario from the first of them; empty where there is nothing
+/// to hold them against.
 Document changesOf(const std::vector<RunFacts>& runs);
-/// The organism at the end and the tree of its cells, of each run that was run again; of others the tree alone. The first two
-/// organisms of one scenario lie over each other, seen by one camera, to be swiped and blinked between where programs run.
+/// The organism at the end and the tree of its cells, of each run that was run again; of others the tree alone. The
+/// first two organisms of one scenario lie over each other, seen by one camera, to be swiped and blinked between where
+/// programs run.
 PageSection pictureSection(const std::vector<RunFacts>& runs);
-/// Cells and measures over time, all runs in one chart, at most the first 24; of one run also who touches whom and which way
-/// cells divided.
+/// Cells and measures over time, all runs in one chart, at most the first 24; of one run also who touches whom and
+/// which way cells divided.
 PageSection chartSection(const std::vector<RunFacts>& runs);
 /// Shows the origins of runs side by side, with their differences marked.
 PageSection provenanceSection(const std::vector<RunFacts>& runs);
@@ -26,8 +27,8 @@ PageSection parameterSection(const std::vector<RunFacts>& runs);
 /// Tables and trees as links that hold them; what is larger than `maxBytes` is named, and the commands write all of it.
 PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t maxBytes);
 
-/// The three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and now lie
-/// over each other, too, to be swiped and blinked between. `name`: of what.
+/// The three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and
+/// now lie over each other, too, to be swiped and blinked between. `name`: of what.
 Document goldenPictures(const BesideGolden& beside, const std::string& name);
 
 /// Why the run cannot be made again in a page; "" where it can.

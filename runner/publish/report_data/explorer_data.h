@@ -31,7 +31,8 @@ void addPalette(Json& data);
 Json explorerData(const std::vector<ExplorerRun>& runs);
 std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
 
-/// How many frames are in the page of those that were taken: "24 runs: 30 to 41 of 100 frames fit into the page"; "" if all.
+/// How many frames are in the page of those that were taken: "24 runs: 30 to 41 of 100 frames fit into the page"; "" if
+/// all.
 std::string thinnedText(const std::vector<ExplorerRun>& runs);
 
 /// Tells below the explorer what was left out; empty if nothing was.

@@ -17,8 +17,8 @@ namespace morula {
 /// Measures the forces in a running world on a twin that it brings to the same state, so that the run is not touched.
 class ForceMeter {
  public:
-  /// `twin`: made of the same scene. There are no kinds where it has no bodies, or where its integrator solves for forces and
-  /// knows none between two steps.
+  /// `twin`: made of the same scene. There are no kinds where it has no bodies, or where its integrator solves for
+  /// forces and knows none between two steps.
   explicit ForceMeter(World twin);
 
   /// The kinds of forces that the scene can have; all others are zero on every cell.
@@ -41,9 +41,9 @@ std::vector<ForceKind> kindsWithNetForce(const std::vector<ForceKind>& kinds);
 void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, std::size_t cells,
                   const std::vector<ForceKind>& kinds);
 
-/// Writes for each cell and each of the kinds: float32 step [force]; then, again for each, where its step is not 0, int8 x, y, z for each
-/// vertex: the force is step · number, and off by half a step at most. A step is the largest component over 127.
-/// If forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
+/// Writes for each cell and each of the kinds: float32 step [force]; then, again for each, where its step is not 0,
+/// int8 x, y, z for each vertex: the force is step · number, and off by half a step at most. A step is the largest
+/// component over 127. If forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
 void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds);
 
 /// The living cells at one time. `bytes`, little-endian, in this order:
@@ -97,8 +97,8 @@ class FrameTaker {
   std::vector<ForcesByKind> lastForces_;  // in the last frame; empty: not known, or not of vertices
 };
 
-/// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are among them. None
-/// stays if the last one alone takes more.
+/// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are
+/// among them. None stays if the last one alone takes more.
 void thinFrames(Frames& frames, std::size_t maxBytes);
 
 std::size_t bytesOf(const Frames& frames);

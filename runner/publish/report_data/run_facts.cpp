@@ -32,8 +32,8 @@ std::vector<double> evenTimes(double end, std::size_t count) {
   return times;
 }
 
-/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
-/// says where the scenario was, and must not reach other files.
+/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the
+/// database says where the scenario was, and must not reach other files.
 std::string goldenOf(const std::vector<SourceText>& documents) {
   for (const SourceText& document : documents) {
     if (document.role != "scenario" || document.path.empty()) continue;

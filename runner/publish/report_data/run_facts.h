@@ -1,6 +1,6 @@
 #pragma once
-// The facts of one run on a page: its rows in the database, its scenario and golden, the run made again for its shapes, which few
-// databases keep, and its run in Bullet, whose shapes no database keeps.
+// The facts of one run on a page: its rows in the database, its scenario and golden, the run made again for its shapes,
+// which few databases keep, and its run in Bullet, whose shapes no database keeps.
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,8 +19,8 @@ struct BulletAgain {
   Frames frames;         // none unless Bullet came to the same end
 };
 
-/// Runs a scenario with check.bullet in Bullet. `ours`: our world at its end. At most `most` frames, evenly over time; fewer of many vertices, so that
-/// the answer stays below maxFrameVertices. `most` is 1 at least.
+/// Runs a scenario with check.bullet in Bullet. `ours`: our world at its end. At most `most` frames, evenly over time;
+/// fewer of many vertices, so that the answer stays below maxFrameVertices. `most` is 1 at least.
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet);
 
@@ -68,12 +68,12 @@ std::string changeBetween(const RunFacts& before, const RunFacts& after);
 /// Returns true if running it again shows something: bodies, and an end or a failure to reach.
 bool canRunAgain(const RunFacts& facts);
 
-/// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes. Returns the signal that interrupted it,
-/// or 0.
+/// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes. Returns the signal that
+/// interrupted it, or 0.
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet);
 
-/// For a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the golden's
-/// scenario. Returns the signal that interrupted it, or 0.
+/// For a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the
+/// golden's scenario. Returns the signal that interrupted it, or 0.
 int drawBeside(RunFacts& facts, const Execution& how, bool quiet);
 
 }  // namespace morula

@@ -19,8 +19,8 @@ void addIds(const RunGroup& group) {
   for (RunFacts* run : group) run->title += " (" + run->run.id + ")";
 }
 
-/// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`, they
-/// alone are the titles.
+/// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`,
+/// they alone are the titles.
 void tellApart(const RunGroup& group, bool others) {
   if (group.size() > maxNamed) return addIds(group);
   std::vector<std::map<std::string, std::string>> values;

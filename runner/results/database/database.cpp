@@ -55,8 +55,8 @@ std::string remedy(int code, int systemError, const fs::path& file) {
 
 constexpr double toldAfter = 2;  // [s] of waiting: what is shorter nobody notices
 
-/// SQLite's own temporary data, as the records of a run that goes on, lie beside the results, unless the user names a folder
-/// for them: the system's may be small.
+/// SQLite's own temporary data, as the records of a run that goes on, lie beside the results, unless the user names a
+/// folder for them: the system's may be small.
 void keepTemporaryDataBeside(const fs::path& file) {
   if (std::getenv("SQLITE_TMPDIR") || std::getenv("TMPDIR")) return;
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
@@ -105,9 +105,9 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (!isFolder(file_)) requireRegularFile(file_);  // SQLite itself says what is wrong with a folder
   if (mode == Mode::existing && !fileExists(file_))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
-  // The file is opened for writing even if it is only read: after a crash the first to open the file must undo the unfinished
-  // transaction. SQLite opens a
-  // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
+  // The file is opened for writing even if it is only read: after a crash the first to open the file must undo the
+  // unfinished transaction. SQLite opens a write-protected file for reading by itself. A connection belongs to one
+  // thread, so it needs no mutex.
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
   // SQLite takes names as ":memory:" and "file:x.db" for more than files, unless a folder stands before them.
@@ -125,8 +125,8 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
 void Database::protect() {
   sqlite3* const db = db_.get();
   sqlite3_extended_result_codes(db, 1);
-  // The content of a stranger's file is data: neither its triggers nor its views run, and its schema calls no function that
-  // could reach beyond the file.
+  // The content of a stranger's file is data: neither its triggers nor its views run, and its schema calls no function
+  // that could reach beyond the file.
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);

@@ -25,10 +25,10 @@ class Database {
  public:
   enum class Mode { create, existing, temporary };
 
-  /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits
-  /// `patience` for other processes that hold the file, now and later, and says so on stderr after two seconds; then a
-  /// BusyError is thrown. SQLite's own temporary data lie in the file's folder from then on. Mode::temporary: a database of its own, in memory and on
-  /// the disk where it is large, which is gone with the connection; `file` only names it in messages.
+  /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits `patience` for
+  /// other processes that hold the file, now and later, and says so on stderr after two seconds; then a BusyError is
+  /// thrown. SQLite's own temporary data lie in the file's folder from then on. Mode::temporary: a database of its own,
+  /// in memory and on the disk where it is large, which is gone with the connection; `file` only names it in messages.
   Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
   ~Database();
   Database(Database&&) noexcept;
@@ -117,8 +117,8 @@ class Statement {
   /// A text of one line, without control characters.
   std::string line(int column) const;
 
-  /// A record of the columns from number `from` on, in the order of its fields. What its list says is null and is not, or is
-  /// not null and should be, is refused, too.
+  /// A record of the columns from number `from` on, in the order of its fields. What its list says is null and is not,
+  /// or is not null and should be, is refused, too.
   template <Record Row>
   Row row(int from = 0) const {
     Row row{};
@@ -132,7 +132,8 @@ class Statement {
   int columns() const;
   /// Adds a value with its type; nothing for NULL.
   void addTo(Hasher& hasher, int column) const;
-  /// Appends the number of each column that is not NULL, with the column's type and value. `columns`: a number for each.
+  /// Appends the number of each column that is not NULL, with the column's type and value. `columns`: a number for
+  /// each.
   void appendRow(std::string& bytes, const std::vector<std::uint64_t>& columns) const;
 
   /// Throws the StoreError for a value that cannot be right. `right`: "needs …".

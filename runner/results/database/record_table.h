@@ -52,8 +52,8 @@ struct SqlTable {
   /// Returns the names of all columns, in the order of `insert`.
   std::string names() const;
   std::string insert() const;
-  /// The row's own columns, of the context that the statement is started with; NULL for measures that an older file lacks.
-  /// `where`: a further condition. `order`: other than TableInfo's.
+  /// The row's own columns, of the context that the statement is started with; NULL for measures that an older file
+  /// lacks. `where`: a further condition. `order`: other than TableInfo's.
   std::string select(Database& db, const std::string& where = "", const std::string& order = "") const;
 };
 

@@ -10,8 +10,8 @@
 
 namespace morula {
 
-/// The number of rows, and the sum modulo 2^128 of a hash of each. The order of rows does not count, so rows that are added
-/// later are added to the digest.
+/// The number of rows, and the sum modulo 2^128 of a hash of each. The order of rows does not count, so rows that are
+/// added later are added to the digest.
 struct RowDigest {
   std::uint64_t rows = 0;
   Hash sum;
@@ -20,9 +20,10 @@ struct RowDigest {
   friend bool operator==(const RowDigest&, const RowDigest&) = default;
 };
 
-/// Digests the rows of a table for which `where` holds ("run_id = ?"), whose parameters are `values`. The hash of a row is
-/// XXH3-128 over the names, types and values of those of its columns that are not NULL: a column that joins a table later
-/// changes no digest, and one that is renamed does. Throws StoreError if the table or a column of `where` is missing.
+/// Digests the rows of a table for which `where` holds ("run_id = ?"), whose parameters are `values`. The hash of a row
+/// is XXH3-128 over the names, types and values of those of its columns that are not NULL: a column that joins a table
+/// later changes no digest, and one that is renamed does. Throws StoreError if the table or a column of `where` is
+/// missing.
 template <class... Values>
 RowDigest digestRows(Database& db, const std::string& table, const std::string& where, const Values&... values);
 

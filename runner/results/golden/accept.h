@@ -30,7 +30,8 @@ bool liesInScenarios(const std::filesystem::path& scenario);
 /// …/golden/thesis/unique-four.golden for …/scenarios/thesis/unique-four.yaml; unique-four.golden beside a
 /// scenario that lies elsewhere.
 std::filesystem::path goldenPath(const std::filesystem::path& scenario);
-/// …/golden for …/scenarios/thesis/unique-four.yaml; the scenario's own folder where there is no folder `scenarios` above it.
+/// …/golden for …/scenarios/thesis/unique-four.yaml; the scenario's own folder where there is no folder `scenarios`
+/// above it.
 std::filesystem::path goldenFolder(const std::filesystem::path& scenario);
 
 }  // namespace morula

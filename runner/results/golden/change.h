@@ -12,7 +12,8 @@ struct KeyChange {
   std::string before, after;  // "not given" where only the other has it
 };
 
-/// Returns the parameters that decide results and differ, in the order of the file. Empty if one of the two records none.
+/// Returns the parameters that decide results and differ, in the order of the file. Empty if one of the two records
+/// none.
 std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after);
 
 /// Lines for people, each with two blanks before it: the changed keys, what differs in the lineage, and of
@@ -26,8 +27,8 @@ struct ChangeLine {
 };
 std::vector<ChangeLine> linesOfChange(const std::string& change);
 
-/// Tells a change in one sentence without a full stop: "physics.pressure.constant: 155 → 155.5; same lineage; …". Several lines
-/// under one heading become the first of them and the number of the others.
+/// Tells a change in one sentence without a full stop: "physics.pressure.constant: 155 → 155.5; same lineage; …".
+/// Several lines under one heading become the first of them and the number of the others.
 std::string changeSentence(const std::string& change);
 
 }  // namespace morula

@@ -84,17 +84,17 @@ struct CheckReport {
 /// Describes a failed check in words: "the lineage differs". Unknown classes stand as they are.
 std::string failedInWords(const CheckResult& failed);
 
-/// Failed checks that have one reason: first the one that tells it, then those that only follow from it, as bits do from a
-/// changed key.
+/// Failed checks that have one reason: first the one that tells it, then those that only follow from it, as bits do
+/// from a changed key.
 using Cause = std::vector<const CheckResult*>;
 /// In the order of their first checks.
 std::vector<Cause> causesOf(const CheckReport& report);
-/// Lists the results that follow from a cause, in a line: "bits; step_hashes from step 0 on; costs 518 → 502"; "" if there are
-/// none.
+/// Lists the results that follow from a cause, in a line: "bits; step_hashes from step 0 on; costs 518 → 502"; "" if
+/// there are none.
 std::string followingInWords(const Cause& cause);
 
-/// Describes a report for people: the changes in words, one entry per cause with what differs, and one line per check that
-/// passed, unless only differences are wanted.
+/// Describes a report for people: the changes in words, one entry per cause with what differs, and one line per check
+/// that passed, unless only differences are wanted.
 std::string describe(const CheckReport& report, bool differingOnly = false);
 
 }  // namespace morula

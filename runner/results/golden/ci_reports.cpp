@@ -49,7 +49,8 @@ Place placeOf(const std::string& message) {
   return {text.substr(0, colon), "", text.substr(colon + 1 + (text.compare(colon, 2, ": ") == 0))};
 }
 
-/// "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …": in one line what happened. `rest`: of the message.
+/// "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …": in one line what happened. `rest`: of the
+/// message.
 std::string inOneLine(const CheckReport& report, const CheckResult& first, const std::string& rest) {
   const bool isTold = first.kind == "golden" && first.check != "tolerances" && !report.change.empty();
   return failedInWords(first) + ": " + (isTold ? changeSentence(report.change) : rest);

@@ -7,8 +7,8 @@
 
 namespace morula {
 
-/// JUnit's XML: a suite for each scenario, a case for each check. For each cause one failure, of the class's type, with what
-/// changed in words, all that differs and what follows from it; the checks that only follow are skipped.
+/// JUnit's XML: a suite for each scenario, a case for each check. For each cause one failure, of the class's type, with
+/// what changed in words, all that differs and what follows from it; the checks that only follow are skipped.
 std::string junitXml(const std::vector<CheckReport>& reports);
 
 /// Workflow commands, one line for each cause: `::error file=…,line=…,title=…::what changed, in words`. Not more than

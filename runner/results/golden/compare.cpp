@@ -14,8 +14,9 @@
 namespace morula {
 namespace {
 
-/// Recognises values and columns of measures that were added to their table after the golden was accepted: the golden has
-/// other values of the same cell and time, and no value of this measure anywhere, or other columns of the same table.
+/// Recognises values and columns of measures that were added to their table after the golden was accepted: the golden
+/// has other values of the same cell and time, and no value of this measure anywhere, or other columns of the same
+/// table.
 class JoinedLater {
  public:
   explicit JoinedLater(const Golden& golden) {

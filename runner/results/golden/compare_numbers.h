@@ -21,8 +21,8 @@ using ItemPairs = std::vector<ItemPair>;
 /// The result of a check with `items` items, among which these differences were found.
 CheckResult resultOf(const std::string& check, std::vector<Difference> differences, std::size_t items);
 
-/// Compares all numbers of `values` and of rows in `tables` by the rules that apply to them. Adds the results `tolerances`,
-/// `completeness`, one for each rule, and `tables`: the columns, and what is not a number in rows.
+/// Compares all numbers of `values` and of rows in `tables` by the rules that apply to them. Adds the results
+/// `tolerances`, `completeness`, one for each rule, and `tables`: the columns, and what is not a number in rows.
 void compareNumbers(const Golden& golden, const ItemPairs& values, const ItemPairs& tables,
                     std::vector<CheckResult>& results);
 

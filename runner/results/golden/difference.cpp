@@ -24,8 +24,8 @@ std::string nameOf(const GoldenItem& item) {
   return idOf(item);
 }
 
-/// The step at which two lives of one cell part: at birth, or else at the earlier of the two ends; absent: both are alive,
-/// so their states part somewhere after their birth.
+/// The step at which two lives of one cell part: at birth, or else at the earlier of the two ends; absent: both are
+/// alive, so their states part somewhere after their birth.
 std::optional<std::uint64_t> partingStep(const GoldenCell& golden, const GoldenCell& observed,
                                          const std::string& field) {
   if (field.starts_with("born")) return std::min(golden.bornStep, observed.bornStep);

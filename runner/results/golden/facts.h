@@ -35,7 +35,8 @@ struct GoldenFacts {
 inline constexpr std::size_t goldenLineageLimit = 4096;
 /// Beyond this many living cells only the organism's values are recorded, not each cell's.
 inline constexpr std::size_t goldenCellLimit = 256;
-/// Max number of recorded links of the chain of hashes: every first, second, fourth … link is kept so that no more remain.
+/// Max number of recorded links of the chain of hashes: every first, second, fourth … link is kept so that no more
+/// remain.
 inline constexpr std::size_t goldenChainLimit = 64;
 
 GoldenData makeGoldenData(const GoldenFacts& facts);

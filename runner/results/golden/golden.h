@@ -15,9 +15,9 @@
 
 namespace morula {
 
-/// A line `statistic`: what a scenario's settings change at the end of a run, where chaos leaves only distributions to be
-/// compared. It holds the mean of a measure at the end under the scenario's settings, less that under other ones, over
-/// runs that differ by a small disturbance of the start.
+/// A line `statistic`: what a scenario's settings change at the end of a run, where chaos leaves only distributions to
+/// be compared. It holds the mean of a measure at the end under the scenario's settings, less that under other ones,
+/// over runs that differ by a small disturbance of the start.
 struct GoldenStatistic {
   std::string measure;       // [simulation/measures.h]
   std::string against;       // the label of the other settings: "half-step"

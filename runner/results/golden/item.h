@@ -32,8 +32,8 @@ struct ValueName {
   friend auto operator<=>(const ValueName&, const ValueName&) = default;
 };
 
-// `form`: the kind, and the fields by name, in the order of the members; `check`: what compares it; `line`: in the file it
-// was read from, 0: observed.
+// `form`: the kind, and the fields by name, in the order of the members; `check`: what compares it; `line`: in the file
+// it was read from, 0: observed.
 
 struct GoldenCount {
   static constexpr const char *form = "count name count", *check = "counts";
@@ -108,8 +108,8 @@ struct GoldenValue {
   int line = 0;
 };
 
-/// One column of a recorded table, all rows of it: "contact/area". One for each column, so that a difference names it, and a
-/// measure that joins a table changes no other line.
+/// One column of a recorded table, all rows of it: "contact/area". One for each column, so that a difference names it,
+/// and a measure that joins a table changes no other line.
 struct GoldenColumn {
   static constexpr const char *form = "column name rows hash", *check = "tables";
   std::string name;
@@ -127,8 +127,8 @@ struct GoldenRow {
   int line = 0;
 };
 
-/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured; stated, and compared
-/// with no run.
+/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured; stated, and
+/// compared with no run.
 struct GoldenError {
   static constexpr const char *form = "error quantity time until mesh mesh_until", *check = "stated";
   std::string quantity;             // [accuracy/state_error.h]

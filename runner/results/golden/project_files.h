@@ -14,8 +14,8 @@ struct ProjectFiles {
 /// Throws FileError if there is no such folder.
 ProjectFiles projectFiles(const std::filesystem::path& scenarioFolder);
 
-/// Golden files under `goldenFolder` that have no scenario under `scenarioFolder`, sorted; none if there is no such folder.
-/// Results that wait for a review are not among them.
+/// Golden files under `goldenFolder` that have no scenario under `scenarioFolder`, sorted; none if there is no such
+/// folder. Results that wait for a review are not among them.
 std::vector<std::filesystem::path> goldensWithoutScenario(const std::filesystem::path& goldenFolder,
                                                           const std::filesystem::path& scenarioFolder);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The one list of the states that a result can be in. Every verb that judges or shows results takes from here the state's
-// word, and the exit code that follows. The table of verbs and states is in golden/README.md.
+// The one list of the states that a result can be in. Every verb that judges or shows results takes from here the
+// state's word, and the exit code that follows. The table of verbs and states is in golden/README.md.
 #include <array>
 #include <cstddef>
 #include <span>

@@ -20,8 +20,8 @@ struct BuildInfo {
 
 const BuildInfo& buildInfo();
 
-/// Returns the difference of the sources from their commit, by `git diff`; "" for a clean tree. Longer texts are cut at 256 KiB,
-/// which their last line says.
+/// Returns the difference of the sources from their commit, by `git diff`; "" for a clean tree. Longer texts are cut at
+/// 256 KiB, which their last line says.
 const std::string& buildDiff();
 
 /// "Eigen 3.4.0; SQLite 3.40.1".

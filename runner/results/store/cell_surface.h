@@ -34,8 +34,8 @@ struct CellSurface {
 CellSurface quantise(const CellPath& path, int mesh, const std::vector<Point>& vertices);
 std::vector<Point> vertexPositions(const CellSurface& surface);
 
-// The bytes of a surface, little-endian: x, y and z of each vertex; the corners of each face, in 16 bits where the mesh has at most 65536
-// vertices and in 32 where it has more.
+// The bytes of a surface, little-endian: x, y and z of each vertex; the corners of each face, in 16 bits where the mesh
+// has at most 65536 vertices and in 32 where it has more.
 std::string numberBytes(const CellSurface& surface);
 std::string faceBytes(const MeshFaces& mesh);
 /// Bytes of a multiple of six.

@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a file of results: rows, room on the disk, and the reason why each is there; and their values, to be written
-// elsewhere or compared.
+// The tables of a file of results: rows, room on the disk, and the reason why each is there; and their values, to be
+// written elsewhere or compared.
 #include <cstdint>
 #include <string>
 #include <variant>

@@ -1,6 +1,6 @@
 #pragma once
-// The part of a golden on the tables that a run records: of each column the number of rows and a hash over all values, and
-// the rows of small tables themselves. Rows may come in any order and in parts, so a run need not keep them.
+// The part of a golden on the tables that a run records: of each column the number of rows and a hash over all values,
+// and the rows of small tables themselves. Rows may come in any order and in parts, so a run need not keep them.
 #include <map>
 #include <string>
 #include <vector>

@@ -34,9 +34,8 @@ struct RecordOptions {
 
 class Recorder {
  public:
-  /// `sink` receives records now and then, so that their memory does not grow with the run. Without a sink they are kept until
-  /// `take`.
-  /// `enough` [byte]: it goes when it is so much.
+  /// `sink` receives records now and then, so that their memory does not grow with the run. Without a sink they are
+  /// kept until `take`. `enough` [byte]: it goes when it is so much.
   explicit Recorder(RecordOptions options = {}, RecordSink sink = {}, double enough = 1 << 20)
       : options_(std::move(options)),
         sink_(std::move(sink)),
@@ -52,7 +51,8 @@ class Recorder {
   std::uint64_t stepsUntilDue(const World& world) const;
 
   /// Goes on with what was recorded before the world was stopped, in parts or as a whole: samples and hashes up to its
-  /// step, apart from a sample that was taken only because the run was stopped. States of cells are those of this world.
+  /// step, apart from a sample that was taken only because the run was stopped. States of cells are those of this
+  /// world.
   void resume(const World& world, const RunResults& earlier);
 
   /// True if the last call of `observe` took a sample (for pictures over time).

@@ -32,8 +32,8 @@ inline const char* name(RunStatus status) { return nameOf(status); }
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct SourceText {
-  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names", "reference", "faces" (of kept surfaces), "diff" (what the
-  // program's sources had that their commit had not)
+  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names",
+  // "reference", "faces" (of kept surfaces), "diff" (what the program's sources had that their commit had not)
   std::string role;
   std::string path;  // where it was read from; "" if it was not
   std::string content;
@@ -55,7 +55,8 @@ struct RunRecord {
   std::string binaryHash = morula::binaryHash();
 };
 
-/// 16 hexadecimal digits over scenarioHash, referenceHash, seed and build: the same computation has the same id, anywhere.
+/// 16 hexadecimal digits over scenarioHash, referenceHash, seed and build: the same computation has the same id,
+/// anywhere.
 std::string runId(const RunRecord& record);
 
 /// How the run ended.

@@ -1,5 +1,6 @@
 #pragma once
-// All rows that a run's results make, table by table: what is stored, digested and held in goldens. A new table joins here.
+// All rows that a run's results make, table by table: what is stored, digested and held in goldens. A new table joins
+// here.
 #include <algorithm>
 
 #include "base/error.h"
@@ -7,8 +8,8 @@
 
 namespace morula {
 
-/// Calls visit(step, row, context…) for each row of samples and hashes. The context holds the values of the columns before the
-/// row's own, without the run's id.
+/// Calls visit(step, row, context…) for each row of samples and hashes. The context holds the values of the columns
+/// before the row's own, without the run's id.
 template <class Visit>
 void visitRecords(const RunResults& results, const Visit& visit) {
   for (const Sample& s : results.samples) {

@@ -22,7 +22,8 @@ inline std::optional<std::string> textOfNumber(double value) {
   return exactText(value == 0 ? 0 : value);
 }
 
-/// Adds the texts of a member, or of a record's fields in the order of its list, which is the order of its table's columns.
+/// Adds the texts of a member, or of a record's fields in the order of its list, which is the order of its table's
+/// columns.
 template <class T>
 void addTexts(RowTexts& to, const T& value) {
   if constexpr (Record<T>) {

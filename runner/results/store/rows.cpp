@@ -47,7 +47,8 @@ class Inserter {
   std::map<const SqlTable*, std::unique_ptr<Statement>> inserts_;
 };
 
-/// Stores faces as documents, which runs with the same mesh share. Faces that the run's record has already are not stored again.
+/// Stores faces as documents, which runs with the same mesh share. Faces that the run's record has already are not
+/// stored again.
 void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
   constexpr int behindOthers = 1000;
   Statement known(db, "SELECT 1 FROM run_document WHERE run_id = ? AND role = 'faces' AND path = ?");

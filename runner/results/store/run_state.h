@@ -15,7 +15,8 @@ struct RunState {
   std::string why = {};  // "overlap 0.31, allowed at most 0.2, cell AB"; the failure; "" where nothing is to be told
 };
 
-/// `checks`: those of the run. A run that was compared with nothing is fine if it is sane: that is told by `run` and `check`.
+/// `checks`: those of the run. A run that was compared with nothing is fine if it is sane: that is told by `run` and
+/// `check`.
 RunState stateOf(const StoredRun& run, const std::vector<CheckResult>& checks);
 RunState stateOf(Store& store, const StoredRun& run);
 

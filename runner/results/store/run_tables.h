@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a run, each with the list of its columns, in the order in which people meet them. The only place that knows them
-// all: code that writes, reads, copies, compares, counts or hashes a run's tables goes through runTables().
+// The tables of a run, each with the list of its columns, in the order in which people meet them. The only place that
+// knows them all: code that writes, reads, copies, compares, counts or hashes a run's tables goes through runTables().
 #include <string>
 #include <vector>
 

@@ -14,8 +14,8 @@ struct MeasuredThing {
   auto operator<=>(const MeasuredThing&) const = default;
 };
 
-/// The values that the sample has, of the cells that were asked for: from its columns, or from what record.measures had taken
-/// under the same name, or of all cells. `states`: the substances of each state in the sample.
+/// The values that the sample has, of the cells that were asked for: from its columns, or from what record.measures had
+/// taken under the same name, or of all cells. `states`: the substances of each state in the sample.
 std::map<MeasuredThing, double> valuesIn(const Sample& sample, const AskedMeasure& measure,
                                          const std::map<StateId, std::string>& states);
 

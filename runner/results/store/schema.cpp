@@ -32,8 +32,8 @@ bool isEmpty(Database& db) {
   return false;
 }
 
-/// Returns the statements that add columns of measures which the file's tables lack; "" if none lack. Throws if another column
-/// lacks.
+/// Returns the statements that add columns of measures which the file's tables lack; "" if none lack. Throws if another
+/// column lacks.
 std::string lackingMeasures(Database& db) {
   std::string sql;
   for (const SqlTable* t : runTables()) {

@@ -54,9 +54,10 @@ class Store {
   /// checkpoint of this id, they get into it every few seconds, too, so that a program that is killed leaves them.
   void record(const std::string& id, const RunResults& records);
 
-  /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
-  /// and hashes that the file has not yet: a program killed at any moment leaves one whole
-  /// checkpoint and what was recorded up to it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
+  /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples and hashes
+  /// that the file has not yet: a program killed at any moment leaves one whole checkpoint and what was recorded up to
+  /// it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there
+  /// is one to resume from.
   bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
 
@@ -67,9 +68,9 @@ class Store {
   std::optional<ResumedRun> resume(const RunRecord& record);
 
   /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
-  /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash
-  /// (or this one failed). An attempt that was killed, or failed for want of something (Want), never replaces a finished
-  /// run, for it says nothing against it; one that was killed keeps its checkpoint.
+  /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash (or this
+  /// one failed). An attempt that was killed, or failed for want of something (Want), never replaces a finished run,
+  /// for it says nothing against it; one that was killed keeps its checkpoint.
   void finish(const std::string& id, const RunEnd& end, const RunResults& results);
 
   /// Stores the run as `finish` does in a new file beside this one, "FILE-ID.db", since another process holds this one
@@ -102,14 +103,14 @@ class Store {
   /// Lists the changes of a run's record since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
-  /// Lists the signs that cells of an ended run are gone: a cell without its mother, a mother without both daughters, fewer
-  /// leaves than the run counted. Empty for a whole lineage.
+  /// Lists the signs that cells of an ended run are gone: a cell without its mother, a mother without both daughters,
+  /// fewer leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`: all tables that
-  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal means:
-  /// the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out: `checkpoint`,
-  /// which a finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and bullet, which depend
-  /// on what is not stored. Throws StoreError.
+  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal
+  /// means: the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out:
+  /// `checkpoint`, which a finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and
+  /// bullet, which depend on what is not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
   /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
@@ -117,7 +118,8 @@ class Store {
   /// The columns of a table, apart from bytes (BLOB); none if there is no such table.
   std::vector<std::string> columns(const std::string& table);
   /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: rows with this
-  /// run_id alone, if the table has that column; "": all. Throws StoreError for values of another type than the column's.
+  /// run_id alone, if the table has that column; "": all. Throws StoreError for values of another type than the
+  /// column's.
   void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take);
 
   /// Makes a file that holds this run alone. It must not be there yet.

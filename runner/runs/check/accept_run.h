@@ -18,9 +18,9 @@ struct AcceptedRun {
   std::string text = {};  // for people: what was accepted and what it changed
 };
 
-/// Runs the scenario, again with another instruction set and number of threads, and together with that its twin (loop/twin_run.h);
-/// writes the golden only if both agree to the last bit. Throws InputError if a run fails or the golden
-/// cannot be accepted.
+/// Runs the scenario, again with another instruction set and number of threads, and together with that its twin
+/// (loop/twin_run.h); writes the golden only if both agree to the last bit. Throws InputError if a run fails or the
+/// golden cannot be accepted.
 AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance, bool quiet);
 
 }  // namespace morula

@@ -28,8 +28,8 @@ struct BesideGolden {
 };
 
 /// `now`: the end of a run of the scenario, with bodies. A golden holds no surfaces, so its organism is made again
-/// (golden_scenario.h), on the same conditions as `now`, which takes about as long as the run did. Where its scenario is not known, or
-/// this build comes to other bits, the golden's own numbers are drawn.
+/// (golden_scenario.h), on the same conditions as `now`, which takes about as long as the run did. Where its scenario
+/// is not known, or this build comes to other bits, the golden's own numbers are drawn.
 BesideGolden drawBesideGolden(const Scenario& scenario, const World& now, const Golden& golden, const Execution& how,
                               bool quiet);
 

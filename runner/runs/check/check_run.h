@@ -40,8 +40,8 @@ CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOp
 /// Returns the data of the run's golden; without `withPicture` they say that no picture was drawn.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
 
-/// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if that
-/// was its end.
+/// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if
+/// that was its end.
 GoldenData goldenOf(const StoredRun& run, const RunResults& results, const Scenario& scenario);
 
 /// The golden in the file. One without lines `parameter`, whose scenario has changed since, gets them from the
@@ -51,8 +51,8 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 /// The golden's file for the scenario; the path may not exist.
 std::filesystem::path goldenFile(const Scenario& scenario);
 
-/// The run's golden, compared with what was observed of the run, and invariants. With `needsGolden` a missing golden file is
-/// a failed check; otherwise only invariants are checked then.
+/// The run's golden, compared with what was observed of the run, and invariants. With `needsGolden` a missing golden
+/// file is a failed check; otherwise only invariants are checked then.
 CheckReport check(const Scenario& scenario, const CheckedRun& checked, const GoldenData& observed, bool needsGolden);
 
 /// All checks that the run alone decides: of a run that failed, whether it had to.

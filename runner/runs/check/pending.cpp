@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char* extensions[] = {".golden", ".png", ".from"};
 
-/// Beside the goldens of the project that the scenario belongs to. What comes with an installation belongs to the project that
-/// one stands in.
+/// Beside the goldens of the project that the scenario belongs to. What comes with an installation belongs to the
+/// project that one stands in.
 fs::path pendingFolder(const Scenario& scenario) {
   const auto installed = installation();
   const bool isOurs = installed && liesWithin(scenario.file, *installed);
@@ -45,8 +45,8 @@ std::string placeOf(const Scenario& scenario) {
   return (place.empty() || *place.begin() == ".." ? file : place).generic_string();
 }
 
-/// golden/.pending/thesis/unique-four-1a2b3c4d.golden: a project's own and an installation's scenario may have one name, so a
-/// hash of the place follows it.
+/// golden/.pending/thesis/unique-four-1a2b3c4d.golden: a project's own and an installation's scenario may have one
+/// name, so a hash of the place follows it.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
   return pendingFolder(scenario) /
          (goldenName(scenario.file) + '-' + Hasher().add(placeOf(scenario)).digest().text().substr(0, 8) + extension);

@@ -1,7 +1,7 @@
 #pragma once
-// Results that differ from their goldens and wait for a review: <family>/<name>-<hash of its place>.golden, a .png with the end
-// beside the golden's, and a .from with the scenario's file and the build. They lie in .pending of the project's golden folder.
-// Places are relative to the project, so that they hold in a project that was copied or moved.
+// Results that differ from their goldens and wait for a review: <family>/<name>-<hash of its place>.golden, a .png with
+// the end beside the golden's, and a .from with the scenario's file and the build. They lie in .pending of the
+// project's golden folder. Places are relative to the project, so that they hold in a project that was copied or moved.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -11,16 +11,15 @@
 
 namespace morula {
 
-/// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h). Where the
-/// folder cannot be written it says so and goes on: nothing is lost but the convenience. Returns the signal that interrupted
-/// the picture, or 0.
+/// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h).
+/// Where the folder cannot be written it says so and goes on: nothing is lost but the convenience. Returns the signal
+/// that interrupted the picture, or 0.
 int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
                bool quiet);
 /// Returns the result that waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
-/// Returns the result that waits for this scenario, whatever build made it and whatever the scenario was then: the one that people
-/// were shown.
-/// Throws InputError if its file was damaged.
+/// Returns the result that waits for this scenario, whatever build made it and whatever the scenario was then: the one
+/// that people were shown. Throws InputError if its file was damaged.
 std::optional<GoldenData> waitingResult(const Scenario& scenario);
 /// Return the paths of the waiting result and of its picture, which may not exist.
 std::filesystem::path pendingFile(const Scenario& scenario);

@@ -15,15 +15,15 @@
 
 namespace morula {
 
-/// A sentence on settlings that ended at `evaluations` above the tolerance: how many, the farthest, and what to change; "" where
-/// there are none.
+/// A sentence on settlings that ended at `evaluations` above the tolerance: how many, the farthest, and what to change;
+/// "" where there are none.
 std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings);
 
 /// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
 std::string distanceText(const std::vector<SettlingRecord>& settlings);
 
-/// Sentences on check.reference.positions at the end of a run: that they are in another unit than the scene, or in a frame
-/// that mirrors; "" where neither shows.
+/// Sentences on check.reference.positions at the end of a run: that they are in another unit than the scene, or in a
+/// frame that mirrors; "" where neither shows.
 std::string positionsText(const World& world, const Scenario& scenario);
 
 /// Returns the divisions across the longest extent of a cell whose next extent is nearly as long. `describe` gives the

@@ -106,8 +106,8 @@ Json toJson(const ValueDifference& d) {
   return {{"table", d.table}, {"row", d.row}, {"column", d.column}, {"stored", d.stored}, {"recomputed", d.recomputed}};
 }
 
-/// The kinds of checks that the run was held against and that it decides itself: it is again. Sanity is measured of every
-/// run with bodies that came to its end, so rows that are not there were taken out.
+/// The kinds of checks that the run was held against and that it decides itself: it is again. Sanity is measured of
+/// every run with bodies that came to its end, so rows that are not there were taken out.
 std::set<std::string> kindsOfChecks(Store& store, const StoredRun& run, const Scenario& scenario) {
   std::set<std::string> kinds;
   if (run.status == RunStatus::done && scenario.scene.mechanics) kinds.insert("sanity");

@@ -34,8 +34,8 @@ struct ReplayQuestion {
   bool quiet = false;
 };
 
-/// Runs the stored run `before` again, which has ended, and compares. A record that was changed since it was stored is not
-/// run.
+/// Runs the stored run `before` again, which has ended, and compares. A record that was changed since it was stored is
+/// not run.
 Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, const ReplayQuestion& question);
 
 /// Describes a replay for people.

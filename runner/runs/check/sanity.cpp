@@ -14,8 +14,8 @@
 namespace morula {
 namespace {
 
-/// [1] Max gain over the energy at the start: automatic steps keep energy to 0.5 %, steps just below the limit of stability to a
-/// few per cent.
+/// [1] Max gain over the energy at the start: automatic steps keep energy to 0.5 %, steps just below the limit of
+/// stability to a few per cent.
 constexpr double maxGain = 0.05;
 /// [1] Noise over the energy that contents hold at rest: the rounding of a scene that begins with next to no energy.
 constexpr double energyNoise = 0.01;
@@ -50,8 +50,8 @@ bool keepsEnergy(const World& world) {
   return world.contacts->parameters.law == ContactLaw::pair || !mayTouch(world);
 }
 
-/// True if measureEnergy sees all that there is at the start, and nothing adds to it: growth, crawling and what connects
-/// later add energy, and a shell moves what it stops.
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: growth, crawling and what
+/// connects later add energy, and a shell moves what it stops.
 bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;

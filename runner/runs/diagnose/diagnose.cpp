@@ -198,7 +198,8 @@ std::string describeLimit(const World& world, const CellPath& cell) {
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Tries if the run goes on with the change: past the failure, by as much time again as lies between the state and the failure.
+/// Tries if the run goes on with the change: past the failure, by as much time again as lies between the state and the
+/// failure.
 Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {

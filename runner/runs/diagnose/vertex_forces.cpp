@@ -83,8 +83,8 @@ void takeFrom(std::vector<Vector>& sum, const std::vector<Vector>& less) {
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] -= less[v];
 }
 
-/// Returns the shell's force against the one that presses a vertex on it outwards (physics/shell_kernel.h); none for a vertex that
-/// does not lie on it.
+/// Returns the shell's force against the one that presses a vertex on it outwards (physics/shell_kernel.h); none for a
+/// vertex that does not lie on it.
 std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vector>& pressing) {
   const double* a = b.parameters.shell->semiAxes;
   const double within = b.parameters.precision == Precision::binary64 ? 1e-12 : 1e-6;
@@ -158,8 +158,8 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
     at(ForceKind::shell) = shellForces(b, slot, sum);
     takeFrom(left, at(ForceKind::shell));
   }
-  // If several planes may bear at once, or the shell does not hold vertices, the rest of the force is the shell's part. In other
-  // scenes the rest has no name.
+  // If several planes may bear at once, or the shell does not hold vertices, the rest of the force is the shell's part.
+  // In other scenes the rest has no name.
   const bool leftIsShell = shape == ShellShape::planes || shape == ShellShape::surface;
   double most = 0;
   for (const Vector& f : sum) most = std::max(most, norm(f));

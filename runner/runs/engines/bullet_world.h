@@ -14,8 +14,9 @@ class BulletWorld {
   virtual std::vector<Body> cells() = 0;  // velocities at the time of the positions
 };
 
-/// B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact. B3: btDeformableMultiBodyDynamicsWorld, implicit;
-/// without contact and shell. Throws FileError if Bullet is absent, BugError if its library is not the one of its headers.
+/// B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact. B3: btDeformableMultiBodyDynamicsWorld,
+/// implicit; without contact and shell. Throws FileError if Bullet is absent, BugError if its library is not the one of
+/// its headers.
 std::unique_ptr<BulletWorld> makeBulletWorld(const BulletScene& scene);
 
 }  // namespace morula

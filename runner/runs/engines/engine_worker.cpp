@@ -12,7 +12,8 @@
 
 namespace morula {
 
-// The members that are exchanged, in their order. Members that are named and not exchanged are not needed by the other side.
+// The members that are exchanged, in their order. Members that are named and not exchanged are not needed by the other
+// side.
 
 template <IsA<Body> T>
 void listFields(T& body, auto&& field) {

@@ -1,6 +1,6 @@
 #pragma once
-// Finds the step at which two runs of one scene part, and the kind of the first difference; and the first difference of two
-// states, down to the vertex.
+// Finds the step at which two runs of one scene part, and the kind of the first difference; and the first difference of
+// two states, down to the vertex.
 #include <cstdint>
 #include <optional>
 #include <string>

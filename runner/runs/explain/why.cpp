@@ -51,10 +51,10 @@ bool stepBoth(World& a, World& b) {
   return a.clock.time == b.clock.time && a.cells.path == b.cells.path;
 }
 
-/// Runs both side by side, on the same conditions, as long as they have the same cells at the same times. Lines for people, as
-/// those of changeInWords: after which step a vertex first lies elsewhere, whose, and by how much [radii of the egg]; and from
-/// which steps on the farthest vertex is 0.001, 0.01 and 0.1 radii away. "" without bodies, or if none ever is. Throws
-/// Interrupted if a signal has come.
+/// Runs both side by side, on the same conditions, as long as they have the same cells at the same times. Lines for
+/// people, as those of changeInWords: after which step a vertex first lies elsewhere, whose, and by how much [radii of
+/// the egg]; and from which steps on the farthest vertex is 0.001, 0.01 and 0.1 radii away. "" without bodies, or if
+/// none ever is. Throws Interrupted if a signal has come.
 std::string partingInWords(const Scenario& before, const Scenario& now, const Execution& how) {
   World a = makeScenarioWorld(before, how), b = makeScenarioWorld(now, how);
   if (!a.bodies || !b.bodies) return {};
@@ -95,8 +95,8 @@ void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQue
     f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
 }
 
-/// Finds where the scenario of now leaves the path of the earlier one, which is run again. `accepted`: the bits that the earlier
-/// one must reach by its golden; "" if they are not known.
+/// Finds where the scenario of now leaves the path of the earlier one, which is run again. `accepted`: the bits that
+/// the earlier one must reach by its golden; "" if they are not known.
 void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const std::string& called,
                       const std::string& accepted, const WhyQuestion& question, Findings& f) {
   OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),

@@ -12,7 +12,8 @@
 namespace morula {
 
 struct WhyQuestion {
-  // The result is compared with that of a Morula program, or of a run in a database ("": the latest), or else with the golden.
+  // The result is compared with that of a Morula program, or of a run in a database ("": the latest), or else with the
+  // golden.
   std::string program, database, run;
   std::uint64_t every = 64;  // [steps] looked at first
   Execution execution;
@@ -28,8 +29,8 @@ struct Findings {
   std::vector<CheckResult> checks;
 };
 
-/// Runs the scenario again, twice in different ways first: nothing can be told of a program that is not the same each time.
-/// Throws Interrupted if a signal has come.
+/// Runs the scenario again, twice in different ways first: nothing can be told of a program that is not the same each
+/// time. Throws Interrupted if a signal has come.
 Findings findWhy(const Scenario& scenario, const WhyQuestion& question);
 
 /// Writes findings for `morula explain --json`.

@@ -19,8 +19,8 @@ struct Simulation {
   int signal = 0;      // the one that ended it
   // Ended the run, and is neither the scene's nor a lack of memory: thrown once all is stored.
   std::exception_ptr error = {};
-  // Records that went elsewhere meanwhile, if a golden asks: hashes, samples without cells, and all of them as a golden holds
-  // them.
+  // Records that went elsewhere meanwhile, if a golden asks: hashes, samples without cells, and all of them as a golden
+  // holds them.
   RunResults passed = {};
   RecordedTables passedTables = {};
 };
@@ -50,7 +50,7 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 struct RunOptions {
   std::string label = {};  // of the progress that is shown; "": the scenario's name
   bool quiet = true;       // no progress is shown
-  /// What is recorded beside lineage and names.
+  /// Options of recording, beside lineage and names.
   RecordOptions record = {};
   /// Receives records during the run. Without a sink they are kept in memory.
   RecordSink sink = {};
@@ -63,8 +63,8 @@ struct RunOptions {
   std::uint64_t keepEvery = 0;
 };
 
-/// Runs the scenario from its beginning to its end. InputErrors name its file. A NumericalError is not thrown but told in
-/// `end.failure`, with the names of cells that have one.
+/// Runs the scenario from its beginning to its end. InputErrors name its file. A NumericalError is not thrown but told
+/// in `end.failure`, with the names of cells that have one.
 Simulation simulate(const Scenario& scenario, const Execution& how, RunOptions options = {});
 
 /// Runs the scenario in a world that is made already.
@@ -74,7 +74,8 @@ Simulation simulate(const Scenario& scenario, World world, RunOptions options = 
 /// (Recorder::resume), and the watcher have seen it as it is.
 Simulation simulate(World world, Recorder recorder, const RunOptions& options, bool resumed = false);
 
-/// Throws what a run failed of if that was for want of something (Want): compared with another one, it would say nothing.
+/// Throws what a run failed of if that was for want of something (Want): compared with another one, it would say
+/// nothing.
 void requireEnough(const RunEnd& end);
 
 /// How far a run has come.

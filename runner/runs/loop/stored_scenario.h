@@ -13,12 +13,12 @@ bool isDatabase(const std::string& file);
 /// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest one.
 Scenario storedScenario(const std::string& database, const std::string& run);
 
-/// Throws FileError if the file is damaged, or the record of the run was changed since it was stored (Store::changedRecord, lostCells): whatever
-/// is made of it would be of another run.
+/// Throws FileError if the file is damaged, or the record of the run was changed since it was stored
+/// (Store::changedRecord, lostCells): whatever is made of it would be of another run.
 void requireWholeRecord(Store& store, const StoredRun& run);
 
-/// requireWholeRecord, and says on stderr, once in a process, if the run is not fine: it failed, or it ended in a state that
-/// cannot be. For verbs that show a run.
+/// requireWholeRecord, and says on stderr, once in a process, if the run is not fine: it failed, or it ended in a state
+/// that cannot be. For verbs that show a run.
 void requireToShow(Store& store, const StoredRun& run);
 
 /// A scenario file, which may name files outside of its folder if `allowOutside`; or the scenario of a stored run.

@@ -34,8 +34,8 @@ struct TwinRun {
   Hash end;                          // of the undisturbed world's last state
 };
 
-/// Runs twins to the end. Their distance is in radii of the egg, and infinite once the twin cannot go on. `watch` is called
-/// before every step.
+/// Runs twins to the end. Their distance is in radii of the egg, and infinite once the twin cannot go on. `watch` is
+/// called before every step.
 TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch = {});
 
 }  // namespace morula

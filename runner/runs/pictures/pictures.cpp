@@ -50,8 +50,8 @@ namespace {
 
 constexpr double shellOpacity = 0.15;  // of one that is a mesh, drawn as a cell is
 
-/// Returns the surface with vertices of its own for each face, so that it is drawn with edges, where a cell is drawn smooth. The
-/// copy is a little larger, or it would lie in the flat sides of cells that are pressed against it.
+/// Returns the surface with vertices of its own for each face, so that it is drawn with edges, where a cell is drawn
+/// smooth. The copy is a little larger, or it would lie in the flat sides of cells that are pressed against it.
 Mesh withEdges(const Mesh& mesh) {
   constexpr double larger = 1.01;
   Mesh flat;

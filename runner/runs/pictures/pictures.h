@@ -33,17 +33,17 @@ class Palette {
 
 /// The organism as it is now. The world has bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// The pictures of a sequence keep room for all of their legends' entries, each showing its own, so that the organism does
-/// not move when a colour comes or goes.
+/// The pictures of a sequence keep room for all of their legends' entries, each showing its own, so that the organism
+/// does not move when a colour comes or goes.
 void shareLegend(std::vector<OrganismPicture>& frames);
-/// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe` gives a state's substances, `end` [time] is when the living
-/// are seen.
+/// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe`
+/// gives a state's substances, `end` [time] is when the living are seen.
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
-/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: the vertices of Bullet's cells,
-/// in the order of ours.
+/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: the vertices of Bullet's
+/// cells, in the order of ours.
 ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                                     const Scenario& scenario);
 

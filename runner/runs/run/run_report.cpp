@@ -16,8 +16,8 @@ std::string against(const Scenario& scenario) {
   return fileExists(golden) ? " (" + golden.string() + ")" : "";
 }
 
-/// Describes ambiguous divisions. They are no failure: the same program always cuts the same way. A program that differs a little
-/// may cut another way.
+/// Describes ambiguous divisions. They are no failure: the same program always cuts the same way. A program that
+/// differs a little may cut another way.
 std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions, const Units& units) {
   if (divisions.empty()) return "";
   const DivisionRecord& first = divisions.front();

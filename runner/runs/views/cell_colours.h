@@ -21,14 +21,15 @@ struct Colouring {
   std::string measure{};  // of cells, as AskedMeasure::name [simulation/asked_measure.h]
 };
 
-/// "substance", "clone", "clone:3", "generation" or a measure of cells, also of some alone (shell_share of AAA*). Throws
-/// InputError with what it may be, and the measure that was probably meant.
+/// "substance", "clone", "clone:3", "generation" or a measure of cells, also of some alone (shell_share of AAA*).
+/// Throws InputError with what it may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
 
-/// The ancestor that the cell's clone is called by, `founders` divisions below the egg; a cell above it stands for itself.
+/// The ancestor that the cell's clone is called by, `founders` divisions below the egg; a cell above it stands for
+/// itself.
 std::string founderOf(const std::string& path, int founders);
-/// Makes the legend for cloneColour of these founders. Founders that share a colour, as an egg and its first daughter do, share
-/// an entry.
+/// Makes the legend for cloneColour of these founders. Founders that share a colour, as an egg and its first daughter
+/// do, share an entry.
 std::vector<LegendEntry> cloneLegend(const std::set<std::string>& founders, const Scenario& scenario);
 
 /// The ends of a colour bar for this range: one value where the ends differ by rounding alone.
@@ -39,10 +40,9 @@ Range withoutRounding(Range range);
 std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
                                                 const Scenario& scenario);
 
-/// Colours the first cells of each picture by these values, which belong to them, and says in legend and colour bar what
-/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value of a cell that is
-/// drawn (opacity > 0) in any of them.
-/// Nothing for substances.
+/// Colours the first cells of each picture by these values, which belong to them, and says in legend and colour bar
+/// what colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value of a cell
+/// that is drawn (opacity > 0) in any of them. Nothing for substances.
 void colourCells(std::vector<OrganismPicture>& pictures, const std::vector<std::vector<std::optional<double>>>& values,
                  const Colouring& colouring, const Scenario& scenario);
 

@@ -16,9 +16,9 @@ struct ClaimFinding {
   scenario::Place place;  // in the study file
 };
 
-/// One finding for each claim, in their order. Pairs are those of compareStudy over all axes and measures, with the other axes
-/// fixed where a claim fixes them; equivalence is tested with the claim's margin for its measure alone. What has no values holds
-/// nothing. Throws InputError if the results are of other axes, labels or measures than the study.
+/// One finding for each claim, in their order. Pairs are those of compareStudy over all axes and measures, with the
+/// other axes fixed where a claim fixes them; equivalence is tested with the claim's margin for its measure alone. What
+/// has no values holds nothing. Throws InputError if the results are of other axes, labels or measures than the study.
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study);
 
 /// True if the results have the axes, labels and measures of the study's claims.

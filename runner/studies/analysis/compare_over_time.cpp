@@ -9,8 +9,8 @@ namespace {
 
 constexpr int manyTimes = 21;
 
-/// Times at which the runs are compared: those at which all of them were measured; where runs were measured at different
-/// times, as at their divisions, evenly spaced ones from the latest beginning to the earliest end.
+/// Times at which the runs are compared: those at which all of them were measured; where runs were measured at
+/// different times, as at their divisions, evenly spaced ones from the latest beginning to the earliest end.
 std::vector<double> timesOf(const std::vector<const std::vector<TimedValue>*>& runs) {
   std::vector<double> times;
   for (const TimedValue& v : *runs.front()) times.push_back(v.time);

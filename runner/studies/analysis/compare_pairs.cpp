@@ -84,7 +84,8 @@ std::vector<Fixed> fixedLevels(const StudyComparison& c, std::size_t axis, bool 
   return all;
 }
 
-/// Returns the measures with one value in all runs: nothing could be found of them, and they would only make the family larger.
+/// Returns the measures with one value in all runs: nothing could be found of them, and they would only make the family
+/// larger.
 std::set<std::size_t> constantMeasures(const StudyComparison& c) {
   std::set<std::size_t> constant(c.measures.begin(), c.measures.end());
   std::map<std::size_t, double> first;

@@ -10,8 +10,8 @@ namespace morula {
 void comparePairs(StudyComparison& comparison, bool within);
 /// Fills `effects`.
 void compareFactors(StudyComparison& comparison);
-/// The strongest interaction of an axis with another that is shown for a measure, by its place among the effects. None: there
-/// is none. After compareFactors.
+/// The strongest interaction of an axis with another that is shown for a measure, by its place among the effects. None:
+/// there is none. After compareFactors.
 struct Interaction {
   const MeasureEffects* of;
   std::size_t effect, other;  // other: axis

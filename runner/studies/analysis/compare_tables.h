@@ -1,5 +1,6 @@
 #pragma once
-// The tables of a comparison. A column is declared once, with its names in `compare --json` and `--csv`, its title and its cell.
+// The tables of a comparison. A column is declared once, with its names in `compare --json` and `--csv`, its title and
+// its cell.
 #include "analysis/comparison.h"
 #include "document/table.h"
 

@@ -50,8 +50,8 @@ struct PairEquivalence {
   Equivalent verdict = Equivalent::undecided;
 };
 
-/// Two levels of one axis. Each pair is of one seed: the mean over the conditions with level a and over those with level b
-/// that differ in nothing else and have both been measured.
+/// Two levels of one axis. Each pair is of one seed: the mean over the conditions with level a and over those with
+/// level b that differ in nothing else and have both been measured.
 struct PairComparison {
   std::size_t measure = 0, axis = 0, a = 0, b = 0;  // levels of the axis, a < b
   std::vector<std::optional<std::size_t>> at;       // [axis] its level if it is fixed; otherwise the mean over it
@@ -69,7 +69,8 @@ struct PairComparison {
 
   bool isOfMean() const;  // over all other axes: none is fixed
   bool isShown() const { return known == Known::estimated && corrected.value_or(1) < 0.05; }
-  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
+  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing
+  /// varies.
   std::optional<double> intervalRatio() const;
 };
 
@@ -105,7 +106,8 @@ struct StudyComparison {
   std::vector<ConditionSummary> conditions;  // by measure, then condition
   std::vector<PairComparison> pairs;         // by measure, axis, what is fixed, levels
   std::vector<MeasureEffects> effects;
-  /// Pairs of axes that interact with another one: their levels at each level of that axis; a family of their own for Holm.
+  /// Pairs of axes that interact with another one: their levels at each level of that axis; a family of their own for
+  /// Holm.
   std::vector<PairComparison> split;
   std::vector<TimeCourse> courses;  // of measures that were taken at several times
 
@@ -115,8 +117,8 @@ struct StudyComparison {
 /// Throws UsageError for axes, measures and margins that the study has not.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
 
-/// Sentences: first whether each axis matters to each measure, how much and between which levels, at each level of another axis
-/// where the two interact; then what differs, what is equivalent and what tells nothing, then where no
+/// Sentences: first whether each axis matters to each measure, how much and between which levels, at each level of
+/// another axis where the two interact; then what differs, what is equivalent and what tells nothing, then where no
 /// difference is shown; these by measure and pair.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
@@ -127,26 +129,26 @@ Document describe(const StudyComparison& comparison);
 Document comparedTables(const StudyComparison& comparison);
 /// Writes a comparison for `compare --json`.
 Json toJson(const StudyComparison& comparison);
-/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
-/// says; lines end in a line feed.
+/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC
+/// 4180 says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
 
-/// A panel a measure: all values of each condition, their mean and its interval; then, where there are time courses, a panel a
-/// measure of the means over time. The first axis that is compared is told by colour and shape, the others by words.
-/// `units`: in which numbers are shown.
+/// A panel a measure: all values of each condition, their mean and its interval; then, where there are time courses, a
+/// panel a measure of the means over time. The first axis that is compared is told by colour and shape, the others by
+/// words. `units`: in which numbers are shown.
 SmallMultiples stripsOf(const StudyComparison& comparison, const Units& units = {});
 
-/// Replaces the lines `statistic` of the scenarios' goldens: of each measure the difference of the first level of the axis that is
-/// compared, the scenario's own settings, from each other level. `study`: the merged database, and `results` what it holds; of
-/// a study with several bases only the runs of a scenario count for its golden. Throws UsageError unless exactly one axis besides
-/// `base` is compared, InputError where the study is of another scenario, a golden is not of this very scenario or may not be
-/// written, and has written none then; FileError if one cannot be.
+/// Replaces the lines `statistic` of the scenarios' goldens: of each measure the difference of the first level of the
+/// axis that is compared, the scenario's own settings, from each other level. `study`: the merged database, and
+/// `results` what it holds; of a study with several bases only the runs of a scenario count for its golden. Throws
+/// UsageError unless exactly one axis besides `base` is compared, InputError where the study is of another scenario, a
+/// golden is not of this very scenario or may not be written, and has written none then; FileError if one cannot be.
 void writeIntoGoldens(const StudyResults& results, CompareOptions options, const std::filesystem::path& study,
                       const std::vector<std::string>& scenarios);
 
-/// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest from all
-/// before it [Gonzalez 1985]. Far: the root of the sum of squared differences over the measures, each in standard deviations
-/// of all its values. Among equals the earlier one; conditions without any value come last.
+/// All conditions, those that differ most first: the two whose means are farthest apart, then each that is farthest
+/// from all before it [Gonzalez 1985]. Far: the root of the sum of squared differences over the measures, each in
+/// standard deviations of all its values. Among equals the earlier one; conditions without any value come last.
 std::vector<std::size_t> byDifference(const StudyComparison& comparison);
 
 }  // namespace morula

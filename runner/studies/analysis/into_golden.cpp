@@ -31,8 +31,8 @@ std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t 
   return statistics;
 }
 
-/// The results of one base alone: without the axis `base`, if there is one. Of bases that hold the same scenario the first
-/// counts.
+/// The results of one base alone: without the axis `base`, if there is one. Of bases that hold the same scenario the
+/// first counts.
 StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario) {
   const auto axis = std::ranges::find(results.axes, "base", &ResultAxis::name);
   const bool hasBases = axis != results.axes.end();
@@ -50,8 +50,8 @@ StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario)
   return results;
 }
 
-/// The file that the scenario has now under a file's role and name, of which the condition ran with another content; "" if
-/// there is none.
+/// The file that the scenario has now under a file's role and name, of which the condition ran with another content; ""
+/// if there is none.
 std::string changedFile(const Json& plan, const Json& condition, const Scenario& now) {
   for (const Json& number : condition.at("files")) {
     const Json& then = plan.at("files").at(number.get<std::size_t>());

@@ -12,15 +12,16 @@ struct Margin {
   bool ofMean = false;
 };
 
-/// "0.01", "5%", "sphericity=0.01", "clone-radius=2%", as --equivalent takes them. Throws UsageError for anything else, and
-/// for a measure that is not among `measures`.
+/// "0.01", "5%", "sphericity=0.01", "clone-radius=2%", as --equivalent takes them. Throws UsageError for anything else,
+/// and for a measure that is not among `measures`.
 std::vector<Margin> parseMargins(const std::vector<std::string>& words, const std::vector<std::string>& measures);
 
-/// The margin of this measure, in its unit, between conditions with this mean. None if none was given, or it is a share of 0.
+/// The margin of this measure, in its unit, between conditions with this mean. None if none was given, or it is a share
+/// of 0.
 std::optional<double> marginOf(const std::vector<Margin>& margins, const std::string& measure, double mean);
 
-/// The one of `names` that is meant, where '-' may stand for '_'. Throws UsageError that names `option` and calls one of them a
-/// `kind` ("measure", "axis").
+/// The one of `names` that is meant, where '-' may stand for '_'. Throws UsageError that names `option` and calls one
+/// of them a `kind` ("measure", "axis").
 std::string nameAmong(const std::string& option, const std::string& kind, std::string word,
                       const std::vector<std::string>& names);
 

@@ -12,8 +12,8 @@ struct MeasureWords {
   std::string more, less;  // "wider", "tighter": with larger and with smaller values
 };
 
-/// Returns the words for a measure as results call it: "clone_radius", "cell.volume". Without words of its own: its name, higher,
-/// lower.
+/// Returns the words for a measure as results call it: "clone_radius", "cell.volume". Without words of its own: its
+/// name, higher, lower.
 MeasureWords wordsOfMeasure(const std::string& measure);
 
 /// "length³"; "" for a pure number and for what no table of measures has.

@@ -23,8 +23,8 @@ struct StudyState {
 /// `difference`: from the study file of now, where one is at hand.
 StudyState stateOf(const StudyResults& results, const AllowedRuns& allowed, const PlanDifference& difference = {});
 
-/// The merged study's plan beside the study file and its scenarios. Throws StoreError if its plan cannot be read, and what
-/// makePlan throws.
+/// The merged study's plan beside the study file and its scenarios. Throws StoreError if its plan cannot be read, and
+/// what makePlan throws.
 PlanDifference differenceFrom(const std::filesystem::path& database, const Study& now);
 
 /// "runs: 6 fine, 1 not sane, 1 failed; limits allow 0 failed and 0 insane"; "" if all are fine.

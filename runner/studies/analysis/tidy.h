@@ -15,9 +15,9 @@ inline constexpr auto choices<TidyRows> = std::to_array<Choice<TidyRows>>({
     {TidyRows::cells, "cells", "a row for each run, time, cell and measure, of the samples that were kept"},
 });
 
-/// Hands on a merged study's values as CSV [RFC 4180], a line at a time; lines end in a line feed. Columns: a label for each
-/// axis, seed, time, with `cells` the cell's path and substances, then measure and value. Conditions that share a run have its
-/// values each; runs without a result have none. Throws StoreError if the file is no merged study.
+/// Hands on a merged study's values as CSV [RFC 4180], a line at a time; lines end in a line feed. Columns: a label for
+/// each axis, seed, time, with `cells` the cell's path and substances, then measure and value. Conditions that share a
+/// run have its values each; runs without a result have none. Throws StoreError if the file is no merged study.
 void writeTidy(const std::filesystem::path& file, TidyRows rows,
                const std::function<void(std::string_view line)>& write);
 

@@ -25,9 +25,9 @@ double studentQuantile(double share, double df);
 /// P(F > f) of Fisher's F with these degrees of freedom; 1 for f ≤ 0.
 double fisherAbove(double f, double df1, double df2);
 
-/// P(F > f) of noncentral distributions with parameters `lambda` ≥ 0: the mean of central ones with d₁ + 2j, j of Poisson's
-/// distribution with mean λ/2, to within 1e-10. Above λ = 1000 that of ((d₁ + λ)/d₁) F with (d₁ + λ)²/(d₁ + 2λ) and d₂ degrees of
-/// freedom, whose numerator has the same mean and variance [Patnaik 1949], to within 0.005.
+/// P(F > f) of noncentral distributions with parameters `lambda` ≥ 0: the mean of central ones with d₁ + 2j, j of
+/// Poisson's distribution with mean λ/2, to within 1e-10. Above λ = 1000 that of ((d₁ + λ)/d₁) F with (d₁ + λ)²/(d₁ +
+/// 2λ) and d₂ degrees of freedom, whose numerator has the same mean and variance [Patnaik 1949], to within 0.005.
 class NoncentralFisher {
  public:
   NoncentralFisher(double f, double df1, double df2);

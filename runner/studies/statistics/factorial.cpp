@@ -29,8 +29,8 @@ struct Design {
   }
 };
 
-/// An effect as each replicate shows it: [replicate][group], a group for each combination of its factors' levels, the last
-/// one changing fastest. Over the levels of each factor they sum up to 0.
+/// An effect as each replicate shows it: [replicate][group], a group for each combination of its factors' levels, the
+/// last one changing fastest. Over the levels of each factor they sum up to 0.
 struct Contrasts {
   std::size_t groups = 1;
   std::vector<double> values;

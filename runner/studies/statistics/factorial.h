@@ -1,21 +1,21 @@
 #pragma once
 // Factorial designs: the factors that a value depends on, and their interactions, by the analysis of variance of a
-// balanced factorial design [Fisher 1935; Montgomery 2017, ch. 5] whose replicates are blocks: replicate r of every cell has
-// the same random numbers (the same seed), and what all cells of a replicate have in common is no error.
+// balanced factorial design [Fisher 1935; Montgomery 2017, ch. 5] whose replicates are blocks: replicate r of every
+// cell has the same random numbers (the same seed), and what all cells of a replicate have in common is no error.
 //
-// Each effect is tested against how it differs from seed to seed, not against one error of the whole table: common random
-// numbers make some conditions vary alike and others not, and a pooled error then finds differences in half of all studies
-// without any. An effect of d degrees of freedom in n seeds has F = (squares / d) / (error / (d (n − 1))). If some of its d
-// contrasts vary more than others, F follows Fisher's distribution with ε d and ε d (n − 1) degrees of freedom, 1/d ≤ ε ≤ 1
-// [Box 1954]. Estimates of ε are too small [Greenhouse & Geisser 1959] or, with few seeds, too large [Huynh & Feldt 1976;
-// Lecoutre 1991]: ε = 0.25 ε_GG + 0.75 ε_HF. Simulated studies without any effect (calibration_test.cpp) then have
-// p < 0.05 in 3.3 to 6.5 % from 5 seeds on and in 10 % at most with 3, for d up to 4; with d = 8 and one contrast that varies
-// more than all others in 7 % with 5 seeds and 11 % with 3.
+// Each effect is tested against how it differs from seed to seed, not against one error of the whole table: common
+// random numbers make some conditions vary alike and others not, and a pooled error then finds differences in half of
+// all studies without any. An effect of d degrees of freedom in n seeds has F = (squares / d) / (error / (d (n − 1))).
+// If some of its d contrasts vary more than others, F follows Fisher's distribution with ε d and ε d (n − 1) degrees of
+// freedom, 1/d ≤ ε ≤ 1 [Box 1954]. Estimates of ε are too small [Greenhouse & Geisser 1959] or, with few seeds, too
+// large [Huynh & Feldt 1976; Lecoutre 1991]: ε = 0.25 ε_GG + 0.75 ε_HF. Simulated studies without any effect
+// (calibration_test.cpp) then have p < 0.05 in 3.3 to 6.5 % from 5 seeds on and in 10 % at most with 3, for d up to 4;
+// with d = 8 and one contrast that varies more than all others in 7 % with 5 seeds and 11 % with 3.
 //
-// The interval is of partial η² in infinitely many seeds, σ² / (σ² + error), with the variance σ² of the effect's contrasts and
-// that of the error, both of one seed: λ / (λ + d n), with the noncentralities λ for which F is the 97.5 % and the 2.5 % quantile
-// [Steiger 2004; ε d for d, as in the test]. It holds that in 93 to 98 % of simulated studies from 5 seeds on, 93 to 98.5 % with 3 (the same
-// test).
+// The interval is of partial η² in infinitely many seeds, σ² / (σ² + error), with the variance σ² of the effect's
+// contrasts and that of the error, both of one seed: λ / (λ + d n), with the noncentralities λ for which F is the 97.5
+// % and the 2.5 % quantile [Steiger 2004; ε d for d, as in the test]. It holds that in 93 to 98 % of simulated studies
+// from 5 seeds on, 93 to 98.5 % with 3 (the same test).
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -45,8 +45,8 @@ struct FactorialAnalysis {
 };
 
 /// `levels`: how many each factor has, two at least. `values`: of cell (i, j, …) the replicates r = 0 … n − 1, the last
-/// factor changing fastest and the replicate fastest of all: the product of levels times n. n = 1: no error is known, and
-/// only shares are given.
+/// factor changing fastest and the replicate fastest of all: the product of levels times n. n = 1: no error is known,
+/// and only shares are given.
 FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::span<const double> values);
 
 /// The mean of each level of one factor over all else.

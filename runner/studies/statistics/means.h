@@ -17,9 +17,9 @@ double mean(std::span<const double> values);
 /// Σ (x − mean)² / (n − 1); 0 if all are the same number. Of two values at least.
 double variance(std::span<const double> values);
 
-/// Student's interval of the mean, which holds it at the level, 0.95 of 95 %, whatever n if values are normal. Of 10, 20
-/// values of a strongly skewed distribution (exponential) it holds the mean in 90, 92 %. Absent for fewer than two values, and
-/// where they do not vary: n equal values do not say how far the next one may lie.
+/// Student's interval of the mean, which holds it at the level, 0.95 of 95 %, whatever n if values are normal. Of 10,
+/// 20 values of a strongly skewed distribution (exponential) it holds the mean in 90, 92 %. Absent for fewer than two
+/// values, and where they do not vary: n equal values do not say how far the next one may lie.
 std::optional<Interval> intervalOfMean(std::span<const double> values, double level = 0.95);
 
 /// The difference of two means and how sure it is.
@@ -35,12 +35,12 @@ struct MeanDifference {
 /// The interval of the difference at another level.
 std::optional<Interval> intervalOf(const MeanDifference& d, double level);
 
-/// Compares pairs (a[i], b[i]), two at least, by Student's t of their differences. Where differences repeat, p is at least that of
-/// the exact test.
+/// Compares pairs (a[i], b[i]), two at least, by Student's t of their differences. Where differences repeat, p is at
+/// least that of the exact test.
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b);
 
-/// Compares two samples of two values at least, whose variances may differ [Welch 1947]. Where neither varies, p is that of the
-/// exact test: of all ways to deal out the values, how many part them as they are.
+/// Compares two samples of two values at least, whose variances may differ [Welch 1947]. Where neither varies, p is
+/// that of the exact test: of all ways to deal out the values, how many part them as they are.
 MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b);
 
 /// Differences in standard deviations. Absent where nothing varies.

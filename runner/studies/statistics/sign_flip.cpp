@@ -53,7 +53,8 @@ double signFlipP(std::span<const double> differences, std::size_t length) {
     for (const double x : sum) s += x * x;
     return s;
   };
-  // Half of the choices: the others are these with all signs changed. A Gray code changes one sign from each to the next.
+  // Half of the choices: the others are these with all signs changed. A Gray code changes one sign from each to the
+  // next.
   const double least = square() - 1e-9 * size * size;
   std::uint64_t asFar = 1;
   const std::uint64_t choices = std::uint64_t{1} << (n - 1);

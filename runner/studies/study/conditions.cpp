@@ -27,8 +27,8 @@ bool standsIn(const Level& level, const std::string& line) {
                              [&](const Override& change) { return line.starts_with(change.place + ":"); });
 }
 
-/// " (under connections: none)", " (in 3 of 15 conditions, the first division: longest, connections: both)"; "" if all have
-/// it, and if it names the place of the one level whose conditions have it.
+/// " (under connections: none)", " (in 3 of 15 conditions, the first division: longest, connections: both)"; "" if all
+/// have it, and if it names the place of the one level whose conditions have it.
 std::string whereText(const Study& study, const std::vector<Condition>& conditions, const std::string& line,
                       const std::set<std::size_t>& has) {
   if (has.size() == conditions.size()) return "";

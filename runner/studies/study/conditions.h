@@ -1,6 +1,6 @@
 #pragma once
-// The conditions of a study: each combination of levels, with its scenario loaded and ready to run; and what follows from them
-// when a plan is made, and when it is read.
+// The conditions of a study: each combination of levels, with its scenario loaded and ready to run; and what follows
+// from them when a plan is made, and when it is read.
 #include <string>
 #include <vector>
 
@@ -25,9 +25,8 @@ Scenario readConditionScenario(const Study& study, const Condition& condition, c
 /// Sets usesSeed and meaning.
 void finish(Condition& condition, const Study& study);
 
-/// All of them, or the first `most`. What is wrong with one of them becomes a problem, told once for all that have it, and it
-/// may then be missing.
-/// `warnings`: of the scenarios, each once.
+/// All of them, or the first `most`. What is wrong with one of them becomes a problem, told once for all that have it,
+/// and it may then be missing. `warnings`: of the scenarios, each once.
 std::vector<Condition> loadConditions(const Study& study, scenario::Problems& problems,
                                       std::vector<std::string>& warnings, const Execution& execution, std::size_t most);
 

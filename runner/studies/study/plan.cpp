@@ -77,9 +77,10 @@ RunCost estimate(const Condition& condition, const RunCost& first,
   return cost;
 }
 
-/// One for each condition. Until `options.rehearsal` is used up, beginnings of runs are made: of the first condition, then of
-/// those that differ from it in one axis, in two, and so on. The cost of the others is the first one's, times a factor for
-/// each of their levels: the ratio to the first one's cost of the condition that differs from it in that level alone.
+/// One for each condition. Until `options.rehearsal` is used up, beginnings of runs are made: of the first condition,
+/// then of those that differ from it in one axis, in two, and so on. The cost of the others is the first one's, times a
+/// factor for each of their levels: the ratio to the first one's cost of the condition that differs from it in that
+/// level alone.
 std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) {
   const auto& conditions = plan.conditions;
   std::vector<std::optional<RunCost>> tried(conditions.size());

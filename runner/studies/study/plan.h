@@ -33,7 +33,8 @@ struct Task {
   friend bool operator==(const Task&, const Task&) = default;
 };
 
-/// One run that the design asks for. Several may share a task: conditions that mean the same, seeds that change nothing.
+/// One run that the design asks for. Several may share a task: conditions that mean the same, seeds that change
+/// nothing.
 struct Replicate {
   std::size_t condition = 0;
   std::uint64_t seed = 0;
@@ -50,7 +51,8 @@ struct RunCost {
   friend bool operator==(const RunCost&, const RunCost&) = default;
 };
 
-/// The cost of the first condition of a base that goes through time if it went from rest to rest, with physics.integrator fire.
+/// The cost of the first condition of a base that goes through time if it went from rest to rest, with
+/// physics.integrator fire.
 struct SettledCost {
   std::size_t base = 0;             // in Study::bases
   double seconds = 0, settled = 0;  // [s] of CPU time as it is, and so
@@ -74,8 +76,8 @@ struct PlanOptions {
   Execution execution = {};
 };
 
-/// Throws InputError with all mistakes of all conditions: wrong overrides, measures that a condition cannot take, scenes
-/// that cannot be built. Throws FileError if a scenario cannot be read.
+/// Throws InputError with all mistakes of all conditions: wrong overrides, measures that a condition cannot take,
+/// scenes that cannot be built. Throws FileError if a scenario cannot be read.
 Plan makePlan(const Study& study, const PlanOptions& options = {});
 
 /// The condition's scenario with the task's seed, as if it had been loaded with it.
@@ -109,8 +111,8 @@ std::filesystem::path studyFolder(const Study& study);
 /// FOLDER/plan.json.
 std::filesystem::path planFile(const std::filesystem::path& folder);
 
-/// Writes the plan into the folder, which is made; false if the same plan is there already, which stays as it is. Throws
-/// InputError if another plan is there: what was computed by it would be taken for this one's. Throws FileError.
+/// Writes the plan into the folder, which is made; false if the same plan is there already, which stays as it is.
+/// Throws InputError if another plan is there: what was computed by it would be taken for this one's. Throws FileError.
 bool keepPlan(const Plan& plan, const std::filesystem::path& folder);
 
 /// The plan of the folder. Throws FileError as readPlan, and if there is none.

@@ -73,8 +73,8 @@ std::size_t distinctConditions(const Plan& plan) {
 
 Json toJson(const RunCost& c) { return {{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}}; }
 
-/// Tells what so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h); "" if
-/// nothing is compared.
+/// Tells what so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h);
+/// "" if nothing is compared.
 std::string powerText(const Study& study) {
   std::size_t comparisons = 0;
   for (const StudyAxis& axis : study.axes) comparisons += axis.levels.size() * (axis.levels.size() - 1) / 2;

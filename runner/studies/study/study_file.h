@@ -118,9 +118,9 @@ struct Study {
 };
 
 /// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:
-/// `file:line:column: path: what is wrong; what would be right`. If the file itself has mistakes, its scenarios are looked
-/// at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it cannot be read.
-/// Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
+/// `file:line:column: path: what is wrong; what would be right`. If the file itself has mistakes, its scenarios are
+/// looked at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it
+/// cannot be read. Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
 /// Reads a study from a text in memory, as if it lay in `file`.
 Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);
@@ -128,8 +128,8 @@ Study readStudy(std::string bytes, const std::filesystem::path& file, bool allow
 /// How many failed and insane runs the text of a study file allows: none where it cannot be read.
 AllowedRuns allowedIn(const std::string& bytes);
 
-/// Returns true if the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
-/// ends in .study.yaml.
+/// Returns true if the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or
+/// its name ends in .study.yaml.
 bool isStudy(const std::filesystem::path& file);
 
 }  // namespace morula

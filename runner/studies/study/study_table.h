@@ -48,13 +48,13 @@ bool isLabel(const std::string& text);
 inline constexpr const char* labelNeeds =
     "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
 
-/// A value of a study file as one line of YAML's flow notation that scenario::readYamlValue reads as the same: how an override
-/// holds it. A text without quotes gets none where it reads back as the same without them, so that numbers stay numbers. "null"
-/// for an empty value.
+/// A value of a study file as one line of YAML's flow notation that scenario::readYamlValue reads as the same: how an
+/// override holds it. A text without quotes gets none where it reads back as the same without them, so that numbers
+/// stay numbers. "null" for an empty value.
 std::string overrideText(const scenario::Node& node);
 
-/// Two axes that set the same key, or one a part of what the other sets, are a problem: which of them holds would depend on
-/// their order. Returns the names of such axes.
+/// Two axes that set the same key, or one a part of what the other sets, are a problem: which of them holds would
+/// depend on their order. Returns the names of such axes.
 std::set<std::string> checkAxes(const Study& study, scenario::Problems& problems);
 
 inline constexpr std::size_t maxConditions = 10'000, maxReplicates = 1'000'000;

@@ -1,6 +1,6 @@
 #pragma once
-// The merged database of a study: all its runs in one file, made anew from the files of the tasks. The same tasks, added in
-// the same order, make the same bytes, but for the table `timing`.
+// The merged database of a study: all its runs in one file, made anew from the files of the tasks. The same tasks,
+// added in the same order, make the same bytes, but for the table `timing`.
 #include <filesystem>
 #include <optional>
 #include <set>

@@ -1,6 +1,7 @@
 #pragma once
-// The tables of a study: `task`, `result` and `timing` stand in the file of one task and in the merged file; `study`, `axis`,
-// `level`, `condition`, `condition_key` and `replicate` in the merged file alone. study_store/README.md describes their columns.
+// The tables of a study: `task`, `result` and `timing` stand in the file of one task and in the merged file; `study`,
+// `axis`, `level`, `condition`, `condition_key` and `replicate` in the merged file alone. study_store/README.md
+// describes their columns.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,8 +29,8 @@ struct TaskRow {
   std::string reason = {};                            // of a failure; "" otherwise
   std::string runId = {}, resultHash = {};            // "" while it is missing
 
-  /// It is done, or failed numerically: that follows from scene, seed and program alone. Limits and crashes depend on the
-  /// machine, too.
+  /// It is done, or failed numerically: that follows from scene, seed and program alone. Limits and crashes depend on
+  /// the machine, too.
   bool isComputed() const;
 };
 template <>
@@ -223,8 +224,8 @@ void sealStudy(Database& db);
 /// Throws StoreError unless the rows of the study's own tables are those that were stored.
 void requireSealedStudy(Database& db);
 
-/// Over how the run ended and all rows of its results: what must be the same wherever the task is computed. Columns that
-/// are NULL do not count, so that a later version of the tables finds the same hash.
+/// Over how the run ended and all rows of its results: what must be the same wherever the task is computed. Columns
+/// that are NULL do not count, so that a later version of the tables finds the same hash.
 Hash resultHash(Database& db, const std::string& run);
 
 }  // namespace morula

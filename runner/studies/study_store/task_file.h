@@ -41,8 +41,8 @@ class TaskFile {
   /// Why the end of its run is not sane [morula::whyInsane]; "" if it is, or there is no end.
   std::string whyInsane();
 
-  /// Returns the mistake in the file: in the database's structure, or ids and hashes that do not follow from its content; "" if
-  /// there is none.
+  /// Returns the mistake in the file: in the database's structure, or ids and hashes that do not follow from its
+  /// content; "" if there is none.
   std::string whatIsWrong();
 
  private:
@@ -53,8 +53,8 @@ class TaskFile {
   StoredRun run_;
 };
 
-/// Returns true if the file is as long as its header says and begins as a database does. That is quick, and enough for files that
-/// were renamed once they were complete; whatIsWrong checks their content.
+/// Returns true if the file is as long as its header says and begins as a database does. That is quick, and enough for
+/// files that were renamed once they were complete; whatIsWrong checks their content.
 bool looksWhole(const std::filesystem::path& file);
 
 }  // namespace morula

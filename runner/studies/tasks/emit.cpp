@@ -13,8 +13,8 @@ namespace {
 
 constexpr double secondsPerJob = 600;
 
-/// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit for
-/// each run, what all of its runs may take, if that is less.
+/// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit
+/// for each run, what all of its runs may take, if that is less.
 std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
   const auto cost = totalCost(plan);
   const double most = std::ceil(double(plan.tasks.size()) / double(shares));
@@ -133,7 +133,8 @@ std::string parallel(const PlannedStudy& study, std::size_t shares) {
       shellWord(job), word);
 }
 
-/// Into how many jobs the tasks are packed, so that none is much shorter than ten minutes: a scheduler takes seconds for each.
+/// Into how many jobs the tasks are packed, so that none is much shorter than ten minutes: a scheduler takes seconds
+/// for each.
 std::size_t sharesFor(const Plan& plan) {
   const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
   const auto cost = totalCost(plan);

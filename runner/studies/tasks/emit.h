@@ -1,6 +1,6 @@
 #pragma once
-// Files with which other programs run a study: a job array for Slurm, a Snakefile, a script for GNU parallel. All of them start
-// `morula study run FOLDER` with a share or a task, and end with `morula study merge FOLDER`.
+// Files with which other programs run a study: a job array for Slurm, a Snakefile, a script for GNU parallel. All of
+// them start `morula study run FOLDER` with a share or a task, and end with `morula study merge FOLDER`.
 #include <array>
 #include <filesystem>
 #include <string>
@@ -26,8 +26,8 @@ struct EmitOptions {
 };
 
 /// The text of the file. It names the study's folder as it was given, and finds the program under the name `morula` in
-/// PATH, or where the variable MORULA says. Throws InputError for a folder whose name has control characters or, but for
-/// Slurm, braces.
+/// PATH, or where the variable MORULA says. Throws InputError for a folder whose name has control characters or, but
+/// for Slurm, braces.
 std::string emit(const PlannedStudy& study, const EmitOptions& options);
 
 /// Returns the default path of the file: study.sbatch, Snakefile or parallel.sh in the study's folder.

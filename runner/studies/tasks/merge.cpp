@@ -50,8 +50,8 @@ std::vector<std::string> asColumns(std::vector<std::string> names, std::vector<s
   return names;
 }
 
-/// The value at "division.plane" of the resolved scenario; texts as they are, others as JSON; absent if the scene has no
-/// such part.
+/// The value at "division.plane" of the resolved scenario; texts as they are, others as JSON; absent if the scene has
+/// no such part.
 std::optional<std::string> valueAt(const Json& resolved, const std::string& path) {
   const Json* value = &resolved;
   for (const std::string& key : partsOf(path, '.')) {
@@ -181,8 +181,8 @@ class Merge {
   }
 
  private:
-  /// The whole file of a task: what a computation decided comes before what a machine's limits did, and of several of the
-  /// latter the one with the least hash, so that the order in which files are named decides nothing.
+  /// The whole file of a task: what a computation decided comes before what a machine's limits did, and of several of
+  /// the latter the one with the least hash, so that the order in which files are named decides nothing.
   std::optional<TaskFile> choose(std::size_t task, const std::vector<fs::path>& files) {
     std::optional<TaskFile> chosen;
     fs::path from;

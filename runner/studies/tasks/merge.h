@@ -45,9 +45,10 @@ struct MergeReport {
   StateCounts counts() const;
 };
 
-/// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the same
-/// bytes, in whatever order and from however many places they come. Files that cannot be right are left out and reported. Writes
-/// nothing if two files of one task differ. Throws FileError if a shard cannot be read, or if they come from several builds.
+/// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the
+/// same bytes, in whatever order and from however many places they come. Files that cannot be right are left out and
+/// reported. Writes nothing if two files of one task differ. Throws FileError if a shard cannot be read, or if they
+/// come from several builds.
 MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options);
 
 std::string describe(const MergeReport& report, const PlannedStudy& study);

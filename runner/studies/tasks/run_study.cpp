@@ -48,7 +48,8 @@ class TaskProgress {
     const double share = expectedAll_ > 0 ? std::min(expectedDone_ / expectedAll_, 1.0) : 1;
     std::string text = plan_.study.name + line_.bar(share) + fmt::format("  {} of {} runs", done_, all_);
     if (failed_) text += fmt::format("  {} failed", failed_);
-    // The speed so far by the wall clock is extrapolated, whatever else the machine does: predictions are off by one common factor.
+    // The speed so far by the wall clock is extrapolated, whatever else the machine does: predictions are off by one
+    // common factor.
     const double perExpected = expectedDone_ > 0     ? (seconds(ClockKind::wall) - begun_) / expectedDone_
                                : plan_.costs.empty() ? 0
                                                      : 1.0 / jobs_;
@@ -64,8 +65,8 @@ class TaskProgress {
   double expectedAll_ = 0, expectedDone_ = 0;  // [s] of CPU time
 };
 
-/// Returns true if a process that ended by this signal crashed by its own fault. Other signals come from outside: from a user,
-/// a scheduler, or the system when memory runs out.
+/// Returns true if a process that ended by this signal crashed by its own fault. Other signals come from outside: from
+/// a user, a scheduler, or the system when memory runs out.
 bool isCrash(int signal) {
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP})
     if (signal == own) return true;

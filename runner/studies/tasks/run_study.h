@@ -35,9 +35,9 @@ struct RunStudyReport {
   bool isComplete() const { return already + computed == asked; }
 };
 
-/// Runs those tasks that have no whole file yet, and removes what processes that died have left. Has to be called while the
-/// process has one thread. Throws FileError if a result cannot be written, or if results are there that another build of
-/// the program has computed.
+/// Runs those tasks that have no whole file yet, and removes what processes that died have left. Has to be called while
+/// the process has one thread. Throws FileError if a result cannot be written, or if results are there that another
+/// build of the program has computed.
 RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& options);
 
 /// Describes a report for people: one line of counts, and one for each task that failed or was stopped.
@@ -46,7 +46,8 @@ Json toJson(const RunStudyReport& report, const PlannedStudy& study);
 
 /// The first twenty lines of many, and how many more there are.
 std::string firstOf(const std::vector<std::string>& lines);
-/// Writes a line for each task, "  missing  NAME" and what follows it: for as many as firstOf tells, or for all with their reasons.
+/// Writes a line for each task, "  missing  NAME" and what follows it: for as many as firstOf tells, or for all with
+/// their reasons.
 std::string taskLines(const std::string& what, const std::vector<std::size_t>& tasks, const Plan& plan,
                       const std::string& remark = "");
 std::string taskLines(const std::string& what, const std::vector<FailedTask>& tasks, const Plan& plan,
@@ -61,8 +62,9 @@ std::string doneInWords(std::size_t done, std::size_t insane);
 /// "division: longest, connections: none, seed 4 (task 0123456789abcdef)"
 std::string nameOfTask(const Plan& plan, std::size_t task);
 
-/// The tasks number, number + of, number + 2·of, … of the plan, counted from 1. The plan alone decides, so machines need not
-/// communicate. Consecutive tasks, which belong to one condition and cost about the same, are in different shards.
+/// The tasks number, number + of, number + 2·of, … of the plan, counted from 1. The plan alone decides, so machines
+/// need not communicate. Consecutive tasks, which belong to one condition and cost about the same, are in different
+/// shards.
 struct Shard {
   std::size_t number = 1, of = 1;  // number: from 1
 };

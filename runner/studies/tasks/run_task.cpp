@@ -33,8 +33,8 @@ std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample
   return {samples.back()};
 }
 
-/// Drops results that were not asked for. The samples of start and end stay, as of every run, and connections that hold at the end:
-/// their history is the largest table of all.
+/// Drops results that were not asked for. The samples of start and end stay, as of every run, and connections that hold
+/// at the end: their history is the largest table of all.
 void drop(RunResults& results, const Study& study) {
   if (study.keep.samples == SamplesKept::all) return;
   if (results.samples.size() > 2) results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);

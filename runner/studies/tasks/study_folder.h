@@ -41,12 +41,13 @@ struct StudyChoice {
   bool mustBeThere = false;  // throws FileError where the folder has no plan
 };
 
-/// The plan of a folder, or that of a study file where the folder has none. Throws InputError for mistakes in the study, and
-/// FileError: neither study nor folder, a plan that is damaged, a file that has changed since its plan was made.
+/// The plan of a folder, or that of a study file where the folder has none. Throws InputError for mistakes in the
+/// study, and FileError: neither study nor folder, a plan that is damaged, a file that has changed since its plan was
+/// made.
 PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options);
 
-/// Throws FileError if this build has not computed the task's file: one build's results are compared with one another, and a
-/// mixture would compare programs.
+/// Throws FileError if this build has not computed the task's file: one build's results are compared with one another,
+/// and a mixture would compare programs.
 void requireOwnBuild(const std::filesystem::path& file);
 
 /// Writes the plan of a new study into its folder, which is made if it is not there.

@@ -10,8 +10,8 @@ using namespace morula;
 
 namespace {
 
-/// Clones are 1 under `a`, and around 1.1 under `b`, without a connection 0.02 more in every seed; sphericity is about the same
-/// everywhere.
+/// Clones are 1 under `a`, and around 1.1 under `b`, without a connection 0.02 more in every seed; sphericity is about
+/// the same everywhere.
 StudyResults results() {
   MadeStudy study;
   study.axes = {{"division", {"a", "b"}}, {"connections", {"none", "both"}}};

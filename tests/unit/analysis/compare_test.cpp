@@ -224,7 +224,8 @@ TEST_CASE("Main effects and interaction are those of the design") {
   CHECK_THAT(verdicts[0], ContainsSubstring("partial η² ") && ContainsSubstring(": with b x: 1 ") &&
                               ContainsSubstring(": every two differ; with b y: 1 "));
   CHECK(verdicts[1].starts_with("b: what it does to volume depends on a (interaction, η² "));
-  // Nothing is said of the mean over an axis that it depends on, and every pair of levels stands at each level of the other.
+  // Nothing is said of the mean over an axis that it depends on, and every pair of levels stands at each level of the
+  // other.
   for (const auto& line : verdicts) CHECK(!line.starts_with("volume: "));
   CHECK(c.split.size() == 2 * 3 + 3);
   checkCorrectedByHolm(c.split);

@@ -39,8 +39,8 @@ std::size_t entriesOf(const Contacts& c) {
   return entries;
 }
 
-/// Chooses with this margin, in smallest influence radii R, and so far ahead: gaps that change by ċ = (M/1.4)²/R per evaluation
-/// ask for 1.4 √(R ċ) and for √(R/ċ) evaluations.
+/// Chooses with this margin, in smallest influence radii R, and so far ahead: gaps that change by ċ = (M/1.4)²/R per
+/// evaluation ask for 1.4 √(R ċ) and for √(R/ċ) evaluations.
 void choose(Crowd& crowd, double share, double horizon) {
   ActingPairs& acting = crowd.contacts.acting;
   const double radius = crowd.contacts.list.skin / crowd.contacts.skinShare, perRadius = share / 1.4;
@@ -143,7 +143,8 @@ TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns an
         CAPTURE(name(isa), law.damping, speed, left);
         CHECK(act == 0);
         CHECK(left > 10000);
-        // The margin is not much wider than it needs to be: of what is left, a part is |u₀| by its upper bound, and t² u₀².
+        // The margin is not much wider than it needs to be: of what is left, a part is |u₀| by its upper bound, and t²
+        // u₀².
         CHECK(closest < 0.45);
       }
 }

@@ -94,8 +94,8 @@ TEST_CASE("Areas do not depend on when the list was built") {
 namespace {
 
 /// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; where it is
-/// attracted, the mean of that and of its share of W by pressure and 3 W/A; of a pair of cells up to twice what forces say
-/// and at least 0.005 of the smaller one's surface.
+/// attracted, the mean of that and of its share of W by pressure and 3 W/A; of a pair of cells up to twice what forces
+/// say and at least 0.005 of the smaller one's surface.
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas, pressed;
   ContactParameters still = law;

@@ -82,7 +82,8 @@ TEST_CASE("Of many annotations nine are shown, and how many more there are") {
 
 namespace {
 
-/// One key of a scenario has changed: the scenario differs, and bits and values do because it does. Its end is not sane, either.
+/// One key of a scenario has changed: the scenario differs, and bits and values do because it does. Its end is not
+/// sane, either.
 CheckReport changedKey() {
   CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: another hash than accepted"),
               values = failed("values *", "INPUT_CHANGED", "g:9: 1/volume: expected 1, actual 1.5"),

@@ -1,5 +1,5 @@
-// The list of states: their exit codes are those of the table in golden/README.md, the worst one decides, and limits allow
-// failed and insane results alone.
+// The list of states: their exit codes are those of the table in golden/README.md, the worst one decides, and limits
+// allow failed and insane results alone.
 #include "golden/result_state.h"
 
 #include <algorithm>

@@ -78,8 +78,8 @@ inline Mesh crumpled(Mesh m, double size, std::uint64_t seed) {
   return m;
 }
 
-/// A ball of radius 1 drawn into a sausage along an arc of this angle [rad], whose radius is 1. From about 4.9 on its ends
-/// lie in each other.
+/// A ball of radius 1 drawn into a sausage along an arc of this angle [rad], whose radius is 1. From about 4.9 on its
+/// ends lie in each other.
 inline Mesh bent(Mesh ball, double angle) {
   for (Point& p : ball.vertices) {
     const double along = 0.5 * angle * p.x, r = 1 + 0.35 * p.y;

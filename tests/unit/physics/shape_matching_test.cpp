@@ -227,7 +227,8 @@ TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every
             CHECK(limits.spring == 0);
             continue;
           }
-          // A hundredth beyond the limit a step adds a fiftieth or more of what is off, but of explicit Euler some ten-thousandths.
+          // A hundredth beyond the limit a step adds a fiftieth or more of what is off, but of explicit Euler some
+          // ten-thousandths.
           CHECK(growth(0.95 * limits.spring, integrator == Integrator::explicitEuler ? 20000 : 2000) < 1.01);
           CHECK_FALSE(growth(1.05 * limits.spring, 20000) < 1.5);
         }

@@ -1,4 +1,5 @@
-// A shell that holds surfaces: it is felt with half-axes longer by the sag, and cells in it have the volume of what it holds.
+// A shell that holds surfaces: it is felt with half-axes longer by the sag, and cells in it have the volume of what it
+// holds.
 #include "physics/shell_surface.h"
 
 #include <numbers>
@@ -115,8 +116,8 @@ PhysicsParameters pressed() {
 }  // namespace
 
 TEST_CASE("A cell pressed together by a sphere has the sphere's volume on any mesh") {
-  // k_p/V − P_0 = 8.779 of the ball of radius 1.03; held vertices would give 34.1, 14.9 and 10.3. What is left is that springs
-  // even out the mesh, whose edges are not all alike at rest.
+  // k_p/V − P_0 = 8.779 of the ball of radius 1.03; held vertices would give 34.1, 14.9 and 10.3. What is left is that
+  // springs even out the mesh, whose edges are not all alike at rest.
   const double exact = 800 / (4 * std::numbers::pi / 3 * 1.03 * 1.03 * 1.03) - 166;
   for (int level : {1, 2, 3}) {
     const Lab lab = stepped({pressed(), scaleToRadius(makeIcosphere(level), 1)}, 2048 >> (level == 1),

@@ -1,5 +1,5 @@
-// A shell holds every vertex, or every surface below one, lets it slide, and leaves the others alone. What surfaces have of
-// their own: shell_surface_test.cpp.
+// A shell holds every vertex, or every surface below one, lets it slide, and leaves the others alone. What surfaces
+// have of their own: shell_surface_test.cpp.
 #include "catch.h"
 #include "round_shell.h"
 

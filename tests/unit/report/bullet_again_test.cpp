@@ -78,7 +78,8 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   CHECK_THAT(differs, !ContainsSubstring("which is rounding"));
   CHECK_THAT(differs, ContainsSubstring("id=\"picture-1\""));
   CHECK_THAT(differs, ContainsSubstring("digit for digit"));
-  // From a vertex of ours to the faces of the larger icosphere: their distance from the centre, 1.25 · 0.9, less 1 to 1.25 - 1.
+  // From a vertex of ours to the faces of the larger icosphere: their distance from the centre, 1.25 · 0.9, less 1 to
+  // 1.25 - 1.
   const auto at = differs.find("farthest apart at cell B: ");
   REQUIRE(at != differs.npos);
   const double distance = std::stod(differs.substr(at + 26));

@@ -1,5 +1,5 @@
-// Frames of a run: positions as good as promised, evenly over time, and thinned from the front. Forces in them add up to mass
-// times acceleration, and measuring them changes nothing.
+// Frames of a run: positions as good as promised, evenly over time, and thinned from the front. Forces in them add up
+// to mass times acceleration, and measuring them changes nothing.
 #include "report_data/frames.h"
 
 #include <bit>

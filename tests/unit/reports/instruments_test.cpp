@@ -19,8 +19,8 @@ TEST_CASE("round numbers are 1, 2 and 5 times powers of ten", "[instruments]") {
 
 namespace {
 
-/// [pixel] The longest run, in rows from `top` on, of pixels that are nearer to the darkest of these rows than to paper:
-/// ends are softened, and half of the ink is where they are.
+/// [pixel] The longest run, in rows from `top` on, of pixels that are nearer to the darkest of these rows than to
+/// paper: ends are softened, and half of the ink is where they are.
 int longestRun(const Image& image, int top, int bottom) {
   int darkest = brightness(paper), longest = 0;
   for (int y = top; y < bottom; ++y)

@@ -68,7 +68,8 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
     CHECK(checkpoints.size() == steps.size());
     const Hash hash = stateHash(world);
     checkpoints[world.clock.step] = saveState(world);
-    // To the second checkpoint after it, and every fourth to the end: what a state does not hold shows where it is needed.
+    // To the second checkpoint after it, and every fourth to the end: what a state does not hold shows where it is
+    // needed.
     std::size_t place = 0;
     for (auto from = checkpoints.begin(); std::next(from) != checkpoints.end(); ++from, ++place) {
       const bool whole = place % 4 == 0 || checkpoints.size() - place <= 3;

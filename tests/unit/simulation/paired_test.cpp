@@ -1,5 +1,5 @@
-// Why two policies can be compared seed by seed: a cell has the same deviation under each of them, for everything that a
-// seed varies.
+// Why two policies can be compared seed by seed: a cell has the same deviation under each of them, for everything that
+// a seed varies.
 #include <map>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
-// Quasi-static growth: where it ends, against forces added up by brute force and against a run through time that comes to rest
-// at the same place, and what it says when it does not get there.
+// Quasi-static growth: where it ends, against forces added up by brute force and against a run through time that comes
+// to rest at the same place, and what it says when it does not get there.
 #include "simulation/settle.h"
 
 #include <numbers>
@@ -142,7 +142,8 @@ TEST_CASE("A cell comes to rest where a run through time with drag ends") {
 }
 
 TEST_CASE("A cell that its gas presses against the shell comes to rest") {
-  // Without inertia that follows how often it goes uphill, some oscillate at half of what holds them in shape, without end.
+  // Without inertia that follows how often it goes uphill, some oscillate at half of what holds them in shape, without
+  // end.
   for (const double radius : {0.9, 0.93, 0.95})
     for (const double outside : {16.0, 20.0, 25.0, 30.0})
       for (const std::uint64_t seed : {1, 2, 3}) {

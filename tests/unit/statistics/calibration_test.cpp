@@ -59,8 +59,8 @@ void checkLevel(double found, std::size_t n, double least = 3.5, double most = 6
   CHECK(found <= (n >= 5 ? most : 10));
 }
 
-/// What each of two policies and five ways to hold on (which hardly matter) does to a measure: seeds place cells anew under the
-/// other policy, and almost alike under the others ways to hold on.
+/// What each of two policies and five ways to hold on (which hardly matter) does to a measure: seeds place cells anew
+/// under the other policy, and almost alike under the others ways to hold on.
 std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
   Numbers numbers(8'000'000 + 1000 * n + study);
   std::vector<double> values(10 * n);
@@ -185,7 +185,8 @@ TEST_CASE("So it is with three and five levels of which some vary more than othe
           return *analyseFactorial(levels, levelsThatVary(study, n, count, ratio)).effects[0].p < 0.05;
         });
         INFO(count << " levels, ratio " << ratio);
-        // With few seeds nothing tells how eight contrasts vary beside each other: factorial.h says how far off that is.
+        // With few seeds nothing tells how eight contrasts vary beside each other: factorial.h says how far off that
+        // is.
         if (count < 9 || n > 5) checkLevel(found, n, 3.3);
         else CHECK(found <= (n == 5 ? 7.5 : 11));
       }
@@ -194,8 +195,8 @@ TEST_CASE("So it is with three and five levels of which some vary more than othe
 TEST_CASE(
     "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also where "
     "contrasts vary unlike") {
-  // Two axes, 2 × 3 levels; the first has the effect ±size, the second ±1 and 0. A seed moves all by a deviate of its own, and
-  // with `unlike` the third level of the second axis by three times what moves the others.
+  // Two axes, 2 × 3 levels; the first has the effect ±size, the second ±1 and 0. A seed moves all by a deviate of its
+  // own, and with `unlike` the third level of the second axis by three times what moves the others.
   const std::vector<std::size_t> levels{2, 3};
   constexpr int of = 2000;
   for (const double size : {0., 0.3, 2.})
