@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "analysis/study_results.h"
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "export/csv.h"
@@ -188,6 +189,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   for (const StoredRun& run : store.runs())
     if (id.empty() || run.id == id) requireToShow(store, run);
+  requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");
   Exported all{{{id, to.write(files)}}, 0};

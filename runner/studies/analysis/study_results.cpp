@@ -191,6 +191,12 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
   return same;
 }
 
+void requireIntactStudy(const std::filesystem::path& file) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(5));
+  if (db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") > 0)
+    requireSealedStudy(db);
+}
+
 void readStoredPlan(const std::filesystem::path& file, const std::function<void(const Json&)>& read) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
   requireSealedStudy(db);

@@ -73,6 +73,9 @@ std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& result
 /// Throws StoreError (exit 6) if the file is none that `morula study merge` has made.
 StudyResults readStudyResults(const std::filesystem::path& file);
 
+/// Throws StoreError if the database is a merged study, and the rows of its own tables are not those that were stored.
+void requireIntactStudy(const std::filesystem::path& file);
+
 /// Hands on the plan that a merged study holds. Throws StoreError if it cannot be read, or where `read` finds it to be
 /// none.
 void readStoredPlan(const std::filesystem::path& file, const std::function<void(const Json& plan)>& read);
