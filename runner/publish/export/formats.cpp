@@ -189,6 +189,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   for (const StoredRun& run : store.runs())
     if (id.empty() || run.id == id) requireToShow(store, run);
+  if (id.empty()) store.requireAllIntact();  // rows of no run are exported, too
   requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");

@@ -100,6 +100,8 @@ class Store {
 
   /// Throws StoreError if the rows of the run are not those that were stored: every table is held against its digest.
   void requireIntact(const std::string& id);
+  /// Throws StoreError if the rows of any run are not those that were stored, or rows belong to no run.
+  void requireAllIntact();
   /// Lists the changes of a run's record since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);

@@ -181,6 +181,10 @@ std::vector<SourceText> Store::documents(const std::string& id) {
   return documents;
 }
 
+void Store::requireAllIntact() {
+  requireAllSealed(db_, [](TablePart) { return true; });
+}
+
 void Store::requireIntact(const std::string& id) {
   static std::set<std::pair<std::filesystem::path, std::string>> intact;  // what this process has looked at
   if (intact.contains({file(), id})) return;
