@@ -6,6 +6,17 @@
 
 using namespace morula::test;
 
+TEST_CASE("a measure's column under another name is not exported as one of another program") {
+  const Project project;
+  project.write("scenarios/one.yaml", treeOf(2));
+  REQUIRE(project.shell("$M run scenarios/one.yaml --quiet --db run.db").code == 0);
+  opened(project.folder / "run.db").execute("ALTER TABLE sample RENAME COLUMN volume TO voluMe2");
+  const auto run = project.shell("$M export run.db --format csv -o tables");
+  CHECK(run.code == 6);
+  CHECK_THAT(run.err, ContainsSubstring(
+                          "its table sample has a column 'voluMe2', which is not known here, and no column volume"));
+}
+
 TEST_CASE("rows of no run, and changed rows of a study's own tables, are not exported") {
   const Project project;
   project.write("scenarios/one.yaml", treeOf(2));

@@ -38,12 +38,20 @@ std::string lackingMeasures(Database& db) {
   std::string sql;
   for (const SqlTable* t : runTables()) {
     const std::vector<std::string> there = columnNames(db, t->info.name);
+    std::vector<std::string> unknown = there;
+    std::string lacks;
     for (const auto* columns : {&t->context, &t->own})
       for (const SqlColumn& c : *columns) {
+        std::erase(unknown, c.name);
         if (std::ranges::find(there, c.name) != there.end()) continue;
+        lacks = c.name;
         if (!c.isMeasure) refuseVersion(db, "its table " + std::string(t->info.name) + " has no column " + c.name);
         sql += "ALTER TABLE " + sqlName(t->info.name) + " ADD COLUMN " + sqlName(c.name) + " " + c.type + ";\n";
       }
+    // An older program's tables lack measures, a newer one's have more. One that has both was renamed.
+    if (!lacks.empty() && !unknown.empty())
+      refuseVersion(db, "its table " + std::string(t->info.name) + " has a column '" + unknown.front() +
+                            "', which is not known here, and no column " + lacks);
   }
   return sql;
 }
