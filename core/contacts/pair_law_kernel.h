@@ -63,7 +63,7 @@
 
 namespace morula::MORULA_ISA {
 
-// It computes 2D in place of D and 4B in place of B, with powers of two in its constants: fewer operations, the same
+// PairLaw computes 2D in place of D and 4B in place of B, with powers of two in its constants: fewer operations, the same
 // bits.
 template <bool withFriction, bool withAdhesion>
 struct PairLaw {

@@ -249,18 +249,27 @@ ContactsCompared compareContacts(const Observation& now) {
   return found;
 }
 
-std::optional<PositionsCompared> comparePositions(const Observation& now) {
+namespace {
+
+/// `mirror`: −1 compares the mirror image, 1 the centres themselves.
+std::optional<PositionsCompared> compareCentres(const Observation& now, double mirror) {
   std::vector<Point> here, there;
   for (const auto& [path, place] : now.reference->positions) {
     const int cell = cellNumber(now.world.cells, path);
-    if (cell >= 0) here.push_back(centreOf(now, cell)), there.push_back(place);
+    if (cell < 0) continue;
+    const Point centre = centreOf(now, cell);
+    here.push_back({mirror * centre.x, centre.y, centre.z});
+    there.push_back(place);
   }
   const auto laid = superpose(here, there);
   if (!laid) return {};
-  std::vector<Point> mirrored = here;
-  for (Point& x : mirrored) x.x = -x.x;
-  return PositionsCompared{laid->distance, laid->shape, laid->scale, superpose(mirrored, there)->shape, here.size()};
+  return PositionsCompared{laid->distance, laid->shape, laid->scale, here.size()};
 }
+
+}  // namespace
+
+std::optional<PositionsCompared> comparePositions(const Observation& now) { return compareCentres(now, 1); }
+std::optional<PositionsCompared> compareMirroredPositions(const Observation& now) { return compareCentres(now, -1); }
 
 std::optional<double> rankCorrelation(std::span<const double> x, std::span<const double> y) {
   const std::vector<double> a = ranks(x), b = ranks(y);

@@ -59,10 +59,11 @@ ContactsCompared compareContacts(const Observation& now);
 /// The centres of living cells laid upon the reference's, by those that both have.
 struct PositionsCompared {
   double distance, shape, scale;  // as Superposition
-  double mirroredShape;           // `shape` of the mirror image of the centres
   std::size_t cells;              // that both have
 };
 std::optional<PositionsCompared> comparePositions(const Observation& now);
+/// Compares the mirror image of the centres with the reference.
+std::optional<PositionsCompared> compareMirroredPositions(const Observation& now);
 
 /// [1] How far y rises with x, whatever the curve: the correlation of their ranks, equal values having the mean of
 /// their ranks; −1 to 1 [Spearman 1904]. Neighbours in order that differ by at most 1e-9 of the largest count as equal:

@@ -44,8 +44,8 @@ Words wordsOf(const std::string& line) {
   return words;
 }
 
-/// What a document shows in a block of code: a command, and lines of what it prints. "…" stands for lines, and at the
-/// end of one for its rest. Of an answer to a question each line is a claim.
+/// A block of code in a document: a command, and lines that it prints. "…" stands for lines, and at the end of a line
+/// for its rest. Each line of an answer to a question is a claim.
 struct Shown {
   std::string text;  // before the block
   Words command;     // without the program's name

@@ -1,4 +1,4 @@
-// What cannot be printed, because standard output is closed or its disk is full, is exit 6 with a sentence; and no file
+// If standard output is closed or its disk is full, the program ends with exit 6 and a sentence. No file
 // that is opened meanwhile takes the number of a closed stream, so that nothing is printed into it.
 #include <sys/wait.h>
 

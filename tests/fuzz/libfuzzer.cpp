@@ -1,4 +1,4 @@
-// One of the readers for libFuzzer, which the environment names: MORULA_FUZZ=scenario fuzz_readers CORPUS (fuzz.sh does
+// Runs a reader for libFuzzer. The environment names the reader: MORULA_FUZZ=scenario fuzz_readers CORPUS (fuzz.sh does
 // it).
 #include <cstdint>
 #include <cstdio>

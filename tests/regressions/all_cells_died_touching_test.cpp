@@ -1,5 +1,5 @@
-// Where the last cells died while they touched, the list of who touches whom was still that of the step before: what
-// read it for the sample of the end read memory that was gone, and the program ended with signal 11. It is empty, and
+// When the last cells died while they touched, the list of contacts was still that of the step before: the sample of the
+// end read memory that was gone, and the program ended with signal 11. It is empty, and
 // the run done.
 #include "catch.h"
 #include "launch.h"

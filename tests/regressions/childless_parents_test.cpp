@@ -1,6 +1,6 @@
-// What a program inherits from who starts it, or is not given. Where SIGCHLD was ignored no process of its own could be
+// A program inherits much from its caller. If SIGCHLD was ignored, no process of its own could be
 // waited for: a study and a film ended with "No child processes". Without /proc a study ended as a bug of ours: "stoi".
-// Where the system gave no threads, who drew waited for those of OpenGL without end.
+// If the system gave no threads, drawing waited for those of OpenGL without end.
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "project.h"
+#include "stored.h"
 
 using namespace morula::test;
 using Json = nlohmann::json;
@@ -129,6 +130,11 @@ TEST_CASE("statistics of a study go into no golden whose DNA has changed since, 
   const auto changed = project.shell(into);
   CHECK(changed.code == 3);
   CHECK_THAT(changed.err, ContainsSubstring("before scenarios/two.dna was changed; run the study again"));
+  project.write("scenarios/two.dna", "START: a0\ng1(a0|a0)\n");
+  change(project.folder / "out/study.db", "UPDATE study SET build_id = 'another'");
+  const auto other = project.shell(into);
+  CHECK(other.code == 3);
+  CHECK_THAT(other.err, ContainsSubstring("its runs were computed by another build of the program (another, this is "));
 }
 
 TEST_CASE("a study that varies what it compares with, or colours alone, has a run for each level") {

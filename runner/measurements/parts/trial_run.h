@@ -1,7 +1,7 @@
 #pragma once
 // The beginning of a run, made to see what the rest will be like: how many cells live when, as the genes alone say, and
 // how many steps, searches and contacts the first of them need; and from its eras to those that it did not come to.
-// What is counted is the same on every machine.
+// Counts are the same on every machine.
 #include <cstdint>
 #include <vector>
 

@@ -187,9 +187,9 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   if (request.noComments) throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
+  if (id.empty()) store.requireAllIntact();  // also rows that belong to no run; each run is then known to be intact
   for (const StoredRun& run : store.runs())
     if (id.empty() || run.id == id) requireToShow(store, run);
-  if (id.empty()) store.requireAllIntact();  // rows of no run are exported, too
   requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");

@@ -181,24 +181,39 @@ std::vector<SourceText> Store::documents(const std::string& id) {
   return documents;
 }
 
+namespace {
+
+/// The runs whose rows this process has checked, by file.
+std::set<std::pair<std::filesystem::path, std::string>>& intactRuns() {
+  static std::set<std::pair<std::filesystem::path, std::string>> intact;
+  return intact;
+}
+
+/// Tables with row numbers are searched by an index of their own, which may lead astray while the rows are whole.
+void requireIndexes(Database& db) {
+  for (const SqlTable* t : runTables()) {
+    if (!t->info.hasRowNumbers) continue;
+    Statement integrity(db, std::string("PRAGMA integrity_check(") + t->info.name + ")");
+    const std::string found = integrity.next() ? integrity.text(0) : "ok";
+    if (found != "ok")
+      throw StoreError(db.file().string() + ": the database is damaged: " + found.substr(found.find('\n') + 1) +
+                       "; restore the file from a copy, or run the scenario again");
+  }
+}
+
+}  // namespace
+
 void Store::requireAllIntact() {
   requireAllSealed(db_, [](TablePart) { return true; });
+  requireIndexes(db_);
+  for (const StoredRun& run : runs()) intactRuns().emplace(file(), run.id);
 }
 
 void Store::requireIntact(const std::string& id) {
-  static std::set<std::pair<std::filesystem::path, std::string>> intact;  // what this process has looked at
-  if (intact.contains({file(), id})) return;
+  if (intactRuns().contains({file(), id})) return;
   requireSealed(db_, id);
-  // Tables with row numbers are looked into by an index of their own, which may lead astray while the rows are whole.
-  for (const SqlTable* t : runTables()) {
-    if (!t->info.hasRowNumbers) continue;
-    Statement integrity(db_, std::string("PRAGMA integrity_check(") + t->info.name + ")");
-    const std::string found = integrity.next() ? integrity.text(0) : "ok";
-    if (found != "ok")
-      throw StoreError(file().string() + ": the database is damaged: " + found.substr(found.find('\n') + 1) +
-                       "; restore the file from a copy, or run the scenario again");
-  }
-  intact.emplace(file(), id);
+  requireIndexes(db_);
+  intactRuns().emplace(file(), id);
 }
 
 std::vector<ValueDifference> Store::changedRecord(const std::string& id) {

@@ -12,7 +12,7 @@
 namespace morula {
 
 /// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h).
-/// Where the folder cannot be written it says so and goes on: nothing is lost but the convenience. Returns the signal
+/// Keeps a result for a review. If the folder cannot be written, the call says so and goes on. Returns the signal
 /// that interrupted the picture, or 0.
 int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
                bool quiet);

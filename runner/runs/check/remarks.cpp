@@ -45,10 +45,10 @@ std::string positionsText(const World& world, const Scenario& scenario) {
     return "";
   Observation now(world);
   now.reference = &*reference;
-  const auto compared = comparePositions(now);
-  if (!compared) return "";
+  const auto compared = comparePositions(now), mirrored = compareMirroredPositions(now);
+  if (!compared || !mirrored) return "";
   std::vector<std::string> sentences;
-  constexpr double farFromOne = 2;
+  constexpr double farFromOne = 2;  // another unit; embryos and scenes of one unit differ by less
   const double scale = compared->scale;
   const bool comparesLengths =
       std::ranges::find(scenario.record.measures, "position_rmsd") != scenario.record.measures.end();
@@ -57,14 +57,14 @@ std::string positionsText(const World& world, const Scenario& scenario) {
         "check.reference.positions lie {:.3g} times as far apart as the cells, and position_rmsd compares lengths as they "
         "are; give them in the scene's unit of length, or compare by position_shape_rmsd",
         scale));
-  // Fewer cells, and those in a plane, are their own mirror images.
+  // Fewer cells are nearly their own mirror images. An image that fits twice as well is no chance, unless both fit to 2 %.
   constexpr std::size_t fewest = 5;
   constexpr double clearlyLess = 0.5, clearly = 0.02;
-  if (compared->cells >= fewest && compared->shape > clearly && compared->mirroredShape < clearlyLess * compared->shape)
+  if (compared->cells >= fewest && compared->shape > clearly && mirrored->shape < clearlyLess * compared->shape)
     sentences.push_back(fmt::format(
         "the mirror image of the cells fits check.reference.positions better than they do (position_shape_rmsd {:.2g} in "
         "place of {:.2g}); axes that turn the other way mirror what they measure",
-        compared->mirroredShape, compared->shape));
+        mirrored->shape, compared->shape));
   return join(sentences, "; ");
 }
 

@@ -29,7 +29,7 @@ struct TaskRow {
   std::string reason = {};                            // of a failure; "" otherwise
   std::string runId = {}, resultHash = {};            // "" while it is missing
 
-  /// It is done, or failed numerically: that follows from scene, seed and program alone. Limits and crashes depend on
+  /// Returns true if the task is done or failed numerically, which follows from scene, seed and program alone. Limits and crashes depend on
   /// the machine, too.
   bool isComputed() const;
 };

@@ -1,4 +1,4 @@
-// What a run says of a reference whose positions are in another unit, or mirrored.
+// The remarks of a run on a reference whose positions are in another unit, or mirrored.
 #include <fmt/format.h>
 
 #include "catch.h"
@@ -10,7 +10,8 @@ using namespace morula;
 
 namespace {
 
-const std::vector<Point> places{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}, {0, 0, 11}, {4, 6, 1}, {9, 2, 3}, {1, 8, 8}, {7, 7, 7}};
+const std::vector<Point> places{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}, {0, 0, 11},
+                                {4, 6, 1}, {9, 2, 3}, {1, 8, 8}, {7, 7, 7}};
 
 /// The remark on eight cells whose reference is `factor` times `places`, along x once more by `mirror`.
 std::string remark(double factor, double mirror, const std::string& measures = "position_rmsd, position_shape_rmsd") {
@@ -18,12 +19,13 @@ std::string remark(double factor, double mirror, const std::string& measures = "
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Point& p = places[i];
     cells += fmt::format("{}{{at: [{}, {}, {}]}}", i ? ", " : "", p.x, p.y, p.z);
-    positions += fmt::format("{}{}{}{}: [{}, {}, {}]", i ? ", " : "", i & 4 ? 'B' : 'A', i & 2 ? 'B' : 'A', i & 1 ? 'B' : 'A',
-                             factor * mirror * p.x, factor * p.y, factor * p.z);
+    positions += fmt::format("{}{}{}{}: [{}, {}, {}]", i ? ", " : "", i & 4 ? 'B' : 'A', i & 2 ? 'B' : 'A',
+                             i & 1 ? 'B' : 'A', factor * mirror * p.x, factor * p.y, factor * p.z);
   }
   const Scenario scenario = readScenario(
       "morula: 1\nname: s\ndna: |\n  START: a0\n  g1(a0|a0)\ncycle: {length: 100}\nstop: {time: 1}\nphysics: {cell: {model: sphere}, drag: 1}\n"
-      "cells: [" + cells + "]\nrecord: {measures: [" + measures + "]}\ncheck: {reference: {positions: {" + positions + "}}}\n",
+      "cells: [" +
+          cells + "]\nrecord: {measures: [" + measures + "]}\ncheck: {reference: {positions: {" + positions + "}}}\n",
       "s.yaml", "");
   return positionsText(makeWorld(scenario.scene), scenario);
 }
