@@ -104,6 +104,7 @@ int act(const ExportOptions& options) {
                      " runs of a study, and a crate holds one; --run ID names it (`" + programWord() + " export " +
                      shellWord(options.database) + "` lists them)");
   const StoredRun run = store.find(options.request.run);
+  requireWholeRecord(store, run);
   requireToShow(store, run);
   const fs::path folder = options.crate;
   DraftFolder draft(folder);

@@ -189,7 +189,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   if (id.empty()) store.requireAllIntact();  // also rows that belong to no run; each run is then known to be intact
   for (const StoredRun& run : store.runs())
-    if (id.empty() || run.id == id) requireToShow(store, run);
+    if (id.empty() || run.id == id) requireWholeRecord(store, run), requireToShow(store, run);
   requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");
@@ -229,6 +229,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
                       " has not finished; `morula run --resume` goes on with it, or run it again");
     fs::path path = request.output;
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
+    requireWholeRecord(store, run);
     requireToShow(store, run);
     SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;

@@ -12,6 +12,7 @@ namespace morula {
 enum class TablePart {
   record,      // the run itself, and the documents that decided it
   samples,     // recorded while it goes on
+  hashes,      // of states on the way; they find the first step in which two runs differ
   end,         // known when it has ended
   checks,      // what was found in it
   bullet,      // what Bullet made of its scene
@@ -21,8 +22,10 @@ enum class TablePart {
 };
 
 inline bool isResult(TablePart part) {
-  return part == TablePart::samples || part == TablePart::end || part == TablePart::checks;
+  return part == TablePart::samples || part == TablePart::hashes || part == TablePart::end || part == TablePart::checks;
 }
+/// Returns true for tables whose rows join the file while the run goes on.
+inline bool growsDuringRun(TablePart part) { return part == TablePart::samples || part == TablePart::hashes; }
 
 /// Said once beside the list of fields of a table's rows, as tableInfo<Row>.
 struct TableInfo {

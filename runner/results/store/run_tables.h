@@ -272,7 +272,7 @@ void listFields(T& settling, auto&& field) {
 template <>
 inline constexpr TableInfo tableInfo<ChainLink> = {
     .name = "step_hash",
-    .part = TablePart::samples,
+    .part = TablePart::hashes,
     .context = "run_id",
     .key = "run_id, step",
     .why =
@@ -293,7 +293,7 @@ void listFields(T& link, auto&& field) {
 template <>
 inline constexpr TableInfo tableInfo<CellHash> = {
     .name = "cell_hash",
-    .part = TablePart::samples,
+    .part = TablePart::hashes,
     .context = "run_id step",
     .key = "run_id, step, path",
     .why = "with `step_hash`: explain --db finds with it which cells differ there"};

@@ -54,7 +54,7 @@ void sealRun(Database& db, const std::string& id, bool (*takes)(TablePart)) {
 void extendSeal(Database& db, const std::string& id, const RecordedUntil& until) {
   std::vector<SealedTable> sealed = rowsOf<SealedTable>(db, "", id);
   for (const SqlTable* t : runTables()) {
-    if (t->info.part != TablePart::samples) continue;
+    if (!growsDuringRun(t->info.part)) continue;
     const auto before = std::ranges::find(sealed, t->info.name, &SealedTable::table);
     MORULA_CHECK(before != sealed.end(), "a run is sealed before records join it");
     const bool byTime = recordColumn(*t) == std::string_view("time");

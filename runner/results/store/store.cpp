@@ -141,7 +141,7 @@ RecordedUntil Store::recordedUntil(const std::string& id, std::uint64_t step) {
 void Store::takeOver(const std::string& id, const RecordedUntil& until) {
   if (!recorded_) return;
   for (const SqlTable* t : runTables()) {
-    if (t->info.part != TablePart::samples) continue;
+    if (!growsDuringRun(t->info.part)) continue;
     const char* column = recordColumn(*t);
     if (column == std::string_view("time")) copyRows(*recorded_, db_, *t, id, column, until.time);
     else copyRows(*recorded_, db_, *t, id, column, until.step);

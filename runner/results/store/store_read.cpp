@@ -216,6 +216,12 @@ void Store::requireIntact(const std::string& id) {
   intactRuns().emplace(file(), id);
 }
 
+void Store::requireShownIntact(const std::string& id) {
+  if (intactRuns().contains({file(), id})) return;
+  requireSealed(db_, id, [](TablePart part) { return part != TablePart::hashes; });
+  requireIndexes(db_);
+}
+
 std::vector<ValueDifference> Store::changedRecord(const std::string& id) {
   std::vector<ValueDifference> changed;
   Statement s(db_,

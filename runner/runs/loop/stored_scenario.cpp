@@ -35,7 +35,10 @@ void requireWholeRecord(Store& store, const StoredRun& run) {
 
 void requireToShow(Store& store, const StoredRun& run) {
   static std::set<std::pair<std::filesystem::path, std::string>> told;
-  requireWholeRecord(store, run);
+  if (told.contains({store.file(), run.id})) return;
+  refuseIf(store.changedRecord(run.id), store, run);
+  refuseIf(store.lostCells(run), store, run);
+  store.requireShownIntact(run.id);
   if (!told.emplace(store.file(), run.id).second) return;
   if (const std::string remark = remarkOn(store, run); !remark.empty()) tell(remark, false);
 }

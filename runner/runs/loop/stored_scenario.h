@@ -17,8 +17,8 @@ Scenario storedScenario(const std::string& database, const std::string& run);
 /// (Store::changedRecord, lostCells): whatever is made of it would be of another run.
 void requireWholeRecord(Store& store, const StoredRun& run);
 
-/// requireWholeRecord, and says on stderr, once in a process, if the run is not fine: it failed, or it ended in a state
-/// that cannot be. For verbs that show a run.
+/// requireWholeRecord without the hashes on the way; says on stderr, once in a process, if the run is not fine: the run
+/// failed, or ended in a state that cannot be. For verbs that show a run.
 void requireToShow(Store& store, const StoredRun& run);
 
 /// A scenario file, which may name files outside of its folder if `allowOutside`; or the scenario of a stored run.
