@@ -32,7 +32,6 @@ struct ChartOptions {
 struct RunToDraw {
   RunResults results;
   double end = 0;  // [time]
-  int signal = 0;
 };
 
 RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
@@ -44,7 +43,7 @@ RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
   auto run = simulate(scenario, execution(options.execution),
                       {.quiet = options.output.quiet, .record = recordingOf(scenario, false)});
   if (run.end.status == RunStatus::failed) throw InputError(run.end.failure);
-  return {std::move(run.results), run.end.time, run.signal};
+  return {std::move(run.results), run.end.time};
 }
 
 template <class Picture>
@@ -72,7 +71,6 @@ int act(const ChartOptions& options) {
     throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const RunToDraw run = resultsOf(options, scenario);
-  if (run.signal) return signalled + run.signal;
   if (options.time && *options.time > run.end)
     throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
                                  exactText(*options.time), run.end));

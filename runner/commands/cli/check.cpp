@@ -113,7 +113,7 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
 }
 
 /// Runs the scenario and checks it. A result that differs is kept for a review.
-CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet, int& signal) {
+CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet) {
   std::optional<CheckedRun> checked;
   try {
     checked = simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
@@ -122,13 +122,12 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
     return checkStop(scenario, refused.what());
   }
   const Simulation& run = checked->run;
-  signal = run.signal;
   if (run.end.status != RunStatus::done) return failed(scenario, run);
   const GoldenData observed = observe(scenario, run);
   CheckReport report = check(scenario, *checked, observed, true);
   report.state = run.end.stateHash->text();
   if (report.passed()) removePending(scenario);
-  else if (scenario.check.fails.empty()) signal = putPending(scenario, run, observed, how, quiet);
+  else if (scenario.check.fails.empty()) putPending(scenario, run, observed, how, quiet);
   // Sanity and Bullet results are not reviewed: accepting a golden cannot change them.
   report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
@@ -166,15 +165,13 @@ void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   }
 }
 
-/// report.html, of what report.json says. Returns the signal that interrupted it, or 0.
-int writePage(const std::filesystem::path& folder, const Execution& how, bool quiet) {
+/// Writes report.html from report.json.
+void writePage(const std::filesystem::path& folder, const Execution& how, bool quiet) {
   ReportQuestion question;
   question.what = {(folder / "report.json").string()};
   question.execution = how, question.quiet = quiet;
   findExplorer(question);
-  const ReportAnswer page = makeReport(question);
-  if (page.signal == 0) writeFile(folder / "report.html", page.bytes, Content::page);
-  return page.signal;
+  writeFile(folder / "report.html", makeReport(question).bytes, Content::page);
 }
 
 /// Puts the names that the scenario gives its cells into a report.
@@ -259,15 +256,13 @@ int act(const CheckOptions& options) {
   const auto names = reportNames(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Checked& c = all[i];
-    int signal = 0;
     try {
-      if (c.scenario) c.report = checkOne(*c.scenario, how, quiet, signal);
+      if (c.scenario) c.report = checkOne(*c.scenario, how, quiet);
     } catch (const InputError& error) { noteUnread(c, error.what(), false); } catch (const FileError& error) {
       noteUnread(c, error.what(), true);
     } catch (const NumericalError& error) {  // pictures for which there is no memory
       c.report = {"", {failedCheck("run", "COMPUTATION", "done", "failed", error.what())}};
     }
-    if (signal) return signalled + signal;
     c.report.scenario = c.scenario ? names[i] : c.file;
     if (c.scenario) c.report.file = c.file;
     const CellNames cells = c.scenario ? c.scenario->names : CellNames{};
@@ -294,8 +289,7 @@ int act(const CheckOptions& options) {
   else if (!table.empty()) print(table);
   if (!options.reports.empty()) writeReports(options.reports, reports, told, found, table);
   tellWorkflow(told, options.output.json);
-  if (!options.reports.empty())
-    if (const int signal = writePage(options.reports, how, quiet)) return signalled + signal;
+  if (!options.reports.empty()) writePage(options.reports, how, quiet);
   return exitCode(all, reports);
 }
 

@@ -80,7 +80,6 @@ int writeFormat(const ExportOptions& options) {
   request.quiet = options.output.quiet;
   auto store = Store::openForReading(options.database);
   const Exported exported = exportRuns(store, request);
-  if (exported.signal) return signalled + exported.signal;
   Json runs = Json::array();
   for (const ExportedFiles& run : exported.runs) {
     Json files = Json::array();

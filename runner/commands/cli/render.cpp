@@ -27,15 +27,20 @@ namespace {
 }
 
 /// Pictures of the world while it runs, evenly from the start to the planned end.
-class Times {
+class Times : public Observer {
  public:
   Times(PictureMaker& maker, int count, double end) : maker_(maker), count_(count), end_(end) {}
-  void observe(const World& world) {
-    // A tolerance far below the time between two pictures: the last step may end a rounding before the end.
-    while (next_ < count_ && world.clock.time >= next_ * end_ / (count_ - 1) * (1 - 1e-9)) maker_.add(world), ++next_;
+  void see(const World& world) override {
+    while (next_ < count_ && world.clock.time >= dueTime()) maker_.add(world), ++next_;
+  }
+  std::uint64_t stepsUntilDue(const World& world) const override {
+    return world.bodies && next_ < count_ ? stepsUntil(world.clock, dueTime()) : neverDue;
   }
 
  private:
+  /// [time] With a tolerance far below the time between two pictures: the last step may end a rounding before the end.
+  double dueTime() const { return next_ * end_ / (count_ - 1) * (1 - 1e-9); }
+
   PictureMaker& maker_;
   int count_, next_ = 0;
   double end_;
@@ -84,9 +89,10 @@ struct Shown {
   int code = fine;  // else the program's exit code: there is nothing to show
 };
 
-/// `watch` sees the world while it runs, with the planned end or --time [time].
+/// Runs a scenario or a stored run as far as asked for. `observerOf` makes an observer for the scenario and the planned
+/// end or --time [time]; null for none.
 Shown show(const std::string& file, const RenderOptions& options,
-           const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
+           const std::function<Observer*(const Scenario&, std::optional<double>)>& observerOf) {
   const bool isTree = options.style == PictureStyle::lineage;
   // Positions are not stored: the same bits come out of running again.
   Shown shown{std::make_unique<const Scenario>(
@@ -101,11 +107,11 @@ Shown show(const std::string& file, const RenderOptions& options,
   World world = makeScenarioWorld(scenario, execution(options.execution));
   if (time)
     world.model.stop.time = time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  shown.run = simulate(scenario, std::move(world),
-                       {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
+  RunOptions running{.quiet = options.messages.quiet};
+  if (Observer* const observer = observerOf(scenario, time ? time : planned)) running.watch = {observer};
+  shown.run = simulate(scenario, std::move(world), running);
   const Simulation& run = *shown.run;
-  if (run.signal) shown.code = signalled + run.signal;
-  else if (run.end.status == RunStatus::failed) {
+  if (run.end.status == RunStatus::failed) {
     tellError(run.end.failure);
     shown.code = numerical;
   }
@@ -155,9 +161,7 @@ int render(const RenderOptions& options, const PictureWishes& wishes, Json& told
       throw UsageError("--frames: " + scenario.scene.name +
                        " ends by its number of cells, at a time that is not known; needs --time TIME, too");
     if (options.frames) times.emplace(*maker, options.frames, *end);
-    return [&](const World& now) {
-      if (times) times->observe(now);
-    };
+    return times ? &*times : nullptr;
   });
   if (shown.code != fine) return shown.code;
   const std::string name = shown.scenario->scene.name, file = options.output.empty() ? name + ".png" : options.output;

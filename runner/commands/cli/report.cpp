@@ -45,7 +45,6 @@ int act(const ReportOptions& options) {
   findExplorer(question);
   const fs::path file = options.output.empty() ? defaultName(question.what.front()) : fs::path(options.output);
   const ReportAnswer answer = makeReport(question);
-  if (answer.signal) return signalled + answer.signal;
   writeFile(file, answer.bytes, Content::page);
   if (question.program.empty()) tell("report: without the explorer: " + question.whyNone, options.messages.quiet);
   for (const std::string& remark : answer.remarks) tell("report: " + remark, options.messages.quiet);

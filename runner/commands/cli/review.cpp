@@ -53,20 +53,16 @@ std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
                                     : "results of " + std::to_string(waiting.size()) + " wait here: " + command));
 }
 
-/// The result that waits, or else that of a run made for the purpose, which then waits if it differs. Nothing
-/// if the run was interrupted.
-std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options, int& signal) {
-  if (auto pending = findPending(scenario)) return pending;
+/// The result that waits, or else that of a run made for the purpose, which then waits if it differs.
+GoldenData resultToReview(const Scenario& scenario, const ReviewOptions& options) {
+  if (auto pending = findPending(scenario)) return std::move(*pending);
   const auto run = simulate(scenario, execution(options.execution),
                             {.quiet = options.output.quiet, .record = recordingOf(scenario, true)});
-  signal = run.signal;
-  if (signal) return std::nullopt;
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
   auto observed = observe(scenario, run);
   const auto file = goldenFile(scenario);
   if (!fileExists(file) || !compareGolden(readGoldenFile(file), observed).passed())
-    signal = putPending(scenario, run, observed, execution(options.execution), options.output.quiet);
-  if (signal) return std::nullopt;
+    putPending(scenario, run, observed, execution(options.execution), options.output.quiet);
   return observed;
 }
 
@@ -124,7 +120,7 @@ int act(const ReviewOptions& options) {
       throw FileError(goldenName(scenario.file) + ": no result waits for a review, so there is none to reject");
   if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
-  int code = fine, signal = 0;
+  int code = fine;
   Json results = Json::array();
   for (const auto& scenario : scenarios) {
     if (options.reject) {
@@ -134,14 +130,11 @@ int act(const ReviewOptions& options) {
       continue;
     }
     if (!options.accept) {
-      const auto observed = resultToReview(scenario, options, signal);
-      if (signal) return signalled + signal;
-      code = std::max<int>(code, show(scenario, *observed, options.output, results));
+      code = std::max<int>(code, show(scenario, resultToReview(scenario, options), options.output, results));
       continue;
     }
     const auto accepted =
         acceptRun(scenario, execution(options.execution), {options.by, options.why}, options.output.quiet);
-    if (accepted.signal) return signalled + accepted.signal;
     if (!options.output.json)
       print(accepted.nondeterministic ? "nothing accepted. " + explainTwice(scenario, execution(options.execution)).text
                                       : accepted.text);

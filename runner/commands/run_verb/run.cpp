@@ -12,6 +12,7 @@
 #include "run/run_scenario.h"
 #include "run_verb/run_verb.h"
 #include "system/console.h"
+#include "system/signals.h"
 
 namespace morula::cli {
 namespace {
@@ -146,7 +147,7 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
 }
 
 int exitCodeOf(const RunOutcome& outcome, const RunSettings& settings) {
-  if (outcome.end.status == RunStatus::killed) return signalled + outcome.signal;
+  if (outcome.end.status == RunStatus::killed) return signalled + SignalWatch::caught();
   const auto code = exitCodeOfRun(outcome.state());
   // A run that is fine is not where it was asked for.
   return code == fine && outcome.database != settings.database ? file : code;

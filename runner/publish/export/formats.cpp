@@ -193,7 +193,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");
-  Exported all{{{id, to.write(files)}}, 0};
+  Exported all{{{id, to.write(files)}}};
   to.finish();
   return all;
 }
@@ -234,10 +234,6 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
     const ExportedRun exported = exportedRun(store, run, ask);
-    if (exported.signal) {
-      all.signal = exported.signal;
-      return all;
-    }
     all.runs.push_back({run.id, to.write(format.files(exported, path, request))});
   }
   if (all.runs.empty())

@@ -28,7 +28,6 @@ struct ExportedFiles {
 
 struct Exported {
   std::vector<ExportedFiles> runs;
-  int signal = 0;  // that ended it before its end
 };
 
 /// "csv: tables …", a line for each format: for --help and messages.

@@ -83,8 +83,8 @@ void requireSameEnd(const Store& store, const StoredRun& run, const RunEnd& end)
 }
 
 /// Samples and surfaces at these times, rising, from running it once more.
-int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scenario, std::vector<double> times,
-                  const SurfaceRequest& request, RunResults& results) {
+void simulateAgain(const Store& store, const StoredRun& run, const Scenario& scenario, std::vector<double> times,
+                   const SurfaceRequest& request, RunResults& results) {
   if (run.status != RunStatus::done)
     throw FileError(
         fmt::format("{}: run {} did not come to its end ({}), so surfaces that it did not keep "
@@ -98,12 +98,10 @@ int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scen
        request.quiet);
   auto again =
       simulate(scenario, request.execution, {.quiet = request.quiet, .record = {.meshesAt = std::move(times)}});
-  if (again.signal) return again.signal;
   requireEnough(again.end);
   requireSameEnd(store, run, again.end);
   tell("its end is the stored one, bit for bit", request.quiet);
   results = std::move(again.results);
-  return 0;
 }
 
 }  // namespace
@@ -136,7 +134,7 @@ int ExportedRun::stateNumber(StateId state) const {
 }
 
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request) {
-  ExportedRun out{run, {}, {}, {}, {}, 0};
+  ExportedRun out{run, {}, {}, {}, {}};
   const bool tree = request.wanted == Wanted::tree;
   out.results = tree ? store.lineage(run.id) : store.results(run.id);
   const Scenario scenario = storedScenario(store.file().string(), run.id);
@@ -149,8 +147,7 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
   if (!times.empty() && canDoWithout)
     tell(fmt::format("run {} did not come to its end ({}), so there are no surfaces of it", run.id, name(run.status)),
          request.quiet);
-  else if (!times.empty()) out.signal = simulateAgain(store, run, scenario, std::move(times), request, out.results);
-  if (out.signal) return out;
+  else if (!times.empty()) simulateAgain(store, run, scenario, std::move(times), request, out.results);
   auto& samples = out.results.samples;
   if (!bodies && request.time) {  // of a lineage: the first moment at or after it
     const double time = timeWithin(*request.time, run);

@@ -33,7 +33,6 @@ struct ExportedRun {
   std::map<StateId, Colour> colours;  // as the scenario has them
   std::vector<std::string> states;    // the distinct texts of states, in their order
   std::set<std::string> givenNames;   // those in results.names
-  int signal = 0;                     // that interrupted it; then there is nothing to write
 
   /// The place of a cell in results.lineage; −1: there never was one. O(log cells)
   int cellNumber(const CellPath& path) const;

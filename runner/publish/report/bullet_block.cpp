@@ -252,18 +252,17 @@ PageSection bulletSection(const std::vector<RunFacts>& runs) {
   return section;
 }
 
-int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question) {
+void runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question) {
   std::size_t made = 0;
   for (const bool wantDiffering : {true, false})
     for (CheckedScenario& c : checked) {
-      if (made == maxInBullet) return 0;
+      if (made == maxInBullet) return;
       if (!heldAgainstBullet(c) || differsFromBullet(c) != wantDiffering) continue;
-      if (const int signal = runCheckedAgain(c, question)) return signal;
+      runCheckedAgain(c, question);
       if (!c.again || !c.again->scenario.check.bullet || c.again->simulation.end.status != RunStatus::done) continue;
       c.bullet = runInBulletAgain(c.again->scenario, c.again->simulation.world, question.frames, question.quiet);
       ++made;
     }
-  return 0;
 }
 
 std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked) {

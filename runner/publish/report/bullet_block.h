@@ -22,9 +22,8 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);
 /// behind all others.
 PageSection bulletSection(const std::vector<RunFacts>& runs);
 
-/// For a check: runs the first scenarios that were compared with Bullet, those that differ before others, run again in
-/// both. Returns the signal that interrupted it, or 0.
-int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
+/// For a check: runs the first scenarios that were compared with Bullet, those that differ before others, again in both.
+void runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
 /// A section of each of these.
 std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked);
 

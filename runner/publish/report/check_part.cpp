@@ -107,28 +107,25 @@ std::vector<CheckedScenario> readChecked(const std::string& file) {
   return checked;
 }
 
-int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
-  if (c.again || c.file.empty() || !fileExists(c.file)) return 0;
+void runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
+  if (c.again || c.file.empty() || !fileExists(c.file)) return;
   try {
     Scenario scenario = loadScenario(c.file);
     World world = makeScenarioWorld(scenario, question.execution);
     // The end of a run is not always known before: then frames are spread over the longest time that it may take.
     const auto end = plannedEnd(scenario.scene);
-    if (!end) return 0;
+    if (!end) return;
     FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
-    auto run = simulate(scenario, std::move(world),
-                        {.quiet = question.quiet, .watch = [&](const World& w) { taker.observe(w); }});
-    if (run.signal) return run.signal;
+    auto run = simulate(scenario, std::move(world), {.quiet = question.quiet, .watch = {&taker}});
     // Words of then do not go with pictures of now.
     if ((run.end.stateHash ? run.end.stateHash->text() : "") != c.report.state) {
       c.isOtherNow = true;
-      return 0;
+      return;
     }
     c.again =
         std::make_unique<FailedAgain>(FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
   } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
   }
-  return 0;
 }
 
 namespace {
@@ -145,11 +142,11 @@ bool wasAcceptedSince(const CheckedScenario& c) {
 
 }  // namespace
 
-int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question) {
+void runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question) {
   for (CheckedScenario& c : checked) {
     if (most == 0) break;
     if (failures(c.report) == 0) continue;
-    if (const int signal = runCheckedAgain(c, question)) return signal;
+    runCheckedAgain(c, question);
     if (!c.again) continue;
     --most;
     const Simulation& run = c.again->simulation;
@@ -159,9 +156,7 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
       continue;
     }
     c.again->beside = drawBesideGoldenFile(c.again->scenario, run.world, question.execution, question.quiet);
-    if (c.again->beside && c.again->beside->signal) return c.again->beside->signal;
   }
-  return 0;
 }
 
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file) {

@@ -69,24 +69,21 @@ void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored) {
   }
 }
 
-int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
+void exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   std::size_t again = explored.runs.size();
   for (RunFacts& run : runs)
     if (question.frames > 0 && again < maxExplored && canRunAgain(run)) {
       ++again;
-      if (const int signal = runAgain(run, question.execution, question.frames,
-                                      question.rerun && run.results.chain.empty(), question.quiet))
-        return signal;
+      runAgain(run, question.execution, question.frames, question.rerun && run.results.chain.empty(), question.quiet);
       explored.frames.push_back(&run.again->frames);
     }
   for (const RunFacts& run : runs)
     if (!run.results.lineage.empty() && explored.runs.size() < maxExplored && (run.again || again == 0))
       explored.runs.push_back(explorerRunOf(run));
   addBullet(runs, question, explored);
-  return 0;
 }
 
-int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
+void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   // The rest of the page takes up to a third of it, and base64 takes 4 bytes for 3.
   const std::size_t room = question.maxBytes / 2;
   const auto bytesOfLeast = [](const Frames& frames) {  // the last one is larger by its forces on vertices
@@ -96,14 +93,13 @@ int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
   std::size_t taken = 0;
   for (const Frames* frames : explored.frames) taken += bytesOfLeast(*frames);
   for (RunFacts& run : runs) {
-    if (taken >= room) return 0;
+    if (taken >= room) return;
     if (!canRunAgain(run)) continue;
-    if (const int signal = runAgain(run, question.execution, question.frames, false, question.quiet)) return signal;
+    runAgain(run, question.execution, question.frames, false, question.quiet);
     explored.frames.push_back(&run.again->frames);
     explored.runs.push_back(explorerRunOf(run));
     taken += bytesOfLeast(run.again->frames);
   }
-  return 0;
 }
 
 }  // namespace morula

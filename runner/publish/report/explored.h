@@ -16,10 +16,10 @@ inline constexpr std::size_t minFrames = 11;
 void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored);
 
 /// Makes runs again, up to what there is room for, and some in Bullet, which stand behind ours. Where none is made
-/// again, their trees are shown. Returns the signal that interrupted it, or 0.
-int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
+/// again, their trees are shown.
+void exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
 
-/// Makes runs of studies again until their frames would fill the page. Returns the signal that interrupted it, or 0.
-int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
+/// Makes runs of studies again until their frames would fill the page.
+void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
 
 }  // namespace morula

@@ -40,10 +40,10 @@ struct CheckedScenario {
 
 /// A report.json of `morula check --reports`. Throws InputError for one that it did not write.
 std::vector<CheckedScenario> readChecked(const std::string& file);
-/// Runs it again, if it can be read and its end is known. Returns the signal that interrupted it, or 0.
-int runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
-/// Runs up to `most` of those that failed again. Returns the signal that interrupted it, or 0.
-int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
+/// Runs it again, if it can be read and its end is known.
+void runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
+/// Runs up to `most` of those that failed again.
+void runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);
 
 /// Makes a part of what `morula accuracy --json` has printed. Throws InputError for other JSON.

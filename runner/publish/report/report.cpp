@@ -220,20 +220,18 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   std::vector<std::vector<CheckedScenario>> checks;
   for (const std::string& file : sources.checks) {
     checks.push_back(readChecked(file));
-    if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), maxExplored / 2, question)))
-      return answer;
-    if (question.frames > 0 && question.bullet && (answer.signal = runCheckedInBullet(checks.back(), question)))
-      return answer;
+    if (question.frames > 0) runFailedAgain(checks.back(), maxExplored / 2, question);
+    if (question.frames > 0 && question.bullet) runCheckedInBullet(checks.back(), question);
     parts.push_back(checkPart(checks.back(), file));
     for (PageSection& section : bulletSections(checks.back())) parts.back().sections.push_back(std::move(section));
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
-  if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
-  if (question.frames > 0 && (answer.signal = exploreMore(facts.more, question, explored))) return answer;
-  if (runs.size() == 1 && (answer.signal = drawBeside(runs[0], question.execution, question.quiet))) return answer;
+  exploreRuns(runs, question, explored);
+  if (question.frames > 0) exploreMore(facts.more, question, explored);
+  if (runs.size() == 1) drawBeside(runs[0], question.execution, question.quiet);
   for (const std::string& file : sources.studies) {
     parts.push_back(studyPart(file));
-    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet))) return answer;
+    if (question.frames > 0) addOrganisms(parts.back(), file, question.quiet);
   }
   if (!runs.empty()) parts.push_back(runPart(runs, question.maxBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));

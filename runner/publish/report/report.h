@@ -28,14 +28,13 @@ struct ReportAnswer {
   std::string bytes;  // of the page
   std::size_t runs = 0;
   std::vector<std::string> remarks;  // what was left out, for people
-  int signal = 0;                    // that interrupted it; then there is no page
 };
 
 /// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none. Of a
 /// page that runs again also the simulator; throws FileError where one of the two is not there.
 void findExplorer(ReportQuestion& question);
 
-/// Throws UsageError for what is nothing to report on, FileError, InputError.
+/// Throws UsageError for what is nothing to report on, FileError, InputError, Interrupted.
 ReportAnswer makeReport(const ReportQuestion& question);
 
 /// Runs that are shown in three dimensions at most, but of studies; the explorer shows two of them side by side. Of a

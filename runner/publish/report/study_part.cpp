@@ -190,7 +190,7 @@ PagePart studyPart(const std::string& database) {
   return part;
 }
 
-int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
+void addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);
   PageSection section{
       "organisms", "Organisms", {}, {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
@@ -210,7 +210,7 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
                       ". Each has a scale bar of its own.");
     section.body.add(Group{Group::Kind::charts, "", std::move(pictures)});
   } else {
-    if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
+    if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return;
     if (results.conditions.size() > maxDrawn) {
       section.body.note(counted(results.conditions.size(), "condition") +
                         " are too many to be run again for this page; the command draws them.");
@@ -220,15 +220,12 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
           section.body.add(pngPicture(page.pixels(), "the organisms of all conditions at five moments",
                                       "A row a condition, a column a moment; one seed, one camera, one scale", "",
                                       Picture::Size::large));
-      } catch (const Interrupted& by) {
-        return by.signal;
       } catch (const UsageError&) {  // there is nothing that can be seen
-        return 0;
+        return;
       } catch (const NondeterminismError& error) { section.body.note(error.what()); }
     }
   }
   part.sections.insert(part.sections.begin(), std::move(section));
-  return 0;
 }
 
 std::vector<Representative> representativesOf(const std::string& database) {

@@ -15,8 +15,7 @@ PagePart studyPart(const std::string& database);
 
 /// Adds the pictures that the study keeps of all conditions; otherwise their organisms at five moments, which runs one
 /// of each again, or of more than twelve conditions the command that draws them. Nothing of a study without bodies.
-/// Returns the signal that interrupted it, or 0.
-int addOrganisms(PagePart& part, const std::string& database, bool quiet);
+void addOrganisms(PagePart& part, const std::string& database, bool quiet);
 
 /// Returns the findings of a comparison. `database`: the merged study that it is of.
 std::vector<Finding> findingsOf(const StudyComparison& comparison, const std::string& database);

@@ -138,12 +138,17 @@ std::uint32_t FrameTaker::stateNumber(StateId state) {
   return entry->second;
 }
 
-void FrameTaker::observe(const World& world) {
-  const auto due = [&](std::size_t k) {
-    return most_ < 2 || k + 1 >= most_ ? end_ : end_ * static_cast<double>(k) / static_cast<double>(most_ - 1);
-  };
-  if (!world.bodies || next_ >= most_ || world.clock.time < due(next_)) return;
-  while (next_ < most_ && world.clock.time >= due(next_)) ++next_;
+double FrameTaker::dueTime(std::size_t k) const {
+  return most_ < 2 || k + 1 >= most_ ? end_ : end_ * static_cast<double>(k) / static_cast<double>(most_ - 1);
+}
+
+std::uint64_t FrameTaker::stepsUntilDue(const World& world) const {
+  return world.bodies && next_ < most_ ? stepsUntil(world.clock, dueTime(next_)) : neverDue;
+}
+
+void FrameTaker::see(const World& world) {
+  if (!world.bodies || next_ >= most_ || world.clock.time < dueTime(next_)) return;
+  while (next_ < most_ && world.clock.time >= dueTime(next_)) ++next_;
   take(world);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/vertex_forces.h"
+#include "loop/observer.h"
 #include "mesh/mesh.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
@@ -73,19 +74,21 @@ struct Frames {
   std::vector<WorldMeasures> worlds;      // at the times of all frames that were taken
 };
 
-/// Watches a run and takes `most` frames, evenly from time 0 to `end` [time].
-class FrameTaker {
+/// The observer that takes `most` frames of a run, evenly from time 0 to `end` [time].
+class FrameTaker : public Observer {
  public:
   /// Without `forces` the frames hold no forces.
   FrameTaker(double end, std::size_t most, std::optional<ForceMeter> forces = {});
-  /// The world at the start and after every step.
-  void observe(const World& world);
+  void see(const World& world) override;
+  std::uint64_t stepsUntilDue(const World& world) const override;
   /// One more frame, whatever the time.
   void take(const World& world);
   /// All of them, when there will be no more.
   Frames& frames();
 
  private:
+  /// [time] When frame `k` is due.
+  double dueTime(std::size_t k) const;
   std::uint32_t meshNumber(const std::vector<Face>& faces);
   std::uint32_t stateNumber(StateId state);
 

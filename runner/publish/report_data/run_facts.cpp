@@ -121,30 +121,27 @@ bool canRunAgain(const RunFacts& facts) {
          (facts.run.status == RunStatus::done || facts.run.status == RunStatus::failed);
 }
 
-int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet) {
+void runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet) {
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   RecordOptions record;
   if (hashes) record.hashEvery = stepsPerHashOf(facts.scenario.scene);
   auto run = simulate(facts.scenario, how,
-                      {.quiet = quiet, .record = record, .watch = [&](const World& world) { taker.observe(world); }});
-  if (run.signal) return run.signal;
+                      {.quiet = quiet, .record = record, .watch = {&taker}});
   requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
   facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
-  return 0;
 }
 
-int drawBeside(RunFacts& facts, const Execution& how, bool quiet) {
+void drawBeside(RunFacts& facts, const Execution& how, bool quiet) {
   if (!facts.again || !facts.again->same || facts.run.status != RunStatus::done || facts.golden.empty() ||
       facts.change.empty())
-    return 0;
+    return;
   try {
     facts.beside =
         drawBesideGolden(facts.scenario, facts.again->simulation.world, readGoldenFile(facts.golden), how, quiet);
-  } catch (const InputError&) { return 0; }  // the golden has been changed since it was read
-  return facts.beside->signal;
+  } catch (const InputError&) {}  // the golden has been changed since it was read
 }
 
 }  // namespace morula

@@ -68,12 +68,11 @@ std::string changeBetween(const RunFacts& before, const RunFacts& after);
 /// Returns true if running it again shows something: bodies, and an end or a failure to reach.
 bool canRunAgain(const RunFacts& facts);
 
-/// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes. Returns the signal that
-/// interrupted it, or 0.
-int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet);
+/// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes.
+void runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet);
 
 /// For a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the
-/// golden's scenario. Returns the signal that interrupted it, or 0.
-int drawBeside(RunFacts& facts, const Execution& how, bool quiet);
+/// golden's scenario.
+void drawBeside(RunFacts& facts, const Execution& how, bool quiet);
 
 }  // namespace morula

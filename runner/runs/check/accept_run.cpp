@@ -9,6 +9,7 @@
 #include "files/folders.h"
 #include "golden/change.h"
 #include "golden/golden_diff.h"
+#include "loop/progress.h"
 #include "loop/twin_run.h"
 #include "system/console.h"
 #include "system/installation.h"
@@ -43,11 +44,8 @@ bool isSameResult(GoldenData a, GoldenData b) {
 /// Runs the scenario again with other kernels. With bodies its twin runs beside it.
 TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   const std::string label = scenario.scene.name + " again";
-  if (!scenario.scene.mechanics) {
-    const auto run = simulate(scenario, how, {.label = label, .quiet = quiet});
-    if (run.signal) throw Interrupted{run.signal};
-    return {{}, run.end.stateHash.value_or(Hash{})};
-  }
+  if (!scenario.scene.mechanics)
+    return {{}, simulate(scenario, how, {.label = label, .quiet = quiet}).end.stateHash.value_or(Hash{})};
   const SignalWatch signals;
   Progress progress(label, quiet);
   return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), [&](const World& world) {
@@ -63,7 +61,6 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   refuseWithinCi(file);
   const CheckedRun checked = simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
   const Simulation& run = checked.run;
-  if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
   refuseViolated(scenario, checked);
   const GoldenData observed = observe(scenario, run);
@@ -73,13 +70,10 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
                    ": this run's result is another one than the result that waited for a review:\n" +
                    changeInWords(*waiting, observed) + describeGoldenDiff({*waiting, {}, {}, {}}, observed) +
                    "look at it with `" + programWord() + " review " + shellWord(scenario.file) + "`, then accept it\n";
-    refused.signal = putPending(scenario, run, observed, how, quiet);
+    putPending(scenario, run, observed, how, quiet);
     return refused;
   }
-  TwinRun again;
-  try {
-    again = runAgain(scenario, otherExecution(how), quiet);
-  } catch (const Interrupted& by) { return {.signal = by.signal}; }
+  const TwinRun again = runAgain(scenario, otherExecution(how), quiet);
   if (again.end != *run.end.stateHash) return {.nondeterministic = true};
 
   Golden golden{observed, {}, {}, usualRules(scenario), {}, again.growth};

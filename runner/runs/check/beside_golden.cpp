@@ -24,7 +24,6 @@ constexpr int side = 700;  // [pixel] of each picture
 struct MadeAgain {
   std::optional<OrganismPicture> picture;  // if it came to the golden's state
   std::string whyNot;
-  int signal = 0;
 };
 
 MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execution& how, bool quiet) {
@@ -34,7 +33,6 @@ MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execut
   if (before->meaning == scenario.meaning) return {{}, "this build computes other bits from the same scenario"};
   try {
     const auto run = simulate(*before, how, {.label = before->scene.name + ", the golden's", .quiet = quiet});
-    if (run.signal) return {{}, "", run.signal};
     if (run.end.want != Want::nothing) return {{}, "there is not enough memory for its scenario"};
     if (run.end.status != RunStatus::done || run.end.stateHash->text() != acceptedBits(golden))
       return {{}, "this build computes other bits from its scenario"};
@@ -86,7 +84,6 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
   if (stateHash(world).text() == acceptedBits(golden))
     return alone("The end is the golden's, bit for bit: what differs is no place and no shape.");
   MadeAgain again = makeAgain(scenario, golden, how, quiet);
-  if ((result.signal = again.signal)) return result;
   OrganismPicture before;
   if (again.picture) {
     result.source = BesideGolden::Source::again;

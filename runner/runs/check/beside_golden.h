@@ -21,7 +21,6 @@ struct BesideGolden {
   Source source = Source::none;
   ComparisonImages images;         // golden, now, and the distance
   std::vector<std::string> notes;  // sentences on what is compared, and what cannot be
-  int signal = 0;                  // that interrupted it; then there are no images
 
   /// All of it as one picture.
   Drawing sheet() const;

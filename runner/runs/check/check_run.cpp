@@ -68,11 +68,14 @@ CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path&
 }  // namespace
 
 RunChecks::RunChecks(const Scenario& scenario, const World& start, bool asked)
-    : scenario_(scenario), asked_(asked), invariants_(asked ? scenario.check : CheckParameters{}), sanity_(start) {}
+    : scenario_(scenario),
+      asked_(asked),
+      watches_(asked && Invariants::areGiven(scenario.check)),
+      invariants_(asked ? scenario.check : CheckParameters{}),
+      sanity_(start) {}
 
-std::function<void(const World&)> RunChecks::watch() {
-  if (!asked_ || !Invariants::areGiven(scenario_.check)) return {};
-  return [this](const World& world) { invariants_.observe(world); };
+void RunChecks::see(const World& world) {
+  if (watches_) invariants_.observe(world);
 }
 
 CheckedRun RunChecks::of(Simulation run) const {
@@ -84,7 +87,7 @@ CheckedRun RunChecks::of(Simulation run) const {
 CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options, bool asked) {
   World start = makeScenarioWorld(scenario, how);
   RunChecks checks(scenario, start, asked);
-  options.watch = checks.watch();
+  options.watch.push_back(&checks);
   return checks.of(simulate(scenario, std::move(start), std::move(options)));
 }
 
@@ -92,12 +95,12 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
   GoldenFacts facts;
   facts.scenario = goldenName(scenario.file), facts.scenarioHash = scenario.meaning.text();
   // A golden holds only samples that the scenario asks for, not the first and last ones of every run.
-  for (const RunResults* part : {&run.passed, &run.results}) {
+  for (const RunResults* part : {&run.kept.records, &run.results}) {
     if (scenario.record.every)
       for (const auto& sample : part->samples) facts.samples.push_back(sample.world);
     facts.chain.insert(facts.chain.end(), part->chain.begin(), part->chain.end());
   }
-  RecordedTables tables = run.passedTables;
+  RecordedTables tables = run.kept.tables;
   tables.addAll(run.results, run.end.steps);
   facts.tables = tables.items();
   if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)

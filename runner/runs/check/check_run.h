@@ -18,23 +18,24 @@ struct CheckedRun {
   std::vector<CheckResult> sanity;  // of a run that came to its end
 };
 
-/// Observes a run from before its first step. `asked`: the conditions of the scenario's `check` are tested, too.
-class RunChecks {
+/// Observes what must hold at every step. `asked`: the conditions of the scenario's `check` are tested, too; without
+/// conditions on every step nothing is due.
+class RunChecks : public Observer {
  public:
   /// `start`: the world at time 0, also of a run that goes on from a checkpoint.
   RunChecks(const Scenario& scenario, const World& start, bool asked);
-  /// Nothing, where no step needs to be seen.
-  std::function<void(const World&)> watch();
+  void see(const World& world) override;
+  std::uint64_t stepsUntilDue(const World&) const override { return watches_ ? 1 : neverDue; }
   CheckedRun of(Simulation run) const;
 
  private:
   const Scenario& scenario_;
-  bool asked_;
+  bool asked_, watches_;
   Invariants invariants_;
   SanityCheck sanity_;
 };
 
-/// Runs the scenario with its checks. `options.watch` is theirs.
+/// Runs the scenario with its checks.
 CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {}, bool asked = true);
 
 /// Returns the data of the run's golden; without `withPicture` they say that no picture was drawn.

@@ -77,8 +77,8 @@ Origin readOrigin(const fs::path& file) {
 
 fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".png"); }
 
-int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
-               bool quiet) {
+void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
+                bool quiet) {
   const fs::path file = fileOf(scenario, ".golden");
   const Origin origin = originOf(scenario);
   try {
@@ -89,14 +89,13 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
     tellError(std::string(error.what()) + "; the result is not kept for a review");
-    return 0;
+    return;
   }
   tell("kept for `" + programWord() + " review " + shellWord(scenario.file) + "`: " + file.string(), quiet);
-  if (!run.world.bodies) return 0;
+  if (!run.world.bodies) return;
   const auto beside = drawBesideGoldenFile(scenario, run.world, how, quiet);
   if (!beside) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
-  else if (beside->signal == 0) writePicture(beside->sheet(), pendingPicture(scenario));
-  return beside ? beside->signal : 0;
+  else writePicture(beside->sheet(), pendingPicture(scenario));
 }
 
 std::optional<GoldenData> waitingResult(const Scenario& scenario) {

@@ -11,11 +11,11 @@
 
 namespace morula {
 
-/// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h).
-/// Keeps a result for a review. If the folder cannot be written, the call says so and goes on. Returns the signal
-/// that interrupted the picture, or 0.
-int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
-               bool quiet);
+/// Keeps what a run showed for a review, with a picture of the golden, of the run and of how far they are apart
+/// (beside_golden.h). If the folder cannot be written, the call says so and goes on. Throws Interrupted if a signal comes
+/// while the picture is made.
+void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, const Execution& how,
+                bool quiet);
 /// Returns the result that waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
 /// Returns the result that waits for this scenario, whatever build made it and whatever the scenario was then: the one

@@ -133,8 +133,6 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, c
   CheckedRun checked =
       simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording}, kinds.contains("invariant"));
   Simulation& run = checked.run;
-  c.signal = run.signal;
-  if (c.signal) return c;
   requireEnough(run.end);
   run.results.checks = checkWithoutGolden(scenario, checked);
   run.results.checks.insert(run.results.checks.end(), checked.sanity.begin(), checked.sanity.end());

@@ -12,7 +12,6 @@
 namespace morula {
 
 struct Replay {
-  int signal = 0;  // that interrupted it; then nothing was compared
   std::vector<Item> conditions;
   std::vector<ValueDifference> record;  // what was changed in the record itself; then nothing was run
   std::string hashBefore, hashNow;      // of the final state, or how it failed

@@ -6,6 +6,8 @@
 #include "check/invariants.h"
 #include "engines/bullet_run.h"
 #include "engines/engine_worker.h"
+#include "loop/run.h"
+#include "loop/scenario_run.h"
 #include "simulation/measures.h"
 
 namespace morula {
@@ -21,9 +23,9 @@ CheckParameters minDemands() {
 }
 
 struct OwnSteps {
-  World state;
-  const World& world() const { return state; }
-  void step() { morula::step(state); }
+  Run run;
+  const World& world() const { return run.world(); }
+  void step() { run.advance(1); }
 };
 
 /// Keeps the shapes at the times that are asked for.
@@ -97,7 +99,7 @@ ExternalRun runHere(const Json& json, const OnStep& onStep) {
     const Scenario scenario = scenarioFrom(json);
     const ExternalQuestion question = externalQuestionFrom(json);
     if (question.engine == Engine::thesis) {
-      OwnSteps run{makeScenarioWorld(scenario, {})};
+      OwnSteps run{Run(makeScenarioWorld(scenario, {}))};
       goThrough(run, scenario, question.frameTimes, answer, onStep);
     } else {
       BulletRun run(scenario, baselineOf(question.engine), question.margin, question.integrator);

@@ -13,6 +13,7 @@
 #include "files/folders.h"
 #include "files/text.h"
 #include "golden/accept.h"
+#include "loop/run.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "scenario/scenario.h"
@@ -42,13 +43,12 @@ Farthest farthest(const World& before, const World& now) {
   return most;
 }
 
-bool stepBoth(World& a, World& b) {
-  if (finished(a) || finished(b)) return false;
+bool stepBoth(Run& a, Run& b) {
   stopAtSignal();
   try {
-    step(a), step(b);
+    if (!a.advance(1) || !b.advance(1)) return false;
   } catch (const NumericalError&) { return false; }
-  return a.clock.time == b.clock.time && a.cells.path == b.cells.path;
+  return a.world().clock.time == b.world().clock.time && a.world().cells.path == b.world().cells.path;
 }
 
 /// Runs both side by side, on the same conditions, as long as they have the same cells at the same times. Lines for
@@ -56,7 +56,8 @@ bool stepBoth(World& a, World& b) {
 /// the egg]; and from which steps on the farthest vertex is 0.001, 0.01 and 0.1 radii away. "" without bodies, or if
 /// none ever is. Throws Interrupted if a signal has come.
 std::string partingInWords(const Scenario& before, const Scenario& now, const Execution& how) {
-  World a = makeScenarioWorld(before, how), b = makeScenarioWorld(now, how);
+  Run beforeRun(makeScenarioWorld(before, how)), nowRun(makeScenarioWorld(now, how));
+  const World &a = beforeRun.world(), &b = nowRun.world();
   if (!a.bodies || !b.bodies) return {};
   const double radius = before.scene.mechanics->physics.cell.radius;
   std::string first, apart;
@@ -71,7 +72,7 @@ std::string partingInWords(const Scenario& before, const Scenario& now, const Ex
     for (; next < 1 && most.distance >= next * radius; next *= 10)
       apart += (apart.empty() ? "  apart     by " : ", ") + numberText(next) + " radii from step " + step + " on (" +
                cell + ")";
-  } while (stepBoth(a, b));
+  } while (stepBoth(beforeRun, nowRun));
   return first + apart + (apart.empty() ? "" : "\n");
 }
 
@@ -86,7 +87,6 @@ void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question
 void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question, Findings& f) {
   const auto run =
       simulate(scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, false)});
-  if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
   const GoldenData now = observe(scenario, run, false);
   f.changed = changedKeys(before, now);
@@ -194,7 +194,6 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   const CheckedRun checked =
       simulateChecked(scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, true)});
   const Simulation& run = checked.run;
-  if (run.signal) throw Interrupted{run.signal};
   requireEnough(run.end);
   if (run.end.status == RunStatus::failed && checkStop(scenario, run.end.failure).passed()) {
     f.text += describe(checkStop(scenario, run.end.failure));

@@ -30,29 +30,32 @@ double distance(const World& a, const World& b) {
   return largest;
 }
 
-}  // namespace
-
-Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::move(twin)) {
-  MORULA_CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
-  Bodies& b = *twin_.bodies;
+/// Moves x of the first vertex by one unit in the last place, and returns by how much [length].
+double moveByOnePlace(World& twin) {
+  MORULA_CHECK(twin.bodies && twin.clock.step == 0, "twins are born at step 0, with bodies");
+  Bodies& b = *twin.bodies;
   const double before = b.position[b.at(0, 0)], after = nextAbove(before, b.parameters.precision);
   b.position[b.at(0, 0)] = after;
-  ulp_ = after - before;
+  return after - before;
 }
+
+}  // namespace
+
+Twins::Twins(World world, World twin) : ulp_(moveByOnePlace(twin)), run_(std::move(world)), twin_(std::move(twin)) {}
 
 double Twins::step() {
   std::exception_ptr failure;
   if (twinGoesOn_) {
     try {
-      morula::step(twin_);
+      twin_.advance(1);
     } catch (const NumericalError& error) {
       if (error.want != Want::nothing) failure = std::current_exception();
       twinGoesOn_ = false;
     }
   }
-  morula::step(world_);
+  run_.advance(1);
   if (failure) std::rethrow_exception(failure);
-  return twinGoesOn_ ? distance(world_, twin_) : infinity;
+  return twinGoesOn_ ? distance(world(), twin_.world()) : infinity;
 }
 
 TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch) {

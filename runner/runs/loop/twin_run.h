@@ -5,7 +5,7 @@
 
 #include "base/hash.h"
 #include "golden/golden.h"
-#include "simulation/world.h"
+#include "loop/run.h"
 
 namespace morula {
 
@@ -20,13 +20,13 @@ class Twins {
   /// memory or the like (Want); both have tried then.
   double step();
 
-  const World& world() const { return world_; }  // the one that nothing was done to
+  const World& world() const { return run_.world(); }  // the one that nothing was done to
   double ulp() const { return ulp_; }            // [length] by which the twin was moved
 
  private:
-  World world_, twin_;
-  bool twinGoesOn_ = true;
   double ulp_;
+  Run run_, twin_;
+  bool twinGoesOn_ = true;
 };
 
 struct TwinRun {

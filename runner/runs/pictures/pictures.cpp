@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <set>
 
 #include "base/error.h"
@@ -149,7 +148,7 @@ ComparisonImages imagesBesideBullet(const World& world, const std::vector<std::v
   return compareOrganisms(ours, bullets, scenario.scene.mechanics->physics.cell.radius);
 }
 
-void FrameCollector::observe(const World& world) {
+void FrameCollector::see(const World& world) {
   if (!isOn_ || !world.bodies) return;
   const bool due = due_.isDue(world.clock.time);
   if (!reaches(world.cells.path.size()) && !due) return;
@@ -159,7 +158,7 @@ void FrameCollector::observe(const World& world) {
 
 std::uint64_t FrameCollector::stepsUntilDue(const World& world) const {
   // The number of cells changes only with the last of several steps that are made at once.
-  return world.bodies && isOn_ ? stepsUntil(world.clock, *due_.next()) : std::numeric_limits<std::uint64_t>::max();
+  return world.bodies && isOn_ ? stepsUntil(world.clock, *due_.next()) : neverDue;
 }
 
 bool FrameCollector::reaches(std::size_t cells) {
@@ -169,9 +168,9 @@ bool FrameCollector::reaches(std::size_t cells) {
   return reached_ > before;
 }
 
-void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
+void FrameCollector::resume(const World& world, const Resumed& earlier) {
   if (!isOn_ || !world.bodies) return;
-  for (const std::string& bytes : kept) {
+  for (const std::string& bytes : earlier.frames) {
     frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
     reaches(frames_.back().cells.size());
   }

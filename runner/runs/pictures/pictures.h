@@ -9,6 +9,7 @@
 
 #include "base/multiples.h"
 #include "comparison/comparison.h"
+#include "loop/observer.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
@@ -48,16 +49,15 @@ ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::ve
                                     const Scenario& scenario);
 
 /// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
-class FrameCollector {
+class FrameCollector : public Observer {
  public:
   FrameCollector(const Scenario& scenario, std::optional<double> every)
       : scenario_(scenario), isOn_(every.has_value()), due_(every) {}
-  void observe(const World& world);
-  /// The number of steps, at least 1, after which `observe` may have something to do.
-  std::uint64_t stepsUntilDue(const World& world) const;
-  /// Goes on with the frames that were kept (frame_file.h) when the world was stopped.
-  void resume(const World& world, const std::vector<std::string>& kept);
+  void see(const World& world) override;
+  std::uint64_t stepsUntilDue(const World& world) const override;
+  void resume(const World& world, const Resumed& earlier) override;
   std::vector<OrganismPicture>& frames() { return frames_; }
+  const std::vector<OrganismPicture>& frames() const { return frames_; }
 
  private:
   bool reaches(std::size_t cells);

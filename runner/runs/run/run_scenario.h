@@ -20,6 +20,8 @@ struct RunSettings {
   bool quiet = false;
   std::uint64_t checkpointEvery = 0;  // [steps] 0: only when a signal ends the run
   bool resume = false;                // go on from the last checkpoint, if there is one
+  /// True if the run is compared with its golden and its conditions are checked.
+  bool isChecked() const { return check && !changed; }
 };
 
 struct RunOutcome {
@@ -38,10 +40,10 @@ struct RunOutcome {
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::string unsettled;                  // [unsettledText]
   std::string reference;                  // [positionsText]
-  int signal = 0;                         // that ended it
   std::filesystem::path database;         // that holds the run: another one than asked for where a process held that
 };
 
+/// Runs the scenario as `settings` say. A run that a signal stops is stored as killed.
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
 
 /// Describes a run for people, on several lines.

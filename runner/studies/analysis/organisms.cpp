@@ -42,28 +42,49 @@ struct TakenTile {
   std::vector<std::optional<double>> values = {};
 };
 
+/// The observer that takes a tile at each of the times, or for each of the numbers of cells.
+class TileTaker : public Observer {
+ public:
+  TileTaker(const Scenario& scenario, const std::vector<double>& times, const GridMoments& moments)
+      : scenario_(scenario), times_(times), moments_(moments) {}
+
+  void see(const World& world) override {
+    while (isReached(world))
+      take(world, counted(world.cells.path.size(), "cell") +
+                      (cells().empty() ? "" : ", time " + shownTime(scenario_.units, world.clock.time)));
+  }
+  std::uint64_t stepsUntilDue(const World& world) const override {
+    return cells().empty() && next() < times_.size() ? stepsUntil(world.clock, times_[next()] * (1 - rounding))
+                                                     : neverDue;
+  }
+  void take(const World& world, const std::string& words) {
+    tiles_.push_back({{pictureOf(world, scenario_), false, words}, colourValues(world, moments_.colouring, scenario_)});
+  }
+  std::vector<TakenTile>& tiles() { return tiles_; }
+
+ private:
+  const std::vector<std::size_t>& cells() const { return moments_.cells; }
+  std::size_t next() const { return tiles_.size(); }
+  bool isReached(const World& world) const {
+    if (!cells().empty()) return next() < cells().size() && world.cells.path.size() >= cells()[next()];
+    return next() < times_.size() && world.clock.time >= times_[next()] * (1 - rounding);
+  }
+
+  const Scenario& scenario_;
+  const std::vector<double>& times_;
+  const GridMoments& moments_;
+  std::vector<TakenTile> tiles_;
+};
+
 /// A tile for each moment that the run reaches, in their order, and for the others; without any, one of the end.
 std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario, const std::filesystem::path& study,
                                const std::vector<double>& times, const GridMoments& moments, bool quiet) {
   const std::vector<std::size_t>& cells = moments.cells;
   if (!scenario.scene.mechanics)
     throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
-  std::vector<TakenTile> tiles;
   const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
-  const auto take = [&](const World& world, const std::string& words) {
-    tiles.push_back({{pictureOf(world, scenario), false, words}, colourValues(world, moments.colouring, scenario)});
-  };
-  const auto isReached = [&](const World& world) {
-    if (!cells.empty()) return world.cells.path.size() >= cells[tiles.size()];
-    return !times.empty() && world.clock.time >= times[tiles.size()] * (1 - rounding);
-  };
-  const auto watch = [&](const World& world) {
-    while (tiles.size() < wanted && isReached(world))
-      take(world, counted(world.cells.path.size(), "cell") +
-                      (cells.empty() ? "" : ", time " + shownTime(scenario.units, world.clock.time)));
-  };
-  const auto run = simulate(scenario, Execution{}, {.quiet = quiet, .watch = watch});
-  if (run.signal) throw Interrupted{run.signal};
+  TileTaker watch(scenario, times, moments);
+  const auto run = simulate(scenario, Execution{}, {.quiet = quiet, .watch = {&watch}});
   requireEnough(run.end);
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
   if (hash != task.stateHash)
@@ -72,9 +93,10 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
                                   "; was it made by another build?",
                               task.runId, task.stateHash, hash);
   const std::string time = shownTime(scenario.units, run.end.time);
-  if (tiles.size() < wanted) take(run.world, counted(run.end.cells, "cell") + " at the end, time " + time);
+  std::vector<TakenTile>& tiles = watch.tiles();
+  if (tiles.size() < wanted) watch.take(run.world, counted(run.end.cells, "cell") + " at the end, time " + time);
   while (tiles.size() < wanted) tiles.push_back({{{}, true, "ended at time " + time}});
-  return tiles;
+  return std::move(tiles);
 }
 
 /// Colours them alike, and says once what colours mean; cells are called as in this scenario.

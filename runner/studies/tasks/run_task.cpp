@@ -88,9 +88,9 @@ std::string drawIfPossible(const World& world, const Scenario& scenario, const s
   return "";
 }
 
-/// Simulates; the signal that stopped it, or 0. `notDrawn`: why its picture is missing.
-int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
-            const TaskSettings& settings, TaskOutcome& outcome, std::string& notDrawn) {
+/// Simulates. `notDrawn`: why the picture of the run is missing.
+void compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
+             const TaskSettings& settings, TaskOutcome& outcome, std::string& notDrawn) {
   const Study& study = plan.study;
   const auto measure = [&](const std::vector<Sample>& samples, const std::map<StateId, std::string>& states) {
     const auto values = valuesOf(samples, states, study.measures);
@@ -107,7 +107,6 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
       scenario, settings.execution,
       {.record = recordingOf(plan, scenario), .sink = study.keep.samples == SamplesKept::all ? nullptr : let}, false);
   Simulation& run = checked.run;
-  if (run.end.status == RunStatus::killed) return run.signal;
   outcome.end = run.end;
   outcome.results = std::move(run.results);
   RunResults& results = outcome.results;
@@ -127,7 +126,6 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
   results.samples.insert(results.samples.begin(), before.samples.begin(), before.samples.end());
   results.chain.insert(results.chain.begin(), before.chain.begin(), before.chain.end());
   drop(results, study);
-  return 0;
 }
 
 void write(TaskOutcome outcome, const std::filesystem::path& file) {
@@ -146,10 +144,10 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
   };
   std::string notDrawn;
   try {
-    if (const int signal = compute(plan, task, scenario, folder, settings, outcome, notDrawn)) {
-      answer.code = 128 + signal;
-      return;
-    }
+    compute(plan, task, scenario, folder, settings, outcome, notDrawn);
+  } catch (const Interrupted& by) {
+    answer.code = 128 + by.signal;
+    return;
   } catch (const InputError& error) {  // with this seed the scene cannot begin
     fail(error.what(), error.want);
   } catch (const NumericalError& error) { fail(error.what(), error.want); }

@@ -36,7 +36,7 @@ Watched watch(const std::string& physics, std::size_t most, bool forces = false)
   std::optional<ForceMeter> meter;
   if (forces) meter.emplace(makeScenarioWorld(scenario, {}));
   FrameTaker taker(1.25, most, std::move(meter));
-  auto run = simulate(scenario, Execution{}, {.watch = [&](const World& w) { taker.observe(w); }});
+  auto run = simulate(scenario, Execution{}, {.watch = {&taker}});
   return {std::move(run), std::move(taker.frames())};
 }
 

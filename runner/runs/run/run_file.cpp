@@ -1,0 +1,56 @@
+#include "run/run_file.h"
+
+#include <fmt/format.h>
+
+#include "check/check_run.h"
+#include "database/store_error.h"
+#include "files/folders.h"
+#include "run/resume_run.h"
+#include "system/console.h"
+
+namespace morula {
+namespace {
+
+Store openedFor(const RunSettings& settings) {
+  makeFolder(settings.database.parent_path());
+  Store store = Store::openForWriting(settings.database);
+  if (settings.draw) makeFolder(settings.folder);
+  return store;
+}
+
+}  // namespace
+
+RunFile::RunFile(const Scenario& scenario, const RunSettings& settings)
+    : settings_(settings),
+      hasGolden_(settings.isChecked() && fileExists(goldenFile(scenario))),
+      store_(openedFor(settings)),
+      record_(recordOf(scenario, settings.execution, settings.command)),
+      id_(runId(record_)) {}
+
+RecordSink RunFile::sink() {
+  return [this](const RunResults& records) {
+    store_.record(id_, records);
+    if (hasGolden_) kept_.add(records);
+  };
+}
+
+std::optional<std::uint64_t> RunFile::begin(Run& run, const RecordOptions& recording) {
+  std::optional<std::uint64_t> step;
+  if (settings_.resume) step = resumeRun(store_, record_, run, recording, settings_.quiet);
+  if (!step) store_.begin(record_);
+  if (const auto left = store_.checkpointStep(id_); left && !settings_.resume)
+    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *left), settings_.quiet);
+  return step;
+}
+
+std::filesystem::path RunFile::finish(const RunEnd& end, const RunResults& results) {
+  try {
+    store_.finish(id_, end, results);
+  } catch (const BusyError& error) {
+    store_ = store_.finishBeside(id_, end, results);
+    tellError(fmt::format("{}; the run is stored in {}", error.what(), store_.file().string()));
+  }
+  return store_.file();
+}
+
+}  // namespace morula
