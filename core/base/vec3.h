@@ -2,6 +2,8 @@
 // A point or vector in space. Real is double (one cell) or Lanes (several cells side by side).
 #include <cmath>
 
+#include "base/members.h"
+
 namespace morula {
 
 template <class Real>
@@ -34,5 +36,6 @@ inline double norm(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
 
 using Point = Vec3<double>;
 using Vector = Vec3<double>;
+MORULA_MEMBERS(Vector, x, y, z)
 
 }  // namespace morula

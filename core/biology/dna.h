@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/members.h"
 #include "biology/state.h"
 
 namespace morula {
@@ -27,6 +28,7 @@ struct Gene {
   std::vector<SubstanceId> inputs;      // sorted; all must be present
   std::vector<SubstanceId> repressors;  // sorted; none may be present
 };
+MORULA_MEMBERS(Gene, name, product, inputs, repressors)
 
 struct Dna {
   std::vector<std::string> substances;  // all names, and A and B; sorted: a SubstanceId is a place here
@@ -35,6 +37,7 @@ struct Dna {
   std::string source;                   // the text that this was read from
   std::vector<std::string> warnings;    // what works, but may not be meant; each as a line of an InputError
 };
+MORULA_MEMBERS(Dna, substances, start, genes, source, warnings)
 
 /// The scene's uses of substances outside its DNA.
 struct DnaSurroundings {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/members.h"
 #include "base/vec3.h"
 
 namespace morula {
@@ -14,6 +15,7 @@ struct DivisionSize {
   Rule rule = Rule::sizer;           // the size itself, or what it has gained since the cell's birth
   double size = 1;                   // [1]
 };
+MORULA_MEMBERS(DivisionSize, rule, size)
 
 struct CycleParameters {
   double length = 1;  // [time] between cell cycles
@@ -24,6 +26,7 @@ struct CycleParameters {
   std::map<std::string, double> atBirth;
   std::optional<DivisionSize> divisionSize;  // absent: cells divide when it is time, of whatever size
 };
+MORULA_MEMBERS(CycleParameters, length, perSubstance, atBirth, divisionSize)
 
 enum class SenseKind {  // its number is part of what a scenario means: new ones stand behind the others
   volume,
@@ -47,6 +50,7 @@ struct Threshold {
   // Beside one of the others: once it holds, it goes on holding until the number has passed this on the other side.
   std::optional<double> until = {};
 };
+MORULA_MEMBERS(Threshold, below, above, atMost, atLeast, until)
 
 /// One thing that cells perceive: at a cell's cycle the simulator inserts the substance if the condition holds, and
 /// takes it away if not, as it inserts A and B. sense.h says what each kind measures and which members it has.
@@ -59,5 +63,6 @@ struct SenseParameters {
   Vector axis{1, 0, 0};               // of `position`; any length but 0
   bool lives = true;                  // of `sister`, where `of` is "": whether she lives
 };
+MORULA_MEMBERS(SenseParameters, substance, kind, is, of, number, axis, lives)
 
 }  // namespace morula

@@ -1,6 +1,7 @@
 #pragma once
 // Deviations by which no two organisms are alike; a seed decides them [base/random.h, randomNormal]. Each deviation
 // belongs to a cell's lineage path and to what deviates, so a cell has the same one whatever else the scene does.
+#include "base/members.h"
 
 namespace morula {
 
@@ -13,5 +14,6 @@ struct VariationParameters {
   double adhesion = 0;  // [1] of how strongly a cell sticks; two cells stick by the mean of their factors
   friend bool operator==(const VariationParameters&, const VariationParameters&) = default;
 };
+MORULA_MEMBERS(VariationParameters, cycle, share, start, tilt, adhesion)
 
 }  // namespace morula

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/choice.h"
+#include "base/members.h"
 
 namespace morula {
 
@@ -38,12 +39,14 @@ constexpr double sharedStrength = 0.2;
 struct ConnectedPair {
   std::string a, b;  // a substance, or the beginning of some and '*'
 };
+MORULA_MEMBERS(ConnectedPair, first, second)
 
 /// A connection that pulls and pushes along the centres: k (d − rest (r_1 + r_2)).
 struct ConnectionSpring {
   double stiffness = 2;  // k [force/length]; higher: centres closer to their distance at rest
   double rest = 1;       // [1] distance of the centres at rest, in sums of the two cells' radii
 };
+MORULA_MEMBERS(ConnectionSpring, stiffness, rest)
 
 struct ConnectionParameters {
   MakeConnections make = MakeConnections::atDivision;
@@ -58,5 +61,7 @@ struct ConnectionParameters {
   std::optional<double> releaseAge = {};        // [time] since it was made; released then
   std::optional<std::uint64_t> most = {};       // of a cell's connections: one more is not made
 };
+MORULA_MEMBERS(ConnectionParameters, make, onDivision, strength, releaseDistance, pairs, spring, releaseTension,
+                                     releaseAge, most)
 
 }  // namespace morula

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/choice.h"
+#include "base/members.h"
 
 namespace morula {
 
@@ -23,6 +24,7 @@ struct AdhesionPair {
   std::string a, b;     // a substance, or the beginning of some and '*'; which is which does not matter
   double strength = 0;  // as AdhesionParameters::strength
 };
+MORULA_MEMBERS(AdhesionPair, first, second, strength)
 
 /// Differential adhesion [Steinberg 1963].
 struct AdhesionParameters {
@@ -32,6 +34,7 @@ struct AdhesionParameters {
   double strength = 0;
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
+MORULA_MEMBERS(AdhesionParameters, strength, pairs)
 
 // Constants of the pair law, for kernels and measures; the formulas are in pair_law_kernel.h and surface_kernel.h.
 constexpr double retreat = 0.125, surfaceDepth = 0.65;                       // λ, γ
@@ -56,5 +59,6 @@ struct ContactParameters {
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
   std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; not the thesis' law
 };
+MORULA_MEMBERS(ContactParameters, law, stiffness, damping, friction, slipSpeed, radius, adhesion)
 
 }  // namespace morula

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/members.h"
 #include "base/vec3.h"
 
 namespace morula {
@@ -37,6 +38,7 @@ struct PlaneChoice {
   bool turnsAway = false;   // polarity with a substance: away from contacts, not to them
   friend bool operator==(const PlaneChoice&, const PlaneChoice&) = default;
 };
+MORULA_MEMBERS(PlaneChoice, plane, axis, substance, turnsAway)
 
 /// The daughters of a division turn against each other about its axis [simulation/swirls.h].
 struct Chirality {
@@ -44,6 +46,7 @@ struct Chirality {
   double time = 0.5;  // [time] in which the turning falls to 1/e
   friend bool operator==(const Chirality&, const Chirality&) = default;
 };
+MORULA_MEMBERS(Chirality, angle, time)
 
 /// How some cells divide. What it does not say is as of a cell that no rule names.
 struct DivisionRule {
@@ -54,12 +57,14 @@ struct DivisionRule {
   std::optional<double> tilt{};        // [degree] sd of the axis about its direction, by the seed
   std::optional<Chirality> chirality{};
 };
+MORULA_MEMBERS(DivisionRule, of, plane, share, tilt, chirality)
 
 struct DivisionParameters {
   PlaneChoice otherwise{};               // of cells that no rule names
   std::vector<DivisionRule> rules{};     // the first that fits a cell counts
   std::optional<Chirality> chirality{};  // of cells whose rule has none; absent: they do not turn
 };
+MORULA_MEMBERS(DivisionParameters, otherwise, rules, chirality)
 
 enum class Takes { nothing, axis, substance, polarity };
 

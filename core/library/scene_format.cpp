@@ -1,6 +1,7 @@
 #include "library/scene_format.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include "base/hash.h"
 #include "biology/sense.h"
 #include "division/policy.h"
-#include "library/scene_fields.h"
+#include "simulation/scene.h"
 
 namespace morula {
 
@@ -158,10 +159,14 @@ void add(Reader& r, std::map<std::string, double>& a) {
   }
 }
 
-template <class Words, class T>
-requires requires(T& a) { fields(a); }
+template <class Words, class T, std::size_t count>
+void add(Words& w, std::array<T, count>& a) {
+  for (T& one : a) add(w, one);
+}
+
+template <class Words, HasMembers T>
 void add(Words& w, T& a) {
-  std::apply([&](auto&... field) { (add(w, field), ...); }, fields(a));
+  std::apply([&](auto&... member) { (add(w, member), ...); }, members(a));
 }
 
 /// Checks members that refer to others: numbers of substances and of vertices. Meshes must be valid, as those of

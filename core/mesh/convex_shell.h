@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/members.h"
 #include "mesh/mesh.h"
 
 namespace morula {
@@ -14,11 +15,13 @@ struct ShellPlane {
 
   bool operator==(const ShellPlane&) const = default;
 };
+MORULA_MEMBERS(ShellPlane, normal, offset)
 
 struct ConvexShell {
   Mesh mesh;
   std::vector<ShellPlane> planes;  // one for all faces in one plane, in the order of the first of them
 };
+MORULA_MEMBERS(ConvexShell, mesh, planes)
 
 /// Reads a Wavefront OBJ text as readObj does, but neither moves nor scales it. Throws InputError "name:line:column: …"
 /// where readObj does, and for the first face with a vertex outside of its plane (not convex) by more than 1e-9 of the

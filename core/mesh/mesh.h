@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/members.h"
 #include "base/vec3.h"
 
 namespace morula {
@@ -15,6 +16,7 @@ struct Mesh {
   std::vector<Point> vertices;
   std::vector<Face> faces;
 };
+MORULA_MEMBERS(Mesh, vertices, faces)
 
 /// The icosphere with unit radius: an icosahedron whose faces are split in four `level` times (0 to 4: 12,
 /// 42, 162, 642, 2562 vertices) and whose vertices lie on the sphere. The first vertices of a level are those

@@ -77,7 +77,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }
-  const double* a = parameters.shell ? parameters.shell->semiAxes : nullptr;
+  const double* a = parameters.shell ? parameters.shell->semiAxes.data() : nullptr;
   const auto* planes = parameters.shell && parameters.shell->mesh ? &parameters.shell->mesh->planes : nullptr;
   b.kernelParameters = {.stiffness = parameters.membrane.stiffness,
                         .damping = parameters.membrane.damping,

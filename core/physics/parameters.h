@@ -1,11 +1,13 @@
 #pragma once
 // The parameters of one cell's mechanics, as a scenario gives them. Units are the scene's own: a length, a mass and a
 // time. Every field here changes results.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "base/choice.h"
+#include "base/members.h"
 #include "base/precision.h"
 #include "mesh/convex_shell.h"
 
@@ -41,6 +43,7 @@ struct CellParameters {
   double mass = 1;    // [mass] of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]
   CellModel model = CellModel::shell;
 };
+MORULA_MEMBERS(CellParameters, radius, mass, model)
 
 /// How strong each of a mesh's springs is (makeSpringWeights).
 enum class Springs { equal, dual };
@@ -60,6 +63,7 @@ struct MembraneParameters {
   double areaFactor = 1.26;
   Springs springs = Springs::dual;  // what k_s and k_d of an edge are multiplied with
 };
+MORULA_MEMBERS(MembraneParameters, stiffness, damping, areaFactor, springs)
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
 struct PressureParameters {
@@ -69,6 +73,7 @@ struct PressureParameters {
   // has, so that its membrane is taut
   double outside = 48;
 };
+MORULA_MEMBERS(PressureParameters, constant, outside)
 
 /// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and pressure.
 struct ShapeMatchingParameters {
@@ -76,12 +81,14 @@ struct ShapeMatchingParameters {
   double linear = 0;       // β, 0 to 1: how far goals follow linear deformations at the volume at rest
   double damping = 4;      // κ [1/time] of all motion but the cell's rigid one; 2√k is critical
 };
+MORULA_MEMBERS(ShapeMatchingParameters, stiffness, linear, damping)
 
 /// How fast a cell grows or shrinks while its biology wants to.
 struct GrowthParameters {
   double rate = 0.1;                 // [1/time] relative change of k_p and mass; lengths follow with a third of it
   std::optional<double> until = {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
 };
+MORULA_MEMBERS(GrowthParameters, rate, until)
 
 /// The part of a meshed cell that cannot leave a sphere or an ellipsoid.
 enum class Held { vertices, surface };
@@ -96,10 +103,11 @@ inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
 });
 
 struct ShellParameters {
-  double semiAxes[3] = {1, 1, 1};                // [length]; all equal: a sphere
+  std::array<double, 3> semiAxes = {1, 1, 1};                // [length]; all equal: a sphere
   std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
   Held holds = Held::surface;                    // without effect in a mesh, and on balls
 };
+MORULA_MEMBERS(ShellParameters, semiAxes, mesh, holds)
 
 /// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and
 /// turns to a new direction now and then, which the seed chooses.
@@ -107,6 +115,7 @@ struct MotilityParameters {
   double speed = 0.1;      // [length/time]; higher: cells change their neighbours more often
   double persistence = 1;  // [time] for which a cell keeps its direction
 };
+MORULA_MEMBERS(MotilityParameters, speed, persistence)
 
 /// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
 struct SettleParameters {
@@ -115,6 +124,7 @@ struct SettleParameters {
   double together = 0;                  // [time] events so close to one another share a settling
   std::optional<std::uint64_t> sample;  // of so many settlings one is measured for how far from rest it ends
 };
+MORULA_MEMBERS(SettleParameters, tolerance, evaluations, together, sample)
 
 struct PhysicsParameters {
   // [length] A daughter takes the coarsest of the scene's meshes whose mean edge at rest is no longer; absent:
@@ -135,5 +145,7 @@ struct PhysicsParameters {
   std::optional<MotilityParameters> motility;
   SettleParameters settle;  // with Integrator::fire
 };
+MORULA_MEMBERS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane,
+                                  pressure, shapeMatching, drag, growth, shell, motility, settle)
 
 }  // namespace morula

@@ -11,7 +11,7 @@ ShellShape shellShapeOf(const PhysicsParameters& p) {
   if (p.shell->mesh) return balls ? ShellShape::planesAroundSpheres : ShellShape::planes;
   if (balls) return ShellShape::aroundSpheres;
   if (p.shell->holds == Held::surface) return ShellShape::surface;
-  const double* a = p.shell->semiAxes;
+  const double* a = p.shell->semiAxes.data();
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
 }
 

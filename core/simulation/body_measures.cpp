@@ -93,7 +93,7 @@ double measureOutermostInPlanes(const Bodies& b, int slot) {
 
 double measureOutermost(const Bodies& b, int slot) {
   if (b.parameters.shell->mesh) return measureOutermostInPlanes(b, slot);
-  const double* a = b.parameters.shell->semiAxes;
+  const double* a = b.parameters.shell->semiAxes.data();
   const double radius = b.parameters.cell.radius * b.restScale[slot];
   if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
   double outermost = 0;
@@ -142,7 +142,7 @@ double measureInvertedShare(const BodyShape& shape) {
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   constexpr double within = 1e-6;  // the shell puts points onto itself to rounding, of single precision too
   if (shape.isBall) return 0;
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   const std::vector<Point>& vertices = shape.surface.vertices;
   const std::vector<Face>& faces = shape.surface.faces;
   const auto isOnShell = [&](int v) {
@@ -163,7 +163,7 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
 }
 
 ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place) {
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   if (!shell.mesh) {
     const Vector along{place.x / a[0], place.y / a[1], place.z / a[2]};
     return {along, norm(along)};

@@ -13,7 +13,7 @@
 namespace morula {
 
 /// The format that this program writes and reads.
-constexpr std::uint64_t checkpointVersion = 3;
+constexpr std::uint64_t checkpointVersion = 4;
 
 /// A world between two steps. Not one whose step has failed: what it holds may be no numbers, which is
 /// a BugError otherwise.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/members.h"
 #include "biology/dna.h"
 #include "biology/parameters.h"
 #include "biology/variation.h"
@@ -27,6 +28,7 @@ struct StopParameters {
   std::optional<double> time;           // [time]
   std::optional<std::uint64_t> cells;   // as soon as at least so many are alive
 };
+MORULA_MEMBERS(StopParameters, cycles, time, cells)
 
 struct MechanicsScene {
   PhysicsParameters physics;
@@ -36,6 +38,7 @@ struct MechanicsScene {
   DivisionParameters division;
   std::optional<ConnectionParameters> connections;
 };
+MORULA_MEMBERS(MechanicsScene, physics, mesh, coarser, contact, division, connections)
 
 struct Scene {
   std::string name;
@@ -48,5 +51,6 @@ struct Scene {
   VariationParameters variation;            // what the seed changes besides
   std::vector<SenseParameters> senses;      // by substance, each once
 };
+MORULA_MEMBERS(Scene, name, seed, dna, cycle, stop, mechanics, cells, variation, senses)
 
 }  // namespace morula

@@ -1,183 +1,119 @@
 #include "simulation/scene_parts.h"
 
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string_view>
+
 #include "physics/cell_model.h"
 #include "physics/integrator.h"
 #include "simulation/scene.h"
 
 namespace morula {
 
-// Each function takes its struct apart into all of its members: one that is added and not hashed does not compile. One
-// that joins when there are checkpoints is hashed where it is not at its default, so that these stay valid.
+// A struct's hash is over the names and values of those members that differ from their defaults. So a member that joins
+// a struct later leaves the hashes of all scenes that do not use it.
 
 namespace {
 
-void add(Hasher& h, const std::optional<double>& a) { h.add(a.has_value()).add(a.value_or(0)); }
+template <class T>
+bool same(const T& a, const T& b);
 
-template <class Enum>
-int number(Enum e) {
-  return static_cast<int>(e);
+template <class T>
+bool sameMembers(const T& a, const T& b) {
+  const auto these = members(a), those = members(b);
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return (same(std::get<i>(these), std::get<i>(those)) && ...);
+  }(std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
 }
 
-void addPart(Hasher& h, const Dna& dna) {
-  const auto& [substances, start, genes, source, warnings] = dna;  // the last two only tell of the text
-  h.field("substances").add(std::uint64_t{substances.size()});
-  for (const std::string& name : substances) h.add(name);
-  h.field("start").add(std::uint64_t{start.size()});
-  for (SubstanceId s : start) h.add(std::uint64_t{s});
-  h.field("genes").add(std::uint64_t{genes.size()});
-  for (const auto& [name, product, inputs, repressors] : genes) {  // a name does nothing
-    h.add(std::uint64_t{product}).add(std::uint64_t{inputs.size()});
-    for (SubstanceId s : inputs) h.add(std::uint64_t{s});
-    if (repressors.empty()) continue;
-    h.field("repressors").add(std::uint64_t{repressors.size()});
-    for (SubstanceId s : repressors) h.add(std::uint64_t{s});
-  }
+template <class T>
+bool same(const T& a, const T& b) {
+  if constexpr (HasMembers<const T>) return sameMembers(a, b);
+  else if constexpr (requires { *a, a.operator bool(); }) return bool(a) == bool(b) && (!a || same(*a, *b));
+  else if constexpr (requires { a.begin()->first; }) return a == b;
+  else if constexpr (!std::is_same_v<T, std::string> && requires { a.begin(); })
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return same(x, y); });
+  else return a == b;
 }
 
-void addPart(Hasher& h, const CycleParameters& cycle) {
-  const auto& [length, perSubstance, atBirth, divisionSize] = cycle;
-  h.field("cycle").add(length).add(std::uint64_t{perSubstance.size()});
-  for (const auto& [name, own] : perSubstance) h.add(name).add(own);
-  if (!atBirth.empty()) {
-    h.field("at birth").add(std::uint64_t{atBirth.size()});
-    for (const auto& [name, own] : atBirth) h.add(name).add(own);
-  }
-  if (divisionSize) {
-    const auto& [rule, size] = *divisionSize;
-    h.field("division size").add(number(rule)).add(size);
-  }
+void add(Hasher& h, const std::string& a) { h.add(a); }
+void add(Hasher& h, const double& a) { h.add(a); }
+template <class T>
+requires(std::is_integral_v<T> || std::is_enum_v<T>)
+void add(Hasher& h, const T& a) {
+  h.add(static_cast<std::int64_t>(a));
+}
+template <class T>
+void add(Hasher& h, const std::optional<T>& a);
+template <class T>
+void add(Hasher& h, const std::shared_ptr<const T>& a);
+template <class T>
+void add(Hasher& h, const std::vector<T>& a);
+template <class T, std::size_t count>
+void add(Hasher& h, const std::array<T, count>& a);
+void add(Hasher& h, const std::map<std::string, double>& a);
+
+template <HasMembers T>
+void add(Hasher& h, const T& a) {
+  static const T usual{};
+  const auto values = members(a), usuals = members(usual);
+  std::string_view names = memberNames(&a);
+  const auto addMember = [&](const auto& value, const auto& usualValue) {
+    const auto end = names.find(',');
+    if (!same(value, usualValue)) add(h.field(names.substr(0, end)), value);
+    names.remove_prefix(end == names.npos ? names.size() : end + 2);
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (addMember(std::get<i>(values), std::get<i>(usuals)), ...);
+  }(std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
+  h.field("end");
 }
 
-void addPart(Hasher& h, const std::vector<SenseParameters>& senses) {
-  h.field("senses").add(std::uint64_t{senses.size()});
-  for (const auto& [substance, kind, is, of, amount, axis, lives] : senses) {
-    h.add(substance).add(number(kind)).add(of).add(axis.x).add(axis.y).add(axis.z).add(lives);
-    const auto& [below, above, atMost, atLeast, until] = is;
-    for (const auto* one : {&below, &above, &atMost, &atLeast, &until, &amount}) add(h, *one);
-  }
+template <class T>
+void add(Hasher& h, const std::optional<T>& a) {
+  h.add(a.has_value());
+  if (a) add(h, *a);
+}
+template <class T>
+void add(Hasher& h, const std::shared_ptr<const T>& a) {
+  h.add(a != nullptr);
+  if (a) add(h, *a);
+}
+template <class T>
+void add(Hasher& h, const std::vector<T>& a) {
+  h.add(std::uint64_t{a.size()});
+  for (const T& one : a) add(h, one);
+}
+template <class T, std::size_t count>
+void add(Hasher& h, const std::array<T, count>& a) {
+  for (const T& one : a) add(h, one);
+}
+void add(Hasher& h, const std::map<std::string, double>& a) {
+  h.add(std::uint64_t{a.size()});
+  for (const auto& [name, value] : a) h.add(name).add(value);
 }
 
-void addPart(Hasher& h, const std::uint64_t& seed) { h.field("seed").add(seed); }
-
-void addMesh(Hasher& h, const Mesh& mesh) {
-  const auto& [vertices, faces] = mesh;
-  h.field("vertices").add(std::uint64_t{vertices.size()});
-  for (const Point& x : vertices) h.add(x.x).add(x.y).add(x.z);
-  h.field("faces").add(std::uint64_t{faces.size()});
-  for (const Face& f : faces) h.add(f[0]).add(f[1]).add(f[2]);
+template <class Part>
+std::string hashOf(const Part& part) {
+  Hasher h;
+  add(h, part);
+  return h.digest().text();
 }
 
-void addPart(Hasher& h, const PhysicsParameters& physics) {
-  const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
-               drag, growth, shell, motility, settle] = physics;
-  h.field("physics").add(number(integrator)).add(number(precision)).add(drag);
-  if (substeps) h.field("substeps").add(*substeps);
-  add(h, coarsen);
-  add(h, timeStep);
-  if (autoShare != 1) h.field("share of the automatic time step").add(autoShare);
-  const auto& [radius, mass, model] = cell;
-  h.field("cell").add(number(model)).add(radius).add(mass);
-  const auto& [stiffness, damping, areaFactor, springs] = membrane;
-  h.field("membrane").add(stiffness).add(damping).add(areaFactor);
-  if (springs != Springs::equal) h.field("springs").add(number(springs));
-  if (kindOf(model).hasRestShape) {
-    const auto& [pull, linear, resistance] = shapeMatching;
-    h.field("shape matching").add(pull).add(linear).add(resistance);
-  }
-  const auto& [constant, outside] = pressure;
-  h.field("pressure").add(constant).add(outside);
-  const auto& [rate, until] = growth.value_or(GrowthParameters{.rate = 0, .until = {}});
-  h.field("growth").add(growth.has_value()).add(rate);
-  if (until) h.field("until").add(*until);
-  h.field("shell").add(shell.has_value());
-  if (shell) {
-    const auto& [semiAxes, mesh, holds] = *shell;
-    h.add(std::span<const double>(semiAxes));
-    if (mesh) addMesh(h.field("shell mesh"), mesh->mesh);
-    if (holds != Held::vertices) h.field("shell holds").add(number(holds));
-  }
-  if (motility) {
-    const auto& [speed, persistence] = *motility;
-    h.field("motility").add(speed).add(persistence);
-  }
-  if (kindOf(integrator).settles) {
-    const auto& [tolerance, evaluations, together, sample] = settle;
-    h.field("settle").add(tolerance).add(evaluations).add(together);
-    if (sample) h.field("settle sample").add(*sample);
-  }
+/// The DNA without what only tells of its text.
+Dna decisive(Dna dna) {
+  for (Gene& gene : dna.genes) gene.name.clear();
+  dna.source.clear(), dna.warnings.clear();
+  return dna;
 }
 
-struct Meshes {
-  const Mesh& egg;
-  const std::vector<Mesh>& coarser;
-};
-void addPart(Hasher& h, const Meshes& meshes) {
-  addMesh(h, meshes.egg);
-  h.field("coarser").add(std::uint64_t{meshes.coarser.size()});
-  for (const Mesh& mesh : meshes.coarser) addMesh(h, mesh);
-}
-
-void addPart(Hasher& h, const ContactParameters& contact) {
-  const auto& [law, stiffness, damping, friction, slipSpeed, radius, adhesion] = contact;
-  h.field("contact").add(number(law)).add(stiffness).add(damping).add(friction).add(slipSpeed).add(radius);
-  if (!adhesion) return;
-  const auto& [strength, pairs] = *adhesion;
-  h.field("adhesion").add(strength).add(std::uint64_t{pairs.size()});
-  for (const auto& [a, b, own] : pairs) h.add(a).add(b).add(own);
-}
-
-void addPlane(Hasher& h, const PlaneChoice& choice) {
-  const auto& [plane, axis, substance, turnsAway] = choice;
-  h.add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
-  if (!substance.empty()) h.add(substance);
-  if (turnsAway) h.add("away");
-}
-
-void addChirality(Hasher& h, const std::optional<Chirality>& chirality) {
-  if (!chirality) return;
-  const auto& [angle, time] = *chirality;
-  h.field("chirality").add(angle).add(time);
-}
-
-void addPart(Hasher& h, const DivisionParameters& division) {
-  const auto& [otherwise, rules, chirality] = division;
-  addPlane(h.field("division"), otherwise);
-  addChirality(h, chirality);
-  if (rules.empty()) return;
-  h.field("rules").add(std::uint64_t{rules.size()});
-  for (const auto& [of, plane, share, tilt, own] : rules) {
-    h.add(std::uint64_t{of.size()});
-    for (const std::string& pattern : of) h.add(pattern);
-    h.add(plane.has_value());
-    if (plane) addPlane(h, *plane);
-    add(h, share);
-    add(h, tilt);
-    addChirality(h, own);
-  }
-}
-
-void addPart(Hasher& h, const ConnectionParameters& connections) {
-  const auto& [make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most] =
-      connections;
-  h.field("connections").add(number(make)).add(number(onDivision));
-  if (strength) h.add(*strength);
-  else h.add("shared");
-  add(h, releaseDistance);
-  if (!pairs.empty()) h.field("pairs").add(std::uint64_t{pairs.size()});
-  for (const auto& [a, b] : pairs) h.add(a).add(b);
-  if (spring) {
-    const auto& [stiffness, rest] = *spring;
-    h.field("spring").add(stiffness).add(rest);
-  }
-  if (releaseTension) h.field("release tension").add(*releaseTension);
-  if (releaseAge) h.field("release age").add(*releaseAge);
-  if (most) h.field("most").add(*most);
-}
-
-void addPart(Hasher& h, const VariationParameters& variation) {
-  const auto& [cycle, share, start, tilt, adhesion] = variation;
-  h.field("variation").add(cycle).add(share).add(start).add(tilt);
-  if (adhesion != 0) h.field("adhesion").add(adhesion);
+/// The parameters without those that the cell model and the integrator do not read.
+PhysicsParameters decisive(PhysicsParameters physics) {
+  if (!kindOf(physics.cell.model).hasRestShape) physics.shapeMatching = {};
+  if (!kindOf(physics.integrator).settles) physics.settle = {};
+  return physics;
 }
 
 }  // namespace
@@ -185,26 +121,22 @@ void addPart(Hasher& h, const VariationParameters& variation) {
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation, senses] = scene;
   std::vector<ScenePart> parts;
-  const auto add = [&]<class Part>(const char* name, const Part* part) {
-    Hasher h;
-    if (part) addPart(h, *part);
-    parts.push_back({name, part ? h.digest().text() : ""});
-  };
-  add("dna", &dna);
-  add("cycle", &cycle);
-  add("seed", &seed);
-  static const MechanicsScene none{};
-  const auto& [physics, mesh, coarser, contact, division, connections] = mechanics ? *mechanics : none;
-  const Meshes meshes{mesh, coarser};
-  add("physics", mechanics ? &physics : nullptr);
-  add("physics.mesh", mechanics ? &meshes : nullptr);
-  add("physics.contact", contact ? &*contact : nullptr);
-  add("division", mechanics ? &division : nullptr);
-  add("connections", connections ? &*connections : nullptr);
+  const auto add = [&](const char* name, const auto& part) { parts.push_back({name, hashOf(part)}); };
+  add("dna", decisive(dna));
+  add("cycle", cycle);
+  add("seed", seed);
+  if (mechanics) {
+    add("physics", decisive(mechanics->physics));
+    add("physics.mesh", mechanics->mesh);
+    add("physics.mesh.coarsen", mechanics->coarser);
+    if (mechanics->contact) add("physics.contact", *mechanics->contact);
+    add("division", mechanics->division);
+    if (mechanics->connections) add("connections", *mechanics->connections);
+  }
   VariationParameters onTheWay = variation;
   onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
-  if (onTheWay != VariationParameters{}) add("variation", &onTheWay);
-  if (!senses.empty()) add("senses", &senses);
+  if (onTheWay != VariationParameters{}) add("variation", onTheWay);
+  if (!senses.empty()) add("senses", senses);
   return parts;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/members.h"
 #include "base/vec3.h"
 #include "physics/bodies.h"
 
@@ -21,6 +22,7 @@ struct StartCell {
   std::optional<double> mass = {};                          // [mass]; absent: the egg's times scale³
   std::optional<std::vector<std::string>> substances = {};  // sorted; absent: what the DNA starts with
 };
+MORULA_MEMBERS(StartCell, at, velocity, scale, turn, stretch, mass, substances)
 
 /// Names the cells that live at time 0 and puts them into the lineage. Several start cells are named as if
 /// one egg had divided at time 0 until there were enough: the first half of them, rounded up, descends from

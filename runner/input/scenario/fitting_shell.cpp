@@ -13,7 +13,7 @@ constexpr double rounding = 1e-9;  // a size that has been worked out before is 
 
 /// The axes with abc = r³ / fill, so that 4π/3 r³ is `fill` of 4π/3 abc.
 void scaleShell(ShellParameters& shell, double radius, double fill) {
-  double* axes = shell.semiAxes;
+  double* axes = shell.semiAxes.data();
   const double r3 = radius * radius * radius;
   const double scale = cubeRoot(r3 / (fill * (axes[0] * axes[1] * axes[2])));
   if (scale > 1 - rounding && scale < 1 + rounding) return;
@@ -39,7 +39,7 @@ void fitShell(Scenario& scenario) {
     return;
   }
   scaleShell(*mechanics.physics.shell, radius, fill);
-  const double* axes = mechanics.physics.shell->semiAxes;
+  const double* axes = mechanics.physics.shell->semiAxes.data();
   const bool isRound = axes[0] == axes[1] && axes[1] == axes[2];
   if (isRound || !scenario.scene.cells.empty() || !kindOf(mechanics.physics.cell.model).hasMesh) return;
   // The shell's shape, cbrt(fill) times as large: with abc·fill = r³ the product of the three is 1.

@@ -133,7 +133,7 @@ Parameter shellEllipsoid() {
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto axes = readTriple(node, positive, path, allowed, reading.problems);
     if (!axes) return;
-    double* shell = s.scene.mechanics->physics.shell->semiAxes;
+    double* shell = s.scene.mechanics->physics.shell->semiAxes.data();
     shell[0] = axes->x, shell[1] = axes->y, shell[2] = axes->z;
   };
   p.write = [](const Scenario& s) {

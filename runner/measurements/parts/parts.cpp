@@ -59,7 +59,7 @@ void addModel(PartList& list, const PhysicsParameters& p) {
 
 std::string shapeOf(const ShellParameters& shell) {
   if (shell.mesh) return fmt::format("mesh of {} planes", shell.mesh->planes.size());
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   return a[0] == a[1] && a[1] == a[2] ? "sphere" : "ellipsoid";
 }
 

@@ -86,7 +86,7 @@ void takeFrom(std::vector<Vector>& sum, const std::vector<Vector>& less) {
 /// Returns the shell's force against the one that presses a vertex on it outwards (physics/shell_kernel.h); none for a
 /// vertex that does not lie on it.
 std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vector>& pressing) {
-  const double* a = b.parameters.shell->semiAxes;
+  const double* a = b.parameters.shell->semiAxes.data();
   const double within = b.parameters.precision == Precision::binary64 ? 1e-12 : 1e-6;
   std::vector<Vector> force(pressing.size());
   for (std::size_t v = 0; v < pressing.size(); ++v) {

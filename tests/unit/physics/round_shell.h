@@ -24,13 +24,13 @@ inline ShellParameters felt(const Bodies& b) {
 
 /// 1 on the shell.
 inline double quadric(const Point& x, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   const Vector q{x.x / a[0], x.y / a[1], x.z / a[2]};
   return std::sqrt(dot(q, q));
 }
 
 inline Vector outward(const Point& x, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   const Vector g{x.x / (a[0] * a[0]), x.y / (a[1] * a[1]), x.z / (a[2] * a[2])};
   return g / norm(g);
 }
@@ -38,7 +38,7 @@ inline Vector outward(const Point& x, const ShellParameters& shell) {
 /// The nearest point of the ellipsoid to a point outside: x_i = p_i a_i²/(a_i² + t) with the t that puts x on
 /// it, by bisection [Eberly 2013].
 inline Point nearestOnShell(const Point& p, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
+  const double* a = shell.semiAxes.data();
   const auto at = [&](double t) {
     return Point{p.x * a[0] * a[0] / (a[0] * a[0] + t), p.y * a[1] * a[1] / (a[1] * a[1] + t),
                  p.z * a[2] * a[2] / (a[2] * a[2] + t)};

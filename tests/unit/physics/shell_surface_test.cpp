@@ -59,12 +59,12 @@ TEST_CASE("A free cell's size is where its pressure holds its springs, and cells
 
 TEST_CASE("What is outside is put on the shell that is felt, almost at its nearest point") {
   for (const ShellParameters& shell : roundShells(Held::surface)) {
-    const double* a = shell.semiAxes;
+    const double* a = shell.semiAxes.data();
     const Mesh mesh = makeIcosphere(2);
     for (double excess : {1e-9, 1e-3, 0.02}) {
       Lab lab(inShell(shell), mesh, {shakenBody(mesh, 0, 0)});
       const ShellParameters shellFelt = felt(lab.bodies);
-      const double* f = shellFelt.semiAxes;
+      const double* f = shellFelt.semiAxes.data();
       std::vector<Point> before;
       for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
         const Point onShell{f[0] * mesh.vertices[v].x, f[1] * mesh.vertices[v].y, f[2] * mesh.vertices[v].z};

@@ -25,7 +25,7 @@ PhysicsParameters slackIn(const ShellParameters& shell) {
 
 TEST_CASE("Every point that is held is inside to 1e-12 after every step, however hard it is pushed") {
   for (const ShellParameters& shell : allRoundShells()) {
-    const double* a = shell.semiAxes;
+    const double* a = shell.semiAxes.data();
     PhysicsParameters p = inShell(shell);
     p.pressure.constant = 100 * a[0] * a[1] * a[2];
     const Mesh mesh = zoo::scaled(makeIcosphere(2), {0.95 * a[0], 0.95 * a[1], 0.95 * a[2]});
@@ -54,7 +54,7 @@ TEST_CASE("Every point that is held is inside to 1e-12 after every step, however
 
 TEST_CASE("A vertex outside is put on the shell, almost at its nearest point") {
   for (const ShellParameters& shell : roundShells(Held::vertices)) {
-    const double* a = shell.semiAxes;
+    const double* a = shell.semiAxes.data();
     const Mesh mesh = makeIcosphere(2);
     for (double excess : {1e-9, 1e-3, 0.02}) {
       Lab lab(inShell(shell), mesh, {shakenBody(mesh, 0, 0)});
@@ -79,7 +79,7 @@ TEST_CASE("A vertex outside is put on the shell, almost at its nearest point") {
 
 TEST_CASE("What is on the shell slides: its outward velocity is lost and the rest is kept") {
   for (const ShellParameters& shell : allRoundShells()) {
-    const double* a = shell.semiAxes;
+    const double* a = shell.semiAxes.data();
     const Mesh mesh = makeIcosphere(2);
     Body body = shakenBody(mesh, 0, 1);
     for (Point& x : body.position) x = {1.1 * a[0] * x.x, 1.1 * a[1] * x.y, 1.1 * a[2] * x.z};
@@ -104,7 +104,7 @@ TEST_CASE("What is on the shell slides: its outward velocity is lost and the res
 
 TEST_CASE("The shell bears the outward force and leaves the rest") {
   for (const ShellParameters& shell : allRoundShells()) {
-    const double* a = shell.semiAxes;
+    const double* a = shell.semiAxes.data();
     PhysicsParameters p = slackIn(shell);
     const Mesh mesh = makeIcosphere(2);
     const Body body = shakenBody(zoo::scaled(mesh, {1.1 * a[0], 1.1 * a[1], 1.1 * a[2]}), 0, 0);

@@ -14,7 +14,7 @@ std::string sceneWith(const std::string& shell, const std::string& more = "cell:
          std::to_string(level) + "}\n  " + more + "\n  shell: " + shell + "\n";
 }
 
-const double* axesOf(const Scenario& s) { return s.scene.mechanics->physics.shell->semiAxes; }
+const double* axesOf(const Scenario& s) { return s.scene.mechanics->physics.shell->semiAxes.data(); }
 
 double outermostOf(const Scenario& s) { return measureWorld(makeWorld(s.scene)).at("outermost"); }
 

@@ -136,7 +136,7 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
   CHECK(valueOf("lumen", row({0, 1, 2})) == 0);
 
   const World world = ranToEnd(scenes::ellipsoid());
-  const double* a = world.bodies->parameters.shell->semiAxes;
+  const double* a = world.bodies->parameters.shell->semiAxes.data();
   const auto cells = measureCells(world);
   const auto values = taken(world, {"shell_x", "shell_y", "shell_z", "shell_r"});
   REQUIRE(values.size() == 4 * cells.size());
