@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {  // part of what a seed means: new ones sta
   startVariation = 7,
   motility = 20,
   adhesionVariation = 21,
+  experiment = 22,
   resampling = 40,  // of values, not of a scene: runner/studies/statistics
 };
 

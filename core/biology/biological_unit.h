@@ -32,6 +32,10 @@ class BiologicalUnit {
   virtual double wantsToConnect(const CellContext& cell) const = 0;
   /// The state of a daughter: the mother's and one asymmetry substance, A or B.
   virtual StateId daughterState(StateId mother, bool b) = 0;
+  /// Switches all genes of this name on or off, in all cells. Throws InputError if there is none.
+  virtual void setGene(const std::string& name, bool /*on*/) {
+    throw InputError("this biology has no gene '" + name + "' to switch");
+  }
   /// The substances of a state, sorted by name, separated by single spaces.
   virtual std::string describe(StateId state) const = 0;
   /// The state with this description: how a stored cell gets its state back. Throws InputError if there can be

@@ -43,6 +43,8 @@ struct Sense {
 /// One gene, filed under one of its inputs: if that input is present, the gene is active if the other inputs are, too,
 /// and no repressor is.
 struct WaitingGene {
+  std::string name;
+  bool isOn = true;
   SubstanceId product = 0;
   Substances otherInputs;
   Substances repressors;
@@ -65,6 +67,7 @@ class LogicalDna final : public BiologicalUnit {
   StateId daughterState(StateId mother, bool b) override;
   std::string describe(StateId state) const override;
   StateId stateOf(const std::string& description) override;
+  void setGene(const std::string& name, bool on) override;
 
  private:
   StateId intern(Substances substances) const;
@@ -156,7 +159,7 @@ void LogicalDna::readGenes(const Dna& dna) {
   for (const Gene& gene : dna.genes) {
     const auto rarest = std::ranges::min_element(gene.inputs, {}, [&](SubstanceId s) { return readers[s]; });
     MORULA_CHECK(rarest != gene.inputs.end(), "a gene has at least one input");
-    WaitingGene entry{gene.product, {}, gene.repressors};
+    WaitingGene entry{gene.name, true, gene.product, {}, gene.repressors};
     std::ranges::copy_if(gene.inputs, std::back_inserter(entry.otherInputs),
                          [&](SubstanceId s) { return s != *rarest; });
     waiting_[*rarest].push_back(std::move(entry));
@@ -202,7 +205,7 @@ Substances LogicalDna::runGenes(const Substances& present) const {
   const auto isThere = [&](SubstanceId s) -> bool { return isPresent_[s]; };
   for (SubstanceId s : present)
     for (const WaitingGene& gene : waiting_[s])
-      if (std::ranges::all_of(gene.otherInputs, isThere) && std::ranges::none_of(gene.repressors, isThere))
+      if (gene.isOn && std::ranges::all_of(gene.otherInputs, isThere) && std::ranges::none_of(gene.repressors, isThere))
         products.push_back(gene.product);
   for (SubstanceId s : present) isPresent_[s] = false;
   std::ranges::sort(products);
@@ -297,6 +300,21 @@ StateId LogicalDna::stateOf(const std::string& description) {
   if (!std::ranges::is_sorted(substances, std::ranges::less_equal()))
     throw InputError("a state names its substances once each, sorted; '" + description + "' does not");
   return intern(std::move(substances));
+}
+
+void LogicalDna::setGene(const std::string& name, bool on) {
+  bool isKnown = false;
+  for (std::vector<WaitingGene>& genes : waiting_)
+    for (WaitingGene& gene : genes)
+      if (gene.name == name) gene.isOn = on, isKnown = true;
+  if (!isKnown) throw InputError("the DNA has no gene '" + name + "'");
+  // What was kept of states follows from the genes, and cycle lengths of newborns do, too.
+  for (State& state : states_) state.next = unknown, state.nextOnSensing.clear();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Substances substances = states_[i].substances;
+    const auto has = [&](SubstanceId s) { return std::ranges::binary_search(substances, s); };
+    states_[i].cycleLength = cycleLengthOf(substances, has(a_) || has(b_));
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace morula {
 
 /// Why a connection ended.
-enum class ReleaseCause { none, divided, died, distance, gene, tension, age };
+enum class ReleaseCause { none, divided, died, distance, gene, tension, age, experiment };
 template <>
 inline constexpr auto choices<ReleaseCause> = std::to_array<Choice<ReleaseCause>>({
     {ReleaseCause::none, "", "the connection holds"},
@@ -20,6 +20,7 @@ inline constexpr auto choices<ReleaseCause> = std::to_array<Choice<ReleaseCause>
     {ReleaseCause::gene, "gene", "a gene releases it"},
     {ReleaseCause::tension, "tension", "its spring is stretched too much"},
     {ReleaseCause::age, "age", "it has held for its time"},
+    {ReleaseCause::experiment, "experiment", "an experiment released it"},
 });
 
 struct ConnectionRecord {

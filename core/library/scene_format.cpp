@@ -88,6 +88,7 @@ std::size_t countOf() {
   if constexpr (requires { choices<Enum>.size(); }) return choices<Enum>.size();
   else if constexpr (std::is_same_v<Enum, SenseKind>) return senseKinds().size();
   else if constexpr (std::is_same_v<Enum, DivisionPlane>) return divisionPlanes().size();
+  else if constexpr (std::is_same_v<Enum, CellSelection::Kind>) return 5;
   else {
     static_assert(std::is_same_v<Enum, DivisionSize::Rule>);
     return 2;
@@ -101,6 +102,13 @@ void add(Reader& r, double& a) {
 }
 void add(Writer& w, const std::string& a) { w.text(a); }
 void add(Reader& r, std::string& a) { a = r.text(); }
+void add(Writer& w, const CellPath& a) { w.text(a.text()); }
+void add(Reader& r, CellPath& a) {
+  const std::string text = r.text();
+  if (text.size() > CellPath::maxDepth || text.find_first_not_of("AB") != text.npos)
+    r.refuse("'" + text + "' is no path of a cell");
+  a = CellPath::parse(text);
+}
 
 template <class T>
 concept Whole = std::is_integral_v<T> || std::is_enum_v<T>;

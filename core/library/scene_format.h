@@ -3,7 +3,7 @@
 // tests, pages that run again, other programs. A scenario is for people; this holds exactly what decides a run, all
 // numbers as their bits.
 //
-//   morula-scene 2
+//   morula-scene 3
 //   11 unique-four         a text: its bytes, a blank, and the text
 //   20080617               a number: whole, or the 64 bits of a double
 //   …                      the members of Scene, one after the other; before what may be absent 0 or 1, before a list its length
@@ -15,7 +15,7 @@
 
 namespace morula {
 
-inline constexpr int sceneFormat = 2;
+inline constexpr int sceneFormat = 3;
 
 std::string writeScene(Scene scene);
 

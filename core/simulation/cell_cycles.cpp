@@ -90,6 +90,12 @@ void requireCellsInTime(const World& world) {
                        "give fewer stop.cells, or a stop.time or stop.cycles besides");
 }
 
+void findAdhesion(World& world) {
+  // Measures before the next step see the substances that cells hold now, as a checkpoint of now will have them.
+  if (world.contacts && world.contacts->parameters.adhesion && !world.contacts->adhesion.isCurrent)
+    findPairStrengths(*world.contacts, *world.bodies, world.execution.threads);
+}
+
 }  // namespace
 
 double longestCycle(const CycleParameters& cycle) {
@@ -99,14 +105,16 @@ double longestCycle(const CycleParameters& cycle) {
   return longest;
 }
 
-double paceOf(const World& world, const CellPath& path) {
+double paceOf(const World& world, const CellPath& path, StateId state) {
   const double sd = world.model.variation.cycle;
-  return sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
+  const double own = sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
+  return world.experiments ? own * experimentalPace(world, path, state) : own;
 }
 
 double nextCycleOf(const World& world, std::size_t cell) {
   const Cells& cells = world.cells;
-  return cells.lastCycle[cell] + paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
+  const StateId state = cells.state[cell];
+  return cells.lastCycle[cell] + paceOf(world, cells.path[cell], state) * world.biology->cycleLength(state);
 }
 
 void runCellCycles(World& world, double before, double until) {
@@ -129,9 +137,23 @@ void runCellCycles(World& world, double before, double until) {
     if (world.contacts) setInfluenceRadii(*world.contacts, *world.bodies);
     chooseTimeStep(world);  // cells that shrink get lighter: an automatic step must follow
   }
-  // Measures before the next step see the substances that cells hold now, as a checkpoint of now will have them.
-  if (world.contacts && world.contacts->parameters.adhesion && !world.contacts->adhesion.isCurrent)
-    findPairStrengths(*world.contacts, *world.bodies, world.execution.threads);
+  findAdhesion(world);
+}
+
+void runEvents(World& world, double before, double until) {
+  for (;;) {
+    const double next = nextExperiment(world), time = std::min(std::max(before, next), until);
+    runCellCycles(world, before, time);
+    // Cycles may have brought the number of cells that an experiment waits for.
+    if (!(nextExperiment(world) <= time)) {
+      if (!(next <= until)) return;
+      continue;
+    }
+    doExperiments(world, time);
+    world.clock.nextCycle = findNextRound(world, time);
+    sortByAdhesion(world);
+    findAdhesion(world);
+  }
 }
 
 }  // namespace morula

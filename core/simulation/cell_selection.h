@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/cell_path.h"
+#include "base/members.h"
 
 namespace morula {
 
@@ -16,7 +17,7 @@ namespace morula {
 ///   clones         the descendants of each cell two divisions from the egg
 struct CellSelection {
   enum class Kind { cell, clone, generation, substance, clones };
-  Kind kind;
+  Kind kind = Kind::substance;
   CellPath path{};          // of a cell or a clone
   int generation = 0;       // [divisions] from the egg
   std::string substance{};  // a pattern (biology/substance_pattern.h)
@@ -26,6 +27,7 @@ struct CellSelection {
   /// Returns true if the selection has a cell with this path and these substances, as a state's text gives them.
   bool has(const CellPath& cell, std::string_view substances) const;
 };
+MORULA_MEMBERS(CellSelection, kind, path, generation, substance)
 
 /// The selections that may stand behind "of", for messages.
 inline constexpr const char* selectionAllowed =

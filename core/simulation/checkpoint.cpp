@@ -156,6 +156,10 @@ void checkSavedState(const SavedState& s, const World& world) {
   for (const Columns* radii : {&s.contacts.radius, &s.contacts.snapshotRadius})
     for (double a : *radii) demand(isPositive(a), "a cell's influence radius");
   if (world.polarities) checkPolarities(*read.polarities);
+  if (world.experiments)
+    for (const ExperimentRecord& record : *read.experiments)
+      demand(record.number >= 1 && record.number <= world.model.experiments.size() && record.cells <= 3,
+             "an experiment that was done");
   if (world.connections) checkConnections(read.connections->history, read.cells.path);
   if (world.birthSizes) {
     demand(read.birthSizes->size() == read.cells.path.size(), "a cell's size at birth");

@@ -246,6 +246,7 @@ SavedState readState(FieldReader& in, const World& world) {
   if (world.polarities) read.world.polarities.emplace();
   if (world.birthSizes) read.world.birthSizes.emplace();
   if (world.settlings) read.world.settlings.emplace();
+  if (world.experiments) read.world.experiments.emplace();
   visitState(read.world, StateReader(in, *world.biology, read));
   in.end();
   return read;
@@ -257,10 +258,13 @@ void takeOver(World& world, SavedState&& s) {
   world.lineage = std::move(s.world.lineage);
   world.timeSteps = std::move(s.world.timeSteps);
   world.divisions = std::move(s.world.divisions);
+  world.experiments = std::move(s.world.experiments);
+  restoreExperiments(world);
   world.polarities = std::move(s.world.polarities);
   if (world.birthSizes) world.birthSizes = std::move(s.world.birthSizes);
   if (world.settlings) world.settlings = std::move(s.world.settlings);
   if (world.bodies) world.bodies = std::move(s.world.bodies);
+  restoreExperiments(world);
   if (world.contacts) restoreContacts(s.contacts, world);
   if (world.motility) world.motility->isCurrent = false;
   if (world.connections) {

@@ -79,6 +79,10 @@ struct PartHasher : SavedParts {
   void operator()(const char* name, const std::vector<ConnectionRecord>& connections) {
     parts.connections = hashRows(name, connections);
   }
+  /// What was done decides how the scene goes on; the clock comes before.
+  void operator()(const char* name, const std::vector<ExperimentRecord>& records) {
+    parts.clock = Hasher().add(parts.clock).add(hashRows(name, records)).digest();
+  }
   void operator()(const char*, const Bodies&) {}  // with their cells
 
   template <class Record>

@@ -133,7 +133,7 @@ ObservedCell::ObservedCell(const Observation& observation, int number) : observa
   time = observation.time;
   lastCycle = cells.lastCycle[number];
   born = observation.world.lineage.entries[cells.entry[number]].born;
-  pace = paceOf(observation.world, path);
+  pace = paceOf(observation.world, path, state);
 }
 
 std::string ObservedCell::substances() const { return observation_.world.biology->describe(state); }

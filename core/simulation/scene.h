@@ -15,6 +15,7 @@
 #include "division/parameters.h"
 #include "mesh/mesh.h"
 #include "physics/parameters.h"
+#include "simulation/experiment.h"
 #include "simulation/start_cells.h"
 
 namespace morula {
@@ -50,7 +51,8 @@ struct Scene {
   std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
   VariationParameters variation;            // what the seed changes besides
   std::vector<SenseParameters> senses;      // by substance, each once
+  std::vector<Experiment> experiments;      // what is done to the organism while it grows
 };
-MORULA_MEMBERS(Scene, name, seed, dna, cycle, stop, mechanics, cells, variation, senses)
+MORULA_MEMBERS(Scene, name, seed, dna, cycle, stop, mechanics, cells, variation, senses, experiments)
 
 }  // namespace morula

@@ -40,6 +40,7 @@ bool same(const T& a, const T& b) {
 
 void add(Hasher& h, const std::string& a) { h.add(a); }
 void add(Hasher& h, const double& a) { h.add(a); }
+void add(Hasher& h, const CellPath& a) { h.add(a.text()); }
 template <class T>
 requires(std::is_integral_v<T> || std::is_enum_v<T>)
 void add(Hasher& h, const T& a) {
@@ -119,7 +120,7 @@ PhysicsParameters decisive(PhysicsParameters physics) {
 }  // namespace
 
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
-  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation, senses] = scene;
+  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation, senses, experiments] = scene;
   std::vector<ScenePart> parts;
   const auto add = [&](const char* name, const auto& part) { parts.push_back({name, hashOf(part)}); };
   add("dna", decisive(dna));
@@ -137,6 +138,7 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
   if (onTheWay != VariationParameters{}) add("variation", onTheWay);
   if (!senses.empty()) add("senses", senses);
+  if (!experiments.empty()) add("experiments", experiments);
   return parts;
 }
 

@@ -204,7 +204,8 @@ double nextEvent(const World& world) {
     if (fastest > 0 || next == INFINITY)
       next = std::min(next, clock.time + maxGrowth / (p.growth->rate * std::max(fastest, 1.0)));
   }
-  return std::min(next, plannedEnd(world.model).value_or(INFINITY));
+  const double experiment = std::max(clock.time, nextExperiment(world));
+  return std::min({next, plannedEnd(world.model).value_or(INFINITY), experiment});
 }
 
 }  // namespace
@@ -218,7 +219,7 @@ void stepQuasiStatic(World& world) {
     clock.time = nextEvent(world);
     growCells(world, clock.time - before);
     releaseConnections(world);
-    runCellCycles(world, before, dueUntil(world, before));
+    runEvents(world, before, dueUntil(world, before));
   }
   settle(world);
 }

@@ -70,11 +70,15 @@ void sortByAdhesion(World& world);
 /// the clock's time before this step.
 void runCellCycles(World& world, double before, double until);
 
+/// Runs cell cycles as runCellCycles, and the experiments that are due until then [time], each after the cycles that
+/// were due before it.
+void runEvents(World& world, double before, double until);
+
 /// [time] The longest cycle that a cell of a scene may have, without what the seed varies.
 double longestCycle(const CycleParameters& cycle);
 
-/// [1] A cell's cycle lengths over those of its state: 1 ± variation.cycle.
-double paceOf(const World& world, const CellPath& path);
+/// [1] A cell's cycle lengths over those of its state: 1 ± variation.cycle, times what experiments say.
+double paceOf(const World& world, const CellPath& path, StateId state);
 
 /// [time] When the next cycle of living cell number `cell` is due.
 double nextCycleOf(const World& world, std::size_t cell);

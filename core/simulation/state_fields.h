@@ -108,6 +108,17 @@ void visitFields(T& settling, auto&& visit) {
   visit(Field{"displacement_left", "", Use::saved}, displacementLeft);
 }
 
+template <IsA<ExperimentRecord> T>
+void visitFields(T& record, auto&& visit) {
+  auto& [number, time, step, cells, path, other] = record;
+  visit(Field{"number", "experiment"}, number);
+  visit(Field{"time", "experiment's time"}, time);
+  visit(Field{"step", "experiment's step"}, step);
+  visit(Field{"cells", "experiment's cells"}, cells);
+  visit(Field{"path", "experiment on"}, path);
+  visit(Field{"other", "experiment with"}, other);
+}
+
 template <IsA<BirthSize> T>
 void visitFields(T& birth, auto&& visit) {
   auto& [size] = birth;
@@ -171,7 +182,8 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts, connections,
-         lineage, timeSteps, divisions, birthSizes, polarities, settlings, before, motility, swirls] = world;
+         lineage, timeSteps, divisions, birthSizes, polarities, settlings, experiments, before, motility, swirls] =
+      world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);
@@ -185,6 +197,7 @@ void visitState(W& world, auto&& visit) {
   if (connections) visit("connections", connections->history);
   if (birthSizes) visit("birth sizes", *birthSizes);
   if (settlings) visit("settlings", *settlings);
+  if (experiments) visit("experiments", *experiments);
 }
 
 /// Leaves out the parts that only checkpoints hold, because they tell how the state came about, or follow from

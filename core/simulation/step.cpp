@@ -109,9 +109,9 @@ void step(World& world) {
     releaseConnections(world);
   } else {
     ++clock.step;
-    clock.time = clock.nextCycle;
+    clock.time = std::min(clock.nextCycle, std::max(before, nextExperiment(world)));
   }
-  runCellCycles(world, before, dueUntil(world, before));
+  runEvents(world, before, dueUntil(world, before));
   followContacts(world);
 }
 
@@ -158,7 +158,7 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
 }
 
 void growCells(World& world, double timeStep) {
-  const auto& growth = world.model.mechanics->physics.growth;
+  const auto& growth = world.bodies->parameters.growth;
   if (!growth) return;
   bool grows = false;
   for (std::size_t i = 0; i < world.cells.growth.size(); ++i) {
@@ -185,7 +185,9 @@ std::uint64_t stepsUntil(const Clock& clock, double time) {
 void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
-  if (areIsolated(world)) steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
+  if (areIsolated(world))
+    steps = std::min({most, stepsUntil(clock, std::min(clock.nextCycle, nextExperiment(world))),
+                      wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
   const double before = clock.time;
   if (!moveIsolated(world, steps)) {
@@ -194,7 +196,7 @@ void takeSteps(World& world, std::uint64_t most) {
   }
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
-  runCellCycles(world, before, dueUntil(world, before));
+  runEvents(world, before, dueUntil(world, before));
 }
 
 }  // namespace morula

@@ -52,6 +52,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (scene.mechanics && kindOf(scene.mechanics->physics.integrator).settles) leaveOutMotion(*world.model.mechanics);
   world.execution = execution;
   world.biology = std::move(biology);
+  if (!scene.experiments.empty()) world.experiments.emplace();
   refuseEndlessPace(scene);
   createFounders(world);
   if (!scene.mechanics) return world;

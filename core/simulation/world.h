@@ -16,6 +16,7 @@
 #include "division/record.h"
 #include "physics/bodies.h"
 #include "physics/stages.h"
+#include "simulation/experiments.h"
 #include "simulation/motility.h"
 #include "simulation/scene.h"
 #include "simulation/swirls.h"
@@ -104,6 +105,7 @@ struct World {
   std::optional<std::vector<BirthSize>> birthSizes;       // [cell]; absent: no division asks for them
   std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
   std::optional<std::vector<SettlingRecord>> settlings;   // absent: the scene goes through time steps
+  std::optional<std::vector<ExperimentRecord>> experiments;  // in the order in which they were done; absent: none
 
   std::optional<BodyCopy> before;            // scratch of takeSteps
   std::optional<Motility> motility;          // of scenes with it; follows from the rest

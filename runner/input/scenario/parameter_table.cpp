@@ -53,6 +53,7 @@ std::vector<Parameter> parameters() {
       natural("seed", {}, "Chooses the random numbers; equal seeds give equal results", AT(scene.seed)),
       dna(),
       startCells(),
+      experiments(),
       colourPerSubstance("colours", "Cells mix the colours of their substances; longer patterns win", AT(colours)),
 
       real("cycle.length", "time", positive, "Time between a cell's cycles", AT(scene.cycle.length)),

@@ -50,6 +50,7 @@ struct Reading {
   std::vector<Place> rules{};      // where each of `division.rules` stands
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
+  std::vector<Node> experiments{};  // the entries of `experiments`, which are read once cells have their names
 };
 
 enum class Decides {
@@ -86,5 +87,8 @@ void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root
 
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+/// Reads the entries of `experiments` (experiment_types.cpp).
+void readExperiments(Scenario& scenario, Reading& reading);
 
 }  // namespace morula::scenario

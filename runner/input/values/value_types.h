@@ -87,6 +87,7 @@ Parameter divisionRules();
 /// Describes the values of division.plane in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
+Parameter experiments();
 Parameter adhesion();
 Parameter makeConnections();
 /// The section `senses`, and the tables that explain it.

@@ -33,9 +33,9 @@ std::vector<double> timesUpTo(double end, double longestStep, int samples) {
 
 std::string cellText(const CellPath& path) { return path == CellPath{} ? "the egg" : "cell " + path.text(); }
 
-class Experiment {
+class AccuracyExperiment {
  public:
-  Experiment(const ReadScenario& read, const AccuracyOptions& options)
+  AccuracyExperiment(const ReadScenario& read, const AccuracyOptions& options)
       : read_(read), options_(options), scenario_(read({})) {
     refuseWithoutError(scenario_);
     radius_ = scenario_.scene.mechanics->physics.cell.radius;
@@ -338,7 +338,7 @@ void refuseWithoutError(const Scenario& scenario) {
 }
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {
-  return Experiment(read, options).run();
+  return AccuracyExperiment(read, options).run();
 }
 
 }  // namespace morula

@@ -183,6 +183,7 @@ RunResults Recorder::take(const World& world, bool failed) {
   if (world.connections) results.connections = world.connections->history;
   for (const TimeStepChange& t : world.timeSteps) results.timeSteps.push_back({t.time, t.step, t.timeStep});
   if (world.settlings) results.settlings = *world.settlings;
+  if (world.experiments) results.experiments = *world.experiments;
   results.divisions = world.divisions;
   return results;
 }

@@ -199,6 +199,7 @@ struct RunResults {
   std::vector<ConnectionRecord> connections;  // in the order in which they were made
   std::vector<TimeStepRecord> timeSteps;
   std::vector<SettlingRecord> settlings;  // of quasi-static scenes
+  std::vector<ExperimentRecord> experiments;  // what was done
   std::vector<DivisionRecord> divisions;  // of cells with bodies
   std::vector<ChainLink> chain;           // by step
   std::vector<CheckResult> checks;

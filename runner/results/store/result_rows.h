@@ -45,6 +45,8 @@ void visitEnd(const RunResults& results, std::uint64_t step, const Visit& visit)
   for (const ConnectionRecord& c : results.connections) visit(step, c, number++);
   for (const TimeStepRecord& t : results.timeSteps) visit(t.step, t);
   for (const SettlingRecord& s : results.settlings) visit(s.step, s);
+  std::int64_t deed = 0;
+  for (const ExperimentRecord& e : results.experiments) visit(e.step, e, deed++);
   for (const DivisionRecord& d : results.divisions) visit(d.step, d);
 }
 

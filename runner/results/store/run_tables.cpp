@@ -8,7 +8,7 @@ const std::vector<const SqlTable*>& runTables() {
       &sqlTable<CellRow>(),          &sqlTable<WorldMeasures>(),   &sqlTable<CellSampleRow>(),
       &sqlTable<ContactMeasures>(),  &sqlTable<TakenMeasure>(),    &sqlTable<CellSurface>(),
       &sqlTable<ConnectionRecord>(), &sqlTable<DivisionRecord>(),  &sqlTable<TimeStepRecord>(),
-      &sqlTable<SettlingRecord>(),   &sqlTable<ChainLink>(),       &sqlTable<CellHash>(),
+      &sqlTable<SettlingRecord>(), &sqlTable<ExperimentRecord>(),   &sqlTable<ChainLink>(),       &sqlTable<CellHash>(),
       &sqlTable<CheckResult>(),      &sqlTable<BulletSampleRow>(), &sqlTable<CheckpointRow>(),
       &sqlTable<FrameRow>(),         &sqlTable<SealedTable>()};
   return tables;

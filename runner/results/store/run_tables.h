@@ -270,6 +270,25 @@ void listFields(T& settling, auto&& field) {
 }
 
 template <>
+inline constexpr TableInfo tableInfo<ExperimentRecord> = {
+    .name = "experiment",
+    .part = TablePart::end,
+    .context = "run_id number",
+    .key = "run_id, number",
+    .csv = "experiments",
+    .why = "with `experiments`: what was done to which cell, and when"};
+template <IsA<ExperimentRecord> T>
+void listFields(T& done, auto&& field) {
+  auto& [entry, time, step, cells, path, other] = done;
+  field({"entry", "of the scenario's list, from 1"}, entry);
+  field({"time", "", "time"}, time);
+  field({"step"}, step);
+  field({"cells", "0: no cell was found; 1: path; 2: path and other; 3: all cells alike"}, cells);
+  field({"path"}, path);
+  field({"other", "of a connection"}, other);
+}
+
+template <>
 inline constexpr TableInfo tableInfo<ChainLink> = {
     .name = "step_hash",
     .part = TablePart::hashes,

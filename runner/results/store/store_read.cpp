@@ -142,6 +142,7 @@ RunResults Store::results(const std::string& id) {
   results.connections = rowsOf<ConnectionRecord>(db_, "", id);
   results.timeSteps = rowsOf<TimeStepRecord>(db_, "", id);
   results.settlings = rowsOf<SettlingRecord>(db_, "", id);
+  results.experiments = rowsOf<ExperimentRecord>(db_, "", id);
   results.divisions = rowsOf<DivisionRecord>(db_, "", id);
   results.chain = chain(id);
   results.checks = checks(id);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/number_text.h"
 #include "division/rules.h"
 #include "document/words.h"
 #include "files/text.h"
@@ -23,6 +24,33 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
       "with {} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
       count, counted(settlings.size(), "settling"), asked.evaluations, asked.tolerance, farthest.time,
       counted(farthest.cells, "cell"), farthest.residual);
+}
+
+std::vector<std::string> experimentLines(const Scenario& scenario, const std::vector<ExperimentRecord>& done) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < scenario.scene.experiments.size(); ++i) {
+    const Experiment& e = scenario.scene.experiments[i];
+    std::vector<std::string> cells;
+    const ExperimentRecord* first = nullptr;
+    for (const ExperimentRecord& record : done) {
+      if (record.number != i + 1) continue;
+      if (!first) first = &record;
+      if (record.cells == 1 || record.cells == 2)
+        cells.push_back(cellName(record.path.text()) + (record.cells == 2 ? " and " + cellName(record.other.text()) : ""));
+    }
+    std::string line = std::string(nameOf(e.deed)) + (e.name.empty() ? "" : " " + e.name) +
+                       (e.deed == Deed::set ? " to " + numberText(e.value) : "");
+    constexpr std::size_t maxNamed = 4;
+    if (!first) line += ": never due";
+    else {
+      line += " at time " + shownTime(scenario.units, first->time);
+      if (cells.size() > maxNamed) line += ": " + counted(cells.size(), "cell");
+      else if (!cells.empty()) line += ": " + join(cells);
+      else if (first->cells == 0) line += ": no cell was chosen";
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 std::string distanceText(const std::vector<SettlingRecord>& settlings) {

@@ -22,6 +22,9 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
 /// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
 std::string distanceText(const std::vector<SettlingRecord>& settlings);
 
+/// One line for each entry of `experiments`: what was done to which cells and when, or that it was never due.
+std::vector<std::string> experimentLines(const Scenario& scenario, const std::vector<ExperimentRecord>& done);
+
 /// Sentences on check.reference.positions at the end of a run: that they are in another unit than the scene, or in a
 /// frame that mirrors; "" where neither shows.
 std::string positionsText(const World& world, const Scenario& scenario);

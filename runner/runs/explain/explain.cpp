@@ -99,6 +99,12 @@ class Comparison : public SavedParts {
                     [](const ConnectionRecord& connection) { return connection.a; });
   }
 
+  void operator()(const char*, const std::vector<ExperimentRecord>& records) {
+    if (actual_.experiments)
+      compareTables(clock_, false, "experiments done", records, *actual_.experiments,
+                    [](const ExperimentRecord& record) { return record.path; });
+  }
+
   void operator()(const char*, const Bodies&) {
     const auto& path = expected_.cells.path;
     if (!actual_.bodies || path.size() != actual_.cells.path.size()) return;

@@ -38,6 +38,7 @@ struct RunOutcome {
   ResultState state() const;  // of all of these
   std::vector<std::string> pictures;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
+  std::vector<std::string> experiments;   // [experimentLines]
   std::string unsettled;                  // [unsettledText]
   std::string reference;                  // [positionsText]
   std::filesystem::path database;         // that holds the run: another one than asked for where a process held that

@@ -75,9 +75,9 @@ TEST_CASE("What is wrong in a scene is told with its line") {
   const Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
   const std::string text = writeScene(scene);
   const auto body = bodyOf(text);
-  CHECK(refusalOf("") == "a.scene:1: this is no scene; one begins with \"morula-scene 2\"");
-  CHECK_THAT(refusalOf(withLine(text, 1, "morula-scene 1")),
-             ContainsSubstring("a.scene:1: a scene of another version; needs 2"));
+  CHECK(refusalOf("") == "a.scene:1: this is no scene; one begins with \"morula-scene 3\"");
+  CHECK_THAT(refusalOf(withLine(text, 1, "morula-scene 2")),
+             ContainsSubstring("a.scene:1: a scene of another version; needs 3"));
   CHECK_THAT(refusalOf(withLine(text, 2, "99999 with-bodies")),
              ContainsSubstring("a.scene:2: a text of 99999 bytes is cut off"));
   CHECK_THAT(refusalOf(withLine(text, 2, "11with-bodies")), ContainsSubstring("a.scene:2: needs a blank and a text"));

@@ -1,0 +1,58 @@
+#pragma once
+// What is done to an organism while it grows: which cells, what, and when (Scene::experiments).
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/choice.h"
+#include "base/members.h"
+#include "simulation/cell_selection.h"
+
+namespace morula {
+
+enum class Deed { kill, geneOff, geneOn, set, cycles, delay, connect, release };
+template <>
+inline constexpr auto choices<Deed> = std::to_array<Choice<Deed>>({
+    {Deed::kill, "kill", "these cells die"},
+    {Deed::geneOff, "gene-off", "the gene acts in no cell from then on"},
+    {Deed::geneOn, "gene-on", "the gene acts again"},
+    {Deed::set, "set", "the parameter has another value from then on"},
+    {Deed::cycles, "cycles", "cycle lengths of these cells are multiplied by a factor from then on"},
+    {Deed::delay, "delay", "the next cycle of these cells comes so much later"},
+    {Deed::connect, "connect", "two cells are connected"},
+    {Deed::release, "release", "a connection of two cells ends"},
+});
+
+/// One of `at`, `afterBirth` and `atCells` is given. An experiment takes place at the end of the first step that
+/// reaches its time, after the cell cycles that were due until then.
+struct Experiment {
+  Deed deed = Deed::kill;
+  std::vector<CellSelection> of{};      // cells; one each for the two ends of a connection; none: all cells
+  std::string name{};                   // of a gene, or of a parameter (changeableParameters)
+  double value = 0;                     // of the parameter; the factor of cycles; [time] of a delay
+  double share = 1;                     // [1] of these cells, chosen by the seed
+  std::optional<double> at{};           // [time]
+  std::optional<double> afterBirth{};   // [time] of each of the cells
+  std::optional<std::uint64_t> atCells{};  // when so many cells live for the first time
+};
+MORULA_MEMBERS(Experiment, deed, of, name, value, share, at, afterBirth, atCells)
+
+/// A parameter that an experiment may set while a scene runs.
+struct ChangeableParameter {
+  const char* path;  // as a scenario writes it
+  double low;        // the least value that it may have
+};
+inline constexpr auto changeableParameters = std::to_array<ChangeableParameter>({
+    {"physics.drag", 0},
+    {"physics.membrane.stiffness", 1e-300},
+    {"physics.membrane.damping", 0},
+    {"physics.pressure.outside", 0},
+    {"physics.contact.stiffness", 1e-300},
+    {"physics.contact.damping", 0},
+    {"physics.contact.adhesion.strength", 0},
+    {"physics.growth.rate", 1e-300},
+});
+
+}  // namespace morula
