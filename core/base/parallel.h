@@ -14,7 +14,8 @@ void parallelFor(int count, int threads, Body&& body) {
       &body);
 }
 
-/// The number of this thread within the running parallelFor, 0 … threads−1: which scratch memory is its own.
+/// Returns the number of this thread within the running parallelFor, 0 … threads−1. It selects the thread's scratch
+/// memory.
 int threadNumber();
 
 }  // namespace morula

@@ -1,5 +1,5 @@
 #pragma once
-// A closed triangle mesh with vertex positions: what a cell is loaded from and what is measured and drawn.
+// A closed triangle mesh with vertex positions. Cells are loaded from, measured on and drawn as such meshes.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -16,9 +16,9 @@ struct Mesh {
   std::vector<Face> faces;
 };
 
-/// The icosphere with unit radius: an icosahedron whose faces are split in four `level` times (0 to 4: 12,
-/// 42, 162, 642, 2562 vertices) and whose vertices lie on the sphere. The first vertices of a level are those
-/// of the level below. Throws InputError for another level.
+/// The icosphere with unit radius: an icosahedron whose faces are split in four `level` times (0 to 4: 12, 42, 162,
+/// 642, 2562 vertices) and whose vertices lie on the sphere. The vertices of each level begin with the vertices of the
+/// level below. Throws InputError for another level.
 Mesh makeIcosphere(int level);
 
 /// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are cut into triangles, mesh/triangulate.h; names,
