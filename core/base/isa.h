@@ -39,9 +39,8 @@ struct PerIsa {
   }
 };
 
-// Declares the tables `name` of type Table in the instruction sets' namespaces, and gathers them as `tables`. Its place
-// is directly in namespace morula. `suffix` ends the namespaces' names: nothing, or _single for kernels that compute
-// with floats.
+// Declares the tables `name` of type Table in the instruction sets' namespaces, and gathers them as `tables`; for use
+// in namespace morula. `suffix` of the namespaces: nothing, or _single for kernels that compute with floats.
 #define MORULA_DECLARE_TABLE(Table, isa, name) \
   namespace isa {                              \
   extern const Table name;                     \

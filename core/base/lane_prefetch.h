@@ -5,9 +5,8 @@
 
 namespace morula::MORULA_ISA {
 
-/// Prefetches `bytes` bytes, starting `from` bytes behind `place`, into the second-level cache; the first level stays
-/// free for the work at hand. The place may lie behind the last block: a prefetch of memory that does not exist has no
-/// effect.
+/// Prefetches `bytes` bytes, from `from` bytes behind `place` on, into the second-level cache; the first stays free for
+/// the work at hand. The place may lie behind the last block: prefetching memory that does not exist has no effect.
 template <int bytes>
 MORULA_INLINE void prefetch(const void* place, std::int64_t from) {
   const auto address = reinterpret_cast<std::uintptr_t>(place) + static_cast<std::uintptr_t>(from);

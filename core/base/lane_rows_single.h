@@ -31,7 +31,7 @@ MORULA_INLINE void storeRows(float* firstRow, const Lanes column[rowColumns]) {
 
 typedef float Four __attribute__((vector_size(16)));
 
-/// Transposes four consecutive floats of each of four rows (of eight: i and i + 4 side by side) ↔ four columns. Its own
+/// Transposes four consecutive floats of four rows (of eight: i and i + 4 side by side) ↔ four columns. Its own
 /// inverse.
 MORULA_INLINE void transposeFours(const RawLanes row[4], Lanes column[4]) {
   const RawLanes low = MORULA_LOW(row[0], row[1]), high = MORULA_HIGH(row[0], row[1]),

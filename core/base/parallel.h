@@ -14,8 +14,7 @@ void parallelFor(int count, int threads, Body&& body) {
       &body);
 }
 
-/// Returns the number of this thread within the running parallelFor, 0 … threads−1. It selects the thread's scratch
-/// memory.
+/// Returns this thread's number within the running parallelFor, 0 … threads−1, which selects its scratch memory.
 int threadNumber();
 
 }  // namespace morula

@@ -39,8 +39,7 @@ concept Record = requires(T& record) {
 
 // Wrappers that a list may give in place of a member itself.
 
-/// A member that is null where `isAbsent`, which may depend on fields before and after. Reading null leaves the member
-/// as it is.
+/// A member that is null where `isAbsent`, which may depend on any field. Reading null leaves the member as it is.
 template <class Member>
 struct NullIf {
   bool isAbsent;

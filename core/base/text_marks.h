@@ -23,8 +23,7 @@ struct InvisibleCharacter {
   std::string name;
 };
 
-/// Finds the first invisible character of a line; absent if the line has none, or has bytes before it that are not
-/// UTF-8.
+/// Finds the first invisible character of a line; absent without one, or if bytes before it are not UTF-8.
 std::optional<InvisibleCharacter> findInvisible(std::string_view line);
 
 }  // namespace morula

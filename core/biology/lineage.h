@@ -30,13 +30,13 @@ struct Lineage {
 
 const char* name(Fate fate);
 
-/// The entries' places, sorted by path: the egg first, every subtree in one piece. O(n log n): make it once,
-/// pass it on.
+/// Returns the indices of the entries, sorted by path: the egg first, every subtree in one piece. O(n log n), so
+/// compute the order once and pass it on.
 std::vector<std::uint32_t> orderByPath(const Lineage& lineage);
-/// The entry of a cell, or null. `order` comes from orderByPath. A cell's daughters are find(…,
+/// Returns the entry of a cell, or null. `order` comes from orderByPath. A cell's daughters are find(…,
 /// path.daughter(false)) and (true).
 const LineageEntry* find(const Lineage& lineage, std::span<const std::uint32_t> order, const CellPath& path);
-/// The places of the cells that did not divide (alive or died), sorted by path.
+/// Returns the indices of the cells that did not divide (alive or died), sorted by path.
 std::vector<std::uint32_t> leaves(const Lineage& lineage);
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
 // Deviations by which no two organisms are alike; a seed decides them [base/random.h, randomNormal]. Each deviation
-// belongs to a cell's lineage path and to what deviates, so a cell has the same one whatever else the scene does.
+// belongs to a cell's lineage path and to the quantity that deviates, whatever else the scene does.
 
 namespace morula {
 

@@ -15,7 +15,7 @@ struct Cavities {
   double edge = 0;             // [length] edge of the cubes
 };
 
-/// Measures on a grid of at most `most` cubes, around the meshes and a probe's way around them. The edge h of a cube is a
+/// Measures on a grid of at most `most` cubes, with room for a probe's way around the meshes. The edge h of a cube is a
 /// sixteenth of `probe` [length], the probe's radius, or as much longer as `most` requires. A cube is in a mesh if its
 /// centre is. A pocket's volume is off by at most √3/2 h times its surface, distances from `outside` by 2h, and a rigid
 /// motion changes them by at most twice that. Gaps narrower than the probe are closed, and pockets that it does not fit

@@ -22,8 +22,9 @@ struct ConvexShell {
 
 /// Reads a Wavefront OBJ text as readObj does, but neither moves nor scales it. The shell's size is the distance from
 /// the origin to the farthest vertex, 1e-6 to 1e6. Throws InputError "name:line:column: …" where readObj does, and for
-/// the first face that is not convex, or whose plane has the origin outside or within 1e-3 of the size. Convex: no vertex
-/// lies outside of the face's plane by more than 1e-9 of the size, or than the file's digits explain (up to 1e-3).
+/// the first face that is not convex, or whose plane has the origin outside or within 1e-3 of the size. Not convex: a
+/// vertex is outside of the face's plane by more than 1e-9 of the size and more than the file's digits explain (at most
+/// 1e-3 of the size).
 ConvexShell readConvexShell(const std::string& text, const std::string& name);
 
 /// Returns the shell `factor` > 0 times as large.

@@ -17,8 +17,7 @@ Vector nearestOnSegment(const Point& p, const Point& a, const Point& b) {
   return a + share * d;
 }
 
-/// Returns the squared distance of p: from its foot on the triangle's plane if p is in the triangle's prism, else from
-/// the nearest side that p lies beyond.
+/// Returns the squared distance of p: from its foot if the triangle has it, else from the nearest side p lies beyond.
 double squaredDistance(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Vector n = cross(b - a, c - a);
   const double area = dot(n, n);
@@ -79,9 +78,8 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   return squares;
 }
 
-/// Returns the winding number of the closed surface around a point, 0 outside: how often a ray from the point leaves
-/// the surface, minus how often it enters. The ray lies in no plane of symmetry of our meshes, so it does not run along
-/// edges.
+/// Returns the closed surface's winding number around a point, 0 outside: how often a ray from the point leaves the
+/// surface, minus how often it enters. The ray lies in no plane of symmetry of our meshes, so it runs along no edge.
 int windingAround(const Point& p, const Mesh& mesh) {
   const Vector ray{0.8017837, 0.2672613, 0.5345225};
   int winding = 0;

@@ -13,8 +13,7 @@ std::vector<double> measureDistances(const Mesh& from, const Mesh& to);
 /// The meshes may differ. 0 for the same surface.
 double measureSurfaceDistance(const Mesh& a, const Mesh& b);
 
-/// Returns how far [length] below the surface of the closed mesh `b` the deepest vertex of `a` lies; 0 if none is
-/// inside.
+/// Returns the depth [length] of `a`'s deepest vertex below the surface of the closed mesh `b`; 0 if none is inside.
 double measureDepth(const Mesh& a, const Mesh& b);
 
 }  // namespace morula

@@ -10,8 +10,7 @@ namespace morula {
 using Points = std::span<const Point>;
 using Faces = std::span<const Face>;
 
-/// Returns the volume [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if the faces
-/// are inverted.
+/// Returns the volume [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if inverted.
 double measureVolume(Points vertices, Faces faces);
 
 /// Returns the mesh scaled about the origin to enclose this volume [length³]. The mesh must have a positive volume.

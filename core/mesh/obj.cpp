@@ -57,8 +57,7 @@ class ObjStatements {
  private:
   static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
   static bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  // The name of a material may end in a backslash, which joins nothing: only vertices and faces continue in the next
-  // line.
+  // The name of a material may end in a backslash, which joins nothing: only vertices and faces go on in the next line.
   bool joinsLines() const {
     return text_[at_] == '\\' && at_ + 1 < text_.size() && isLineEnd(text_[at_ + 1]) && mayGoOn_;
   }

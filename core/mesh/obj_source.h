@@ -4,8 +4,7 @@
 
 namespace morula {
 
-/// Reads as readObj of mesh.h does, but leaves the vertices where the text has them. `source` receives the lines of its
-/// parts.
+/// Reads as readObj of mesh.h does, but leaves the vertices as given. `source` receives the lines of its parts.
 Mesh readObjAsGiven(const std::string& text, const std::string& name, MeshSource& source);
 
 }  // namespace morula

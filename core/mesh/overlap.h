@@ -46,8 +46,7 @@ double measureSharedVolume(const MeshView& a, const MeshView& b, int columns);
 double measureSelfOverlap(const MeshView& mesh, int columns);
 
 /// True only if the closed mesh is star-shaped about the point, which must not lie on the surface: each ray from the
-/// point meets the surface once, so that it cannot cut through itself. Cost: each face twice, far less than a
-/// measurement by lines.
+/// point meets the surface once, so it cannot cut through itself. Cost: each face twice, far less than scan lines.
 bool isStarShaped(const MeshView& mesh, const Point& centre);
 
 }  // namespace morula

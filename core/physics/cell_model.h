@@ -18,9 +18,9 @@ struct CellModelKind {
   bool hasRestShape = false;  // physics.shape-matching
   const char* limitedBy;      // what StabilityLimits::spring limits, for people
 
-  /// Sets the stages that find the inner forces [PhysicsStages]. `surfaces`: as chooseStages.
+  /// Sets the stages that find the inner forces [PhysicsStages]. `surfaces`: as in chooseStages.
   void (*chooseForces)(PhysicsStages&, const PhysicsKernels&, const PhysicsParameters&, bool surfaces);
-  /// [measureLimits]
+  /// Returns the stability limits of one cell, as measureLimits does.
   StabilityLimits (*limits)(const Bodies&, int slot);
 };
 

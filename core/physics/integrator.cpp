@@ -74,7 +74,7 @@ constexpr IntegratorKind kinds[] = {
      .oscillatorLimit = rungeKuttaLimit<4>,
      .undampedLimit = 2.8284271247461903,  // √8
      .movement = moveByRungeKutta},
-    // Takes contact forces once per time step, whatever its sub-steps, as symplectic Euler does.
+    // XPBD takes contact forces once per time step, whatever its sub-steps, as symplectic Euler does.
     {.title = "position-based dynamics",
      .order = 1,
      .solvesForces = true,
