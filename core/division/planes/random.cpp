@@ -1,4 +1,4 @@
-// A random direction, evenly from all: the thesis' reference [Nilsson 2008, §4.4.2].
+// A random direction, uniform over all: the thesis' reference [Nilsson 2008, §4.4.2].
 #include "base/random.h"
 
 #include "division/planes/directions.h"
