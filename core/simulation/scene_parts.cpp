@@ -6,8 +6,8 @@
 
 namespace morula {
 
-// Each function takes its struct apart into all of its members: one that is added and not hashed does not compile. One
-// that joins when there are checkpoints is hashed where it is not at its default, so that these stay valid.
+// Each function takes its struct apart into all of its members: a new member that is not hashed does not compile. A
+// member that joins when there are checkpoints is hashed only where it is not at its default, so that these stay valid.
 
 namespace {
 
@@ -202,7 +202,7 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   add("division", mechanics ? &division : nullptr);
   add("connections", connections ? &*connections : nullptr);
   VariationParameters onTheWay = variation;
-  onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
+  onTheWay.start = 0;  // like the start cells: how a state came about does not decide how it goes on
   if (onTheWay != VariationParameters{}) add("variation", &onTheWay);
   if (!senses.empty()) add("senses", &senses);
   return parts;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double lifetime = 8;  // in time constants
 
-/// The division that a young cell was born in, so one of the last; null: none made it.
+/// Returns the division in which a young cell was born, so one of the last; null: none made it.
 const DivisionRecord* divisionOf(const World& world, const CellPath& mother) {
   for (auto i = world.divisions.rbegin(); i != world.divisions.rend(); ++i)
     if (i->path == mother) return &*i;
