@@ -1,11 +1,10 @@
 #pragma once
-// The egg shell of a convex mesh: the intersection of the half-spaces n·x ≤ d of its faces. The rules are as in
-// shell_kernel.h: a vertex that the drift brings outside is moved to the shell and slides, and the shell bears the
-// forces against it.
+// The egg shell of a convex mesh: the intersection of the half-spaces n·x ≤ d of its faces. The rules are those of
+// shell_kernel.h: a vertex outside is moved to the shell and slides, and the shell bears the forces against it.
 //
-// A vertex outside is moved onto one plane after the other, x −= max(n·x − d, 0) n, a few times over. Where planes meet
-// at right angles once is exact, elsewhere the passes converge on the shell. Scaling by 1 / max(n·x/d) then puts the
-// vertex on the shell to rounding. In edges and corners it loses the outward motion of each plane that it lies on.
+// A vertex outside is moved onto one plane after the other, x −= max(n·x − d, 0) n, a few times over: where planes meet
+// at right angles once is exact, elsewhere the passes converge on the shell. Scaling by 1 / max(n·x/d) then puts it on
+// the shell to rounding. In edges and corners it loses the outward motion of each plane that it lies on.
 //
 // The centre of a ball feels a shell that is smaller by the ball's radius, as with an ellipsoid. Planes moved inwards
 // by the radius describe this shell exactly.

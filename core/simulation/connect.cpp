@@ -10,8 +10,7 @@
 namespace morula {
 namespace {
 
-/// Returns true if one cell holds a substance of one side of the pair, and the other cell a substance of the other
-/// side.
+/// Returns true if one cell holds a substance of one side of the pair, and the other cell one of the pair's other side.
 bool fits(const ConnectedPair& pair, const std::string& one, const std::string& other) {
   return (fitsAny(pair.a, one) && fitsAny(pair.b, other)) || (fitsAny(pair.b, one) && fitsAny(pair.a, other));
 }

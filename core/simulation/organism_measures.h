@@ -11,8 +11,7 @@ namespace morula {
 constexpr int cloneDepth =
     2;  // [divisions] default, from the egg to a clone's founder: four clones at most
 
-/// Returns the divisions on the way from the egg to the youngest common ancestor of two cells, which may be one of
-/// them.
+/// Returns the divisions from the egg to the youngest common ancestor of two cells, which may be one of them.
 int commonDepth(const CellPath& a, const CellPath& b);
 
 /// Returns the share [1] of the living pairs of sisters (relation 1), or of cousins with one grandmother and two

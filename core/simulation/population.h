@@ -13,8 +13,7 @@ enum class CellChange : std::uint8_t { none, cycled, divides, dies };
 /// is, and must not be asked any more afterwards.
 void changePopulation(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
-/// Adds a living cell that no division made, at time 0, without a body yet. Cells must come in the order of their
-/// paths.
+/// Adds a living cell that no division made, at time 0, without a body yet. Cells come in the order of their paths.
 void addFounder(World& world, const CellPath& path, StateId state);
 
 /// Starts life with a new set of bodies: makes lists, forces and the time step for them.

@@ -149,8 +149,7 @@ Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
 }
 
 /// Returns the widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at
-/// its end on the side with fewer cells. A cell far away from all others leaves such a gap; a long chain of cells does
-/// not.
+/// its end on the side with fewer cells. A cell far from all others leaves a gap; a long chain of cells does not.
 Worst widestGap(const std::vector<Point>& centres, double radius) {
   Worst worst{0};
   const int count = static_cast<int>(centres.size());

@@ -47,7 +47,7 @@ constexpr double minVolume = 0.1, maxVolume = 10;  // [1] of a cell, over its vo
 constexpr double maxInverted = 0.25;               // [1] share of a cell's surface whose inner side shows outwards
 constexpr double maxFolded = 0.25;                 // [1] of the edges of a surface turn by more than 90°
 constexpr double maxSelfOverlap = 0.0025;          // [1] share of a cell's volume that it covers more than once
-constexpr double maxAdhesion = 2;                  // [1] max energy of a surface, over that of one that sticks everywhere
+constexpr double maxAdhesion = 2;                  // [1] of the energy of a surface that sticks everywhere
 constexpr double maxOverlap = 0.2;                 // [1] share of a cell's volume that lies in one other cell too
 constexpr double maxOutermost = 1 + 1e-6;          // [shell radii] vertices are projected onto it, up to rounding
 // [1] Share of the shell that all cells fill. Beyond 1 they share space, and contacts that press give way a little: 0.5

@@ -5,8 +5,8 @@
 //
 // The way down is FIRE, cell by cell (physics/relax_kernel.h). It ends when
 //
-//   r = √(mean over vertices of (|F|/s)²) / mean over cells of p̂ ≤ tolerance      s: a vertex' share of its cell's surface
-//   p̂ = max(|p|, 0.1 k_s/R)                                                       balls: 0.1 K/R
+//   r = √(mean over vertices of (|F|/s)²) / mean over cells of p̂ ≤ tolerance  s: a vertex' share of its cell's surface
+//   p̂ = max(|p|, 0.1 k_s/R)                                                   balls: 0.1 K/R
 //
 // the root mean square of tractions that are left, over the pressure in cells: the same on any mesh. A cell of radius R
 // has the second p̂ where its membrane is stretched by less than 3 %, where its pressure vanishes.

@@ -70,8 +70,7 @@ constexpr double foldedAdhesion = 350;
 // [1] contactLimit counts ten pairs of a vertex; one pair that has hardened this much beside others is as stiff.
 constexpr double heldByLimit = 24;
 
-/// Returns the stiffness [force/length] of one pair. A sphere is either pushed or drawn by another: the steeper slope
-/// counts.
+/// Returns the stiffness [force/length] of one pair. Spheres either push or draw each other: the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   const double adhesion = adhesionStiffness(c, b);
   if (b.areSpheres()) return std::max(c.parameters.stiffness, adhesion);
@@ -254,9 +253,8 @@ double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
 }
 
-/// Returns the longest automatic time step [time]: stable, and short enough for the fastest cell. Steps are shortened
-/// for speed by 64 times at most: faster cells move farther than contacts reach in a step, and the run ends
-/// (checkReach).
+/// Returns the longest automatic time step [time]: stable, and short enough for the fastest cell. Speed shortens steps
+/// by 64 times at most: faster cells move farther than contacts reach in a step, and the run ends (checkReach).
 double automaticLimit(const World& world, double combined) {
   constexpr double minShare = 1.0 / 64;
   const PhysicsParameters& p = world.bodies->parameters;
@@ -308,8 +306,7 @@ void checkCrossing(const World& world) {
   constexpr std::uint64_t between = 4;  // [step] Cells in flight need ten to cross, on meshes of 12 vertices six
   if (!world.bodies || !world.contacts || world.clock.step % between != 0) return;
   if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
-  // A cell in flight is so fast that an automatic step follows from its speed, or did until cells met; whatever the
-  // step is.
+  // Cells in flight are so fast that an automatic step follows from their speed, or did until they met.
   if (shortestFlight(world).limit > 2 * restingLimit(world)) return;
   const auto overlap = measureCellOverlap(world);
   if (!overlap || overlap->holds()) return;
