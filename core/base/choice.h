@@ -11,8 +11,8 @@ namespace morula {
 template <class E>
 struct Choice {
   E value;
-  const char* name;     // in scenarios
-  const char* meaning;  // for people, part of a sentence
+  const char* name;     // the name in scenarios
+  const char* meaning;  // the meaning for people, part of a sentence
 };
 
 /// [value] The rows of E, in the order of its values; specialised beside each enumeration.

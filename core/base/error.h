@@ -28,7 +28,7 @@ struct NumericalError : std::runtime_error {
                  Want want = Want::nothing);
   /// Takes the full message of a failure that was reported before.
   NumericalError(const std::string& told, Want want);
-  std::string cell;  // its path
+  std::string cell;  // path of the cell
   std::uint64_t step = 0;
   std::string quantity, remedy;
   Want want;

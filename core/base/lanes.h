@@ -2,8 +2,8 @@
 // them. Each of those is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set by the
 // build, so that no inline function of one set can be linked into another.
 //
-// The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest, so lane k of
-// any width computes what a double would. No fused multiply-add, no approximate reciprocal, no reassociation.
+// The determinism contract: every operation in this file is one IEEE 754 operation per lane, rounded to nearest. So lane
+// k of any width computes what a double would. No fused multiply-add, no approximate reciprocal, no reassociation.
 #pragma once
 #include <cstdint>
 

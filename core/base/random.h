@@ -20,7 +20,7 @@ enum class Purpose : std::uint32_t {  // part of what a seed means: new purposes
   startVariation = 7,
   motility = 20,
   adhesionVariation = 21,
-  resampling = 40,  // of values, not of a scene: runner/studies/statistics
+  resampling = 40,  // draws from values, not for a scene: runner/studies/statistics
 };
 
 struct Draw {

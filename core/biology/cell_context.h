@@ -37,7 +37,7 @@ class CellContext {
  public:
   virtual ~CellContext() = default;
 
-  // Known of every cell, at no cost
+  // Properties known of every cell, at no cost
   CellPath path;
   StateId state = 0;
   double time = 0;       // [time] now

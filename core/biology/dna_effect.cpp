@@ -32,7 +32,7 @@ class EffectCheck {
  public:
   EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics, Diagnostics& warnings)
       : lines_(lines), surroundings_(surroundings), diagnostics_(diagnostics), warnings_(warnings) {
-    // Lines that could not be read may have said anything.
+    // A line that could not be read may have said anything.
     read_ = lines.unreadableWords;
     for (const GeneLine& gene : lines.genes)
       for (const auto* words : {&gene.inputs, &gene.repressors})

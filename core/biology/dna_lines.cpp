@@ -122,7 +122,7 @@ class Cursor {
     fail(text + example);
   }
 
-  std::string example = geneExample;   // what would be right
+  std::string example = geneExample;   // example of what would be right
   std::size_t words = 0, numbers = 0;  // names taken so far, and braces in them
 
  private:

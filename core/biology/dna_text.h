@@ -22,13 +22,13 @@ struct Word {
 
 struct GeneLine {
   Word name, product;
-  std::vector<Word> inputs;      // that must all be present
-  std::vector<Word> repressors;  // of which none may be present
+  std::vector<Word> inputs;      // all must be present
+  std::vector<Word> repressors;  // none may be present
 };
 
 struct Lines {
-  Place begin;              // of the whole text
-  std::vector<Word> start;  // of all START lines
+  Place begin;              // place of the whole text
+  std::vector<Word> start;  // words of all START lines
   std::vector<GeneLine> genes;
   bool hasStartLine = false;              // also for a START line that could not be read
   bool areNamesKnown = true;              // false: START, or a range, may have said more than could be read

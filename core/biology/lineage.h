@@ -1,6 +1,6 @@
 #pragma once
-// The lineage tree: every cell that ever was, by path. Cells that divide or die leave the physics and stay
-// here [Nilsson 2008, §4.4.2].
+// The lineage tree: every cell that ever was, by path. Cells that divide or die leave the physics and stay in the
+// lineage [Nilsson 2008, §4.4.2].
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,7 +20,7 @@ struct LineageEntry {
   std::uint64_t bornStep = 0;  // the physical step (or cycle, without physics) at which it was born
   std::uint64_t endedStep = 0;
   Fate fate = Fate::alive;
-  StateId state = 0;  // its substances: the last ones it had
+  StateId state = 0;  // the last substances of the cell
 };
 
 /// Entries in order of birth: a mother before her daughters, A before B, cells born at one time by their paths.

@@ -26,7 +26,7 @@ struct State {
   double growth = 0, connecting = 0;
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
-  // If the DNA has senses; bit i is for sense number i
+  // Only if the DNA has senses; bit i is for sense number i
   std::uint64_t sensed = 0;                                      // senses whose substances the state holds
   std::uint64_t counted = 0;                                     // senses that count its cell [SenseParameters::of]
   std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by the bits sensed in it

@@ -1,5 +1,5 @@
 #pragma once
-// The list of cell–cell connections, and what makes and ends them [Nilsson 2008, §4.4.3].
+// The list of cell–cell connections, and the functions that make and end them [Nilsson 2008, §4.4.3].
 #include <array>
 #include <vector>
 
@@ -38,7 +38,7 @@ struct ConnectionScratch {
 
 struct Connections {
   ConnectionParameters parameters;
-  std::vector<ConnectionRecord> history;  // in the order in which they were made
+  std::vector<ConnectionRecord> history;  // all connections in the order in which they were made
   std::vector<std::size_t> active;        // places in history, by (a, b)
 
   ConnectionScratch scratch;

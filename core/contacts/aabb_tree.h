@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// In depth-first order: a parent before its children, the first child directly after it.
+/// Nodes stand in depth-first order: a parent before its children, the first child directly after it.
 struct TreeNode {
   std::int32_t first, last;  // the vertices below: [first, last) of TreeShape::order
   std::int32_t second;       // the second child, or 0 for a leaf

@@ -18,7 +18,7 @@ struct Contacts;
 struct ActingPairs {
   AlignedVector<float> change, speeds;  // [vertex] changes since its pairs were chosen (ChangeCount)
   // Since pairs of all vertices were chosen
-  std::int64_t age = 0;      // in evaluations
+  std::int64_t age = 0;      // [evaluation]
   double margin = 0;         // [length] by which gaps may change; infinite if all pairs were chosen
   double horizon = 0;        // [time] for which the choice may hold, since it looked ahead that far
   double largestRadius = 0;  // [length] influence radius

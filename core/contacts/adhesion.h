@@ -23,7 +23,7 @@ struct Contacts;
 /// with AdhesionParameters::strength.
 struct AdhesionKinds {
   std::vector<int> ofSlot;   // [slot]
-  int count = 1;             // of kinds
+  int count = 1;             // number of kinds
   std::vector<double> work;  // [kind · count + kind] W [force/length], symmetric
   // [slot] Each cell's factor; two cells stick with the mean of their factors. Empty: all are 1.
   std::vector<double> factor = {};
@@ -34,7 +34,7 @@ struct Adhesion {
   AdhesionKinds kinds;
   std::vector<AlignedVector<double>> ofPairs;  // [block][as BlockLists::indices] T [energy]; of spheres S [force]
   bool isCurrent = false;                      // ofPairs fits the list
-  // Found anew for each set of cells
+  // Computed anew for each set of cells
   std::vector<int> blockOfLine;        // [line]
   std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
 };

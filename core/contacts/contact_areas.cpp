@@ -101,11 +101,11 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
   return pairs;
 }
 
-constexpr double minOverlap = 1.0 / 5000;  // of the influence radius
-constexpr double maxCover = 2;             // of a vertex's area, and of the area that forces give a sticking pair
+constexpr double minOverlap = 1.0 / 5000;  // min overlap over the influence radius
+constexpr double maxCover = 2;             // max, over a vertex's area and over the area that forces give a sticking pair
 // [1] minHeld and stressOverWork bring areas of two cells on icospheres 2 to 4 nearest to those on icosphere 5, for W
 // from 0.1 to 2, free or pressed together.
-constexpr double minHeld = 0.1;       // of a vertex's share of W
+constexpr double minHeld = 0.1;       // share of W below which a vertex covers nothing
 constexpr double stressOverWork = 3;  // σ A/W
 // A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the
 // meshes' orientation.
@@ -159,7 +159,7 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   if (b.areSpheres()) return sphereContacts(c, b);
   if (c.parameters.law == ContactLaw::pair) return pressedAreas(c, b);
-  std::vector<Side> sides;  // the same pair may occur many times
+  std::vector<Side> sides;  // a pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<double>> areas;  // [cell][vertex]
   for (int slot : b.slots) areas.push_back(vertexAreas(b, slot));

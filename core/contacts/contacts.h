@@ -29,7 +29,7 @@ struct Contacts {
   // State between rebuilds; nothing of it is part of the result
   AlignedVector<double> radius;                // [slot] influence radius [length]
   AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
-  AlignedVector<RowMemory> rows;               // of every vertex, and the far row
+  AlignedVector<RowMemory> rows;               // rows of every vertex, and the far row
   AlignedVector<double> farthest;              // [block] largest squared displacement since the list was built
   AlignedVector<double> deepest;               // [block] B u of the pair law's deepest overlap (deepestHeld)
   struct Scratch {
@@ -39,8 +39,8 @@ struct Contacts {
   std::vector<double> steepness;  // [slot] of measureSteepness
   NeighbourList list;
   bool listIsValid = false;
-  ActingPairs acting;  // of the pair law without adhesion
-  Adhesion adhesion;   // of scenes with ContactParameters::adhesion
+  ActingPairs acting;  // used by the pair law without adhesion
+  Adhesion adhesion;   // used by scenes with ContactParameters::adhesion
 
   // Counters
   std::uint64_t rebuilds = 0;

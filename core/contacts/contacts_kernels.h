@@ -11,7 +11,7 @@ namespace morula {
 /// Neighbours of up to eight vertices with lists of like length: entry k of lane l is the block's indices[(start + k)·8
 /// + l]. Each list runs in rising order of vertex numbers, so sums have one order.
 struct NeighbourSlice {
-  VertexNumber vertex[blockLanes];  // the far row where there is none
+  VertexNumber vertex[blockLanes];  // lanes without a vertex have the far row
   std::int64_t start;
   std::int32_t length;
 };
@@ -29,7 +29,7 @@ struct BlockSlices {
   // For the pair law. Every law uses firstVertex, position and velocity to prefetch the next block.
   TemplateView mesh;
   int liveLanes;
-  VertexNumber firstVertex;               // of the block
+  VertexNumber firstVertex;               // first vertex of the block
   RealPointer position, velocity;         // [vertexCount][3][blockLanes]
   RealPointer surfaceForce, surfaceTurn;  // laid out as position; scratch of the running thread
   double* deepest;                        // max B u of the block's pairs
@@ -48,7 +48,7 @@ struct ContactConstants {
 struct ChangeCount {
   float* change;                                       // [vertex · blockLanes + lane] of gaps [length]
   float* speeds;                                       // [vertex · blockLanes + lane] of velocities [length/time]
-  double margin;                                       // of gaps [length]
+  double margin;                                       // max change of gaps [length]
   double sinceLast;                                    // [time] for which y have moved by v since the last snapshot
   double perStraying, perTurning, perSpeed, perDrift;  // 2ν [1], R [length], 2ντ [time], 2ν times sinceLast [time]
   std::int32_t* ended;                                 // rows whose change has reached the margin

@@ -9,7 +9,7 @@ namespace morula::MORULA_ISA {
 
 typedef std::int32_t EightInts __attribute__((vector_size(32)));
 
-/// For each set of hits among eight points: their places, and their number.
+/// A table that has for each set of hits among eight points their places and their number.
 struct HitTable {
   std::int32_t which[256][8] = {};
   std::uint8_t count[256] = {};

@@ -31,7 +31,7 @@ struct NeighbourList {
   std::uint64_t pairs = 0;        // entries in all lists: each pair twice
   SearchCounters counters;        // of all builds
 
-  // Kept between builds so that a steady run allocates nothing.
+  // Memory that is kept between builds, so that a steady run allocates nothing.
   Indirect<AnySearch> search;       // any_search.h
   AlignedVector<double> halfReach;  // [slot]
   std::vector<BlockLists> perBlock;

@@ -21,15 +21,15 @@ struct Mesh {
 /// level below. Throws InputError for another level.
 Mesh makeIcosphere(int level);
 
-/// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are cut into triangles, mesh/triangulate.h; names,
-/// materials and the like are passed over), checks it with `checkClosedManifold` and returns it moved and scaled: the
-/// mean of the vertices at the origin, the farthest vertex at distance 1. Throws InputError "name:line:column: …", one
-/// line per mistake.
+/// Reads `v` and `f` lines of a Wavefront OBJ text. Polygons are cut into triangles (mesh/triangulate.h); names,
+/// materials and the like are passed over. The mesh must pass `checkClosedManifold`. Returns it moved and scaled: mean
+/// of the vertices at the origin, farthest vertex at distance 1. Throws InputError "name:line:column: …", one line per
+/// mistake.
 Mesh readObj(const std::string& text, const std::string& name);
 
-/// Throws InputError "name: …" that names the offending edge, face or vertex (1-based, as in OBJ) unless the mesh is
-/// closed (each edge has two faces), consistently oriented, manifold (one fan per vertex), connected, without flat
-/// faces or unused vertices, and of positive volume. That the surface does not cut through itself is not checked.
+/// Throws InputError "name: …", which names the edge, face or vertex (1-based, as in OBJ), unless the mesh is closed
+/// (each edge has two faces), consistently oriented, manifold (one fan per vertex) and connected. It must have positive
+/// volume, and no flat faces or unused vertices. Does not check that the surface never cuts through itself.
 void checkClosedManifold(const Mesh& mesh, const std::string& name);
 
 }  // namespace morula

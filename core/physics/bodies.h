@@ -23,7 +23,7 @@ struct Body {
   double mass = 0;              // [mass] of the whole cell
   double restScale = 1;         // rest lengths over the template's
   double pressureConstant = 0;  // k_p [force·length]
-  int meshLevel = 0;            // its mesh: 0 the egg's, 1 … the coarser ones of the scene
+  int meshLevel = 0;            // number of its mesh: 0 the egg's, 1 … the coarser ones of the scene
 };
 
 /// A block of eight lanes in storage.
@@ -51,7 +51,7 @@ struct Bodies {
   int count = 0;                   // living cells
   std::vector<int> slots;          // [cell] slots in the order of lineage paths
   std::vector<BlockPlace> blocks;  // coarser meshes behind finer ones
-  int livingVertices = 0;          // of all cells
+  int livingVertices = 0;          // vertices of all living cells
 
   // State: [block][vertex][xyz][lane]
   Reals position, velocity, acceleration;

@@ -57,7 +57,7 @@ Movement moveByRungeKutta(Kernels k, int s, bool) {
 }
 Movement moveByXpbd(Kernels k, int s, bool damped) { return {k.driftXpbd[damped][s], {}, k.endEvaluation}; }
 
-// In the order of the enumeration's values.
+// Rows stand in the order of the enumeration's values.
 constexpr IntegratorKind kinds[] = {
     {.title = "velocity Verlet", .order = 2, .oscillatorLimit = verletLimit<2>, .movement = moveByVelocityVerlet},
     {.title = "the thesis' Verlet", .order = 1, .oscillatorLimit = verletLimit<1>, .movement = moveByThesisVerlet},

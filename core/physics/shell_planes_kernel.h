@@ -13,8 +13,8 @@
 
 namespace morula::MORULA_ISA {
 
-constexpr int shellPasses = 4;    // over the planes, for places
-constexpr int outwardPasses = 2;  // for velocities
+constexpr int shellPasses = 4;    // passes over the planes, for places
+constexpr int outwardPasses = 2;  // passes over the planes, for velocities
 
 /// The planes as vertices, or centres of balls, feel them: those of the cells from `lane` on.
 template <bool balls>

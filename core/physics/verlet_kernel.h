@@ -13,7 +13,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// One vertex: x ← x', velocity ← v½, predicted ← w.
+/// Drifts one vertex: x ← x', velocity ← v½, predicted ← w.
 MORULA_INLINE void driftVertex(Lanes halfStep, Lanes step, const Vec& acceleration, Vec& x, Vec& velocity,
                                Vec& predicted) {
   const Vec impulse = halfStep * acceleration;

@@ -18,13 +18,13 @@ namespace morula {
 struct AskedMeasure {
   /// The name in results: "sphericity"; with the scope if rows of two tables have the same name: "cell.volume".
   std::string name;
-  std::string row;   // in its table
+  std::string row;   // name of the row in its table
   std::string unit;  // "length³"; "": a pure number
-  Scope scope;       // of a count: the organism's
+  Scope scope;       // scope of the row; for a count the organism's
   Needs needs;
   bool onDemand;                      // taken by takeMeasures; otherwise a column of samples
-  bool followsNumber = false;         // as Measure
-  bool ofClones = false;              // of the organism's clones
+  bool followsNumber = false;         // as Measure::followsNumber
+  bool ofClones = false;              // a measure of the organism's clones
   std::optional<CellSelection> of{};  // absent: of all cells
 
   /// True for a count of the selected cells, which is no row of a table.

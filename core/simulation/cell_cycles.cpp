@@ -66,8 +66,8 @@ bool runOneRound(World& world, double time) {
   return true;
 }
 
-/// Returns the time of the round after that of `time`: when the next cycle is due, or the clock's time for cells that
-/// did not want a due cycle; `time` itself if only such cells are left and have been asked at that time.
+/// Returns the time of the round after that of `time`: when the next cycle is due. For cells that did not want a due
+/// cycle it is the clock's time. It is `time` itself if only such cells are left and have been asked then.
 double findNextRound(const World& world, double time) {
   double next = INFINITY;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {

@@ -11,7 +11,7 @@ struct Scene;
 
 struct ScenePart {
   std::string name;  // as a scenario calls it: dna, physics, …
-  std::string hash;  // of an absent part: ""
+  std::string hash;  // "" for an absent part
 };
 
 /// Returns the hashes of all parts that decide how a state goes on, in one order. The scene's name and its stop are not

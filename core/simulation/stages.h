@@ -92,7 +92,7 @@ void releaseConnections(World& world);
 double timeStepLimit(const World& world);
 
 /// Returns the automatic time step [time] where steps up to `limit` are stable: the largest power of two up to `limit`
-/// and up to the shortest cell cycle that the scene may bring, so that no cell has more than one cycle in a step.
+/// and up to the shortest cell cycle that the scene may bring. So no cell has more than one cycle in a step.
 double automaticTimeStep(const Scene& scene, double limit);
 
 /// Throws InputError if more cell cycles would come one after the other than any run can make, or if one

@@ -19,8 +19,8 @@ enum class Use {
 };
 
 struct Field {
-  const char* name;   // in checkpoints, after the table's; a body's also in the hash
-  const char* label;  // in differences, for people
+  const char* name;   // name in checkpoints, after the table's; a body's also in the hash
+  const char* label;  // name in differences, for people
   Use use = Use::result;
 };
 

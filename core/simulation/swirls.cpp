@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-constexpr double lifetime = 8;  // in time constants
+constexpr double lifetime = 8;  // [time constant] after which a swirl ends
 
 /// Returns the division in which a young cell was born, so one of the last; null: none made it.
 const DivisionRecord* divisionOf(const World& world, const CellPath& mother) {

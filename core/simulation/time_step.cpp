@@ -206,7 +206,7 @@ void refuseAboveRun(const World& world, double timeStep) {
           ", or give a later stop.time or more stop.cycles");
 }
 
-constexpr double maxCycles = 1e12;  // one after the other; more than a week of a cell without a body
+constexpr double maxCycles = 1e12;  // max cycles in succession; more than a week of a cell without a body
 
 struct Flight {
   double limit = INFINITY;  // [time] in which the cell moves by maxFlight

@@ -75,7 +75,7 @@ struct BirthSize {
 struct SettlingRecord {
   double time = 0;  // [time] of the events before the settling
   std::uint64_t step = 0, cells = 0;
-  std::uint64_t evaluations = 0;  // of the forces
+  std::uint64_t evaluations = 0;  // evaluations of the forces
   double residual = 0;            // [1] r of settle.h, at the end of the settling
   // How far from rest the end is [SettleParameters::sample]: the energy that cells lose and the way of a vertex until r
   // is a hundredth of the tolerance, or `evaluations` have been made once more

@@ -16,7 +16,7 @@ std::vector<float> places;
 
 }  // namespace
 
-/// Returns the place at which a page puts a text of so many bytes for `open`.
+/// Returns the place at which a page puts a text of `bytes` bytes for `open`.
 MORULA_EXPORT(place) char* place(std::size_t bytes) {
   given.assign(bytes, '\0');
   return given.data();

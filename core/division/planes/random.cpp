@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// One direction per cell, whatever the order in which cells divide.
+/// Each cell has one direction, whatever the order in which cells divide.
 struct RandomDirection final : DivisionPolicy {
   explicit RandomDirection(std::uint64_t s) : seed(s) {}
   Cut findCut(const CellContext& cell) const override {
