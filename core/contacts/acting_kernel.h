@@ -19,9 +19,9 @@
 //   |a₀|² + 2T min(a₀·u₀, 0) > (R_ij + M)²   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
 //
 // since |b|² is at least the first left side. Vertices that move together stay apart, however fast. In single
-// precision, roundings in this choice, in the law and in the counts are some 1e-6 of R + (T + τ) |u₀| and of |b|, so 1e-5 of them are added.
-// For each vertex η and w are sums of the changes from one snapshot to the next. δ is the sum of how far y is from
-// where the last v would have brought it, and of w over time. Upper bounds stand for lengths (atMost).
+// precision, roundings of the choice, the law and the counts are some 1e-6 of R + (T + τ) |u₀| and of |b|, so 1e-5 of
+// them are added. For each vertex η and w are sums of the changes from one snapshot to the next. δ is the sum of how
+// far y is from where the last v would have brought it, and of w over time. Upper bounds stand for lengths (atMost).
 //
 // A vertex that reaches the margin is checked again against its whole list, and so are the vertices that may act on it
 // then: both sides get the same answer, to the bit. Other lists may still name the vertex, which adds nothing.

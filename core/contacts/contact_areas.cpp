@@ -102,7 +102,7 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
 }
 
 constexpr double minOverlap = 1.0 / 5000;  // min overlap over the influence radius
-constexpr double maxCover = 2;             // max, over a vertex's area and over the area that forces give a sticking pair
+constexpr double maxCover = 2;             // max, over a vertex's area and the area that forces give a sticking pair
 // [1] minHeld and stressOverWork bring areas of two cells on icospheres 2 to 4 nearest to those on icosphere 5, for W
 // from 0.1 to 2, free or pressed together.
 constexpr double minHeld = 0.1;       // share of W below which a vertex covers nothing

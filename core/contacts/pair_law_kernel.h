@@ -16,11 +16,11 @@
 //
 // The first part repels: K [force/length]. Face to face its energy rises until B = 0.38, at a depth of 0.74 R, where it
 // is 4.5 K R². Surfaces that are pressed deeper would pass through each other, so the run ends before (deepestHeld). β₁
-// and β₂ multiply B, not κ D²: otherwise vertices far beside each other, where u ends, would be so stiff that many
+// and β₂ multiply B, not κ D². Otherwise vertices far beside each other, where u ends, would be so stiff that many
 // cells together never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of
-// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). It reaches farther than repulsion:
-// with α = 1, where each vertex attracts but the next few, vertices hold each other one by one, the border of a contact
-// stays where it is, and how large a contact is depends on the way that cells came to it.
+// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). Attraction reaches farther than
+// repulsion: with α = 1 each vertex attracts only the next few, and vertices hold each other one by one. Then the
+// border of a contact stays where it is, and the contact's size depends on the way that cells came to it.
 //
 // y and n depend on the vertices' one-rings, so the gradient of the energy does, too. With
 //
