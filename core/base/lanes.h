@@ -1,6 +1,6 @@
-// Lanes: several cells side by side. Only this file and lane_*.h know SIMD, and only *_kernels.cpp files include them, by
-// way of *_kernel.h. Each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set by
-// the build, so that no inline function of one set can be linked into another.
+// Lanes: several cells side by side. Only this file and lane_*.h know SIMD, and only *_kernels.cpp files include them,
+// by way of *_kernel.h. Each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set
+// by the build, so that no inline function of one set can be linked into another.
 //
 // The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest. So lane k of
 // any width computes what a double would. No fused multiply-add, no approximate reciprocal, no reassociation.
