@@ -13,7 +13,7 @@ constexpr std::size_t line = 64;
 #if defined(MADV_HUGEPAGE)
 constexpr std::size_t hugePage = 2 << 20;
 #else
-constexpr std::size_t hugePage = line;  // there are none
+constexpr std::size_t hugePage = line;  // this system has no huge pages
 #endif
 
 std::align_val_t alignmentOf(std::size_t bytes) { return std::align_val_t(bytes < hugePage ? line : hugePage); }
@@ -23,8 +23,8 @@ std::align_val_t alignmentOf(std::size_t bytes) { return std::align_val_t(bytes 
 void* allocateLines(std::size_t bytes) {
   void* memory = ::operator new(bytes, alignmentOf(bytes));
 #if defined(MADV_HUGEPAGE)
-  // Whole ones only: the rest keeps small pages, so that nothing is taken but what was asked for. A system
-  // that declines does no harm.
+  // Advises whole huge pages only: the rest keeps small pages, so that no memory is taken but what was asked for. A
+  // system that declines does no harm.
   if (bytes >= hugePage) madvise(memory, bytes / hugePage * hugePage, MADV_HUGEPAGE);
 #endif
   return memory;

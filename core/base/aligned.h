@@ -5,8 +5,8 @@
 
 namespace morula {
 
-/// Memory that starts on a cache line; freeLines wants the same number of bytes. Large arrays lie in huge pages
-/// where the system has some, so that random reads miss the address cache (TLB) less. Throws std::bad_alloc.
+/// Returns memory that starts on a cache line. freeLines needs the same number of bytes. Large arrays lie in huge pages
+/// where the system has some, so random reads miss the address cache (TLB) less. Throws std::bad_alloc.
 void* allocateLines(std::size_t bytes);
 void freeLines(void* memory, std::size_t bytes);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Angles, of + − × ÷ and square roots only [base/maths.h].
+// Functions of angles, made of + − × ÷ and square roots only [base/maths.h].
 #include <numbers>
 
 #include "base/maths.h"
@@ -16,8 +16,8 @@ inline double arcTangent(double t) {
   return 8 * t * series;
 }
 
-/// [degree] Between two lines through unit vectors, 0 to 90: 2 arctan(|u − v| / |u + v|), which is exact where
-/// they are nearly parallel, too [Kahan 2006].
+/// Returns the angle [degree] between two lines through unit vectors, 0 to 90: 2 arctan(|u − v| / |u + v|). The formula
+/// is exact for nearly parallel lines, too [Kahan 2006].
 inline double angleOfLines(const Vector& u, const Vector& v) {
   constexpr double degree = 57.29577951308232;
   const double apart = norm(u - v), together = norm(u + v);
@@ -25,8 +25,8 @@ inline double angleOfLines(const Vector& u, const Vector& v) {
   return 2 * degree * arcTangent(t);
 }
 
-/// x turned about the axis u of `turn` by φ, its length in degrees, counter-clockwise seen against u [Rodrigues 1840]:
-/// cos φ x + sin φ u × x + (1 − cos φ) (u·x) u. Without a turn x itself.
+/// Returns x turned about the axis u of `turn` by φ, its length in degrees, counter-clockwise seen against u [Rodrigues
+/// 1840]: cos φ x + sin φ u × x + (1 − cos φ) (u·x) u. If `turn` is zero, returns x itself.
 inline Vector turnedBy(const Vector& turn, const Vector& x) {
   const double degrees = norm(turn);
   if (degrees == 0) return x;

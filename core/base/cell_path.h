@@ -19,7 +19,7 @@ class CellPath {
 
   /// The daughter that receives asymmetry substance A (b = false) or B (b = true).
   CellPath daughter(bool b) const;
-  /// The mother. The egg has none: a BugError otherwise.
+  /// Returns the mother. Throws BugError for the egg, which has none.
   CellPath mother() const;
 
   constexpr int depth() const { return depth_; }

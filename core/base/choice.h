@@ -11,8 +11,8 @@ namespace morula {
 template <class E>
 struct Choice {
   E value;
-  const char* name;     // in scenarios
-  const char* meaning;  // for people, part of a sentence
+  const char* name;     // the name in scenarios
+  const char* meaning;  // the meaning for people, part of a sentence
 };
 
 /// [value] The rows of E, in the order of its values; specialised beside each enumeration.
@@ -51,7 +51,7 @@ std::optional<E> valueNamed(std::string_view name) {
 /// Throws InputError: "'sold' is not known; needs solid, wireframe or both; did you mean solid?"
 [[noreturn]] void refuseName(std::string_view word, const std::vector<std::string>& names);
 
-/// Throws InputError for any other name.
+/// Returns the value with this name. Throws InputError if there is none.
 template <class E>
 E parseChoice(std::string_view word) {
   if (const auto value = valueNamed<E>(word)) return *value;

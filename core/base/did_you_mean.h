@@ -10,7 +10,7 @@ namespace morula {
 /// other (optimal string alignment). Case counts.
 int editDistance(std::string_view a, std::string_view b);
 
-/// True if the words are the same but for the case of ASCII letters.
+/// True if the words differ at most in the case of ASCII letters.
 bool equalButForCase(std::string_view a, std::string_view b);
 
 /// The candidate that was probably meant: equal but for case, or closest by edits and no farther than a third

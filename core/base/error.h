@@ -26,9 +26,9 @@ struct InputError : std::runtime_error {
 struct NumericalError : std::runtime_error {
   NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy,
                  Want want = Want::nothing);
-  /// A failure that has been told already, in full.
+  /// Takes the full message of a failure that was reported before.
   NumericalError(const std::string& told, Want want);
-  std::string cell;  // its path
+  std::string cell;  // path of the cell
   std::uint64_t step = 0;
   std::string quantity, remedy;
   Want want;
@@ -39,14 +39,14 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A bug of ours. Exit 70.
+/// A bug of the program. Exit 70.
 struct BugError : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 }  // namespace morula
 
-/// States what must hold if the program is right. Not for the user's input.
+/// Throws BugError unless the condition holds. Checks the program, never the user's input.
 #define MORULA_CHECK(condition, what)                                                                       \
   do {                                                                                                      \
     if (!(condition))                                                                                       \

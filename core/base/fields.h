@@ -1,6 +1,6 @@
 #pragma once
-// Data on file as named fields, one after the other, never as raw structs: what is read back is bit for bit
-// what was written, on every machine, and a field that is not there is missed by its name.
+// Data on file as named fields, one after the other, never as raw structs. Values are read back bit for bit as they
+// were written, on every machine, and a missing field is reported by its name.
 //
 //   name (length, bytes) · kind (one byte) · count (eight bytes) · values, little-endian
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace morula {
 class FieldWriter {
  public:
   void add(std::string_view name, std::span<const std::uint64_t> values);
-  /// Adds numbers. With binary32 each is kept as a float, which must hold it exactly.
+  /// Adds numbers. With binary32 each number is stored as a float, which must hold it exactly.
   void add(std::string_view name, std::span<const double> values, Precision precision = Precision::binary64);
   void add(std::string_view name, std::span<const std::string> values);
 
@@ -28,18 +28,18 @@ class FieldWriter {
   std::string bytes_;
 };
 
-/// Reads fields in the order in which they were written. Throws InputError, which says where it is and what
-/// was expected, for anything else.
+/// Reads fields in the order in which they were written. Throws InputError for anything else, with the field and what
+/// was expected.
 class FieldReader {
  public:
   /// `what` names the whole in messages: "checkpoint".
   FieldReader(std::string_view bytes, std::string what) : rest_(bytes), what_(std::move(what)) {}
 
   std::vector<std::uint64_t> numbers(std::string_view name);
-  /// None of them is NaN.
+  /// Returns real numbers, none of which is NaN.
   std::vector<double> reals(std::string_view name);
   std::vector<std::string> texts(std::string_view name);
-  /// To be called last: nothing may follow.
+  /// Throws InputError if bytes are left behind the last field.
   void end() const;
 
  private:

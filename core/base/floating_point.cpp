@@ -8,10 +8,10 @@ namespace morula {
 
 void setFloatingPoint() {
 #if defined(__SSE2__)
-  constexpr unsigned allExceptionsMasked = 0x1f80;  // and all else 0: to nearest, neither FTZ nor DAZ
+  constexpr unsigned allExceptionsMasked = 0x1f80;  // all other bits are 0: rounding to nearest, neither FTZ nor DAZ
   _mm_setcsr(allExceptionsMasked);
 #if defined(__x86_64__)
-  const unsigned short usual = 0x037f;  // the older unit's, from which libraries read how numbers are rounded
+  const unsigned short usual = 0x037f;  // for the x87 unit, from which libraries read the rounding mode
   asm volatile("fldcw %0" : : "m"(usual));
 #endif
 #elif defined(__aarch64__)

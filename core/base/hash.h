@@ -1,6 +1,5 @@
 #pragma once
 // XXH3-128 over named fields, never over raw structs: padding, pointers and byte order cannot leak in.
-// Hashes out of texts: the way back from Hash::text.
 #include <charconv>
 #include <cstdint>
 #include <memory>
@@ -32,13 +31,14 @@ class Hasher {
   Hasher& add(std::int64_t v) { return add(static_cast<std::uint64_t>(v)); }
   Hasher& add(int v) { return add(static_cast<std::int64_t>(v)); }
   Hasher& add(bool v) { return add(std::uint64_t{v}); }
-  /// The bits of the number, so −0.0 and 0.0 differ. NaN is a BugError: it is a failed run, not a hash.
+  /// Adds the bits of the number, so −0.0 and 0.0 differ. NaN throws BugError: a failed run has no hash.
   Hasher& add(double v);
   Hasher& add(std::string_view text);
   Hasher& add(const char* text) { return add(std::string_view(text)); }
   Hasher& add(const Hash& h) { return add(h.high).add(h.low); }
   Hasher& add(std::span<const double> values);
-  /// Bytes alone, where texts have their length before them: the pieces of a file, in order, give the file's XXH3-128.
+  /// Adds bytes without their length, which texts have before them. The pieces of a file, in order, give the file's
+  /// XXH3-128.
   Hasher& addPiece(std::string_view bytes);
 
   Hash digest() const;
@@ -48,10 +48,10 @@ class Hasher {
   std::unique_ptr<State> state_;
 };
 
-/// XXH3-128 of the bytes alone.
+/// Returns XXH3-128 of the bytes alone.
 Hash hashOf(std::string_view bytes);
 
-/// 32 hexadecimal digits, as Hash::text writes them.
+/// Reads 32 hexadecimal digits as Hash::text writes them; absent for anything else.
 inline std::optional<Hash> readHash(std::string_view text) {
   if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != text.npos) return std::nullopt;
   Hash hash;

@@ -1,6 +1,6 @@
 #pragma once
-// An optional value that lies elsewhere, as std::indirect of C++26 does: who holds or passes it on need not know its
-// type, which may be declared only. Copied and destroyed with its value, and const with its owner.
+// An optional value on the heap, like std::indirect of C++26. Code that holds or passes on an Indirect needs only a
+// declaration of T. Copies and destroys its value with itself, and is const with its owner.
 #include <utility>
 
 namespace morula {
@@ -35,7 +35,7 @@ class Indirect {
     T* (*copy)(const T&);
     void (*destroy)(T*);
   };
-  /// To be called where T is known: where a value is made.
+  /// Requires the complete type T, so only code that makes a value calls this.
   static const Operations& known() {
     static constexpr Operations operations{[](const T& value) { return new T(value); }, [](T* value) { delete value; }};
     return operations;

@@ -13,12 +13,12 @@ enum class Isa {
   avx512,  // eight, without fused multiply-add
 };
 
-/// The widest one that this program was built with and this processor has.
+/// Returns the widest set that this program was built with and this processor has.
 Isa bestIsa();
-/// All that this program was built with and this processor has, narrowest first.
+/// Returns all sets that this program was built with and this processor has, narrowest first.
 std::vector<Isa> availableIsas();
 const char* name(Isa isa);
-/// Throws InputError for another word, or for one that is not available here.
+/// Throws InputError for an unknown name, or for a set that is not available on this machine.
 Isa parseIsa(std::string_view word);
 
 /// A kernel table has one entry per Isa; sets that were not built stand as null.
@@ -39,8 +39,8 @@ struct PerIsa {
   }
 };
 
-// Declares the tables `name` of type Table in the instruction sets' namespaces, and gathers them as `tables`. Directly
-// in namespace morula. `suffix`: of the namespaces; nothing, or _single for kernels that compute with floats.
+// Declares the tables `name` of type Table in the instruction sets' namespaces, and gathers them as `tables`; for use
+// in namespace morula. `suffix` of the namespaces: nothing, or _single for kernels that compute with floats.
 #define MORULA_DECLARE_TABLE(Table, isa, name) \
   namespace isa {                              \
   extern const Table name;                     \

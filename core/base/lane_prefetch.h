@@ -1,12 +1,12 @@
 #pragma once
-// Prefetching what will be read soon. A processor predicts sequential reads by itself, but not those that a list
-// of indices leads to, nor that after a block comes the next.
+// Prefetches memory that will be read soon. A processor predicts sequential reads by itself, but neither reads through
+// a list of indices nor the jump from one block to the next.
 #include "base/lanes.h"
 
 namespace morula::MORULA_ISA {
 
-/// So many bytes, `from` bytes behind a place, into the second-level cache, which leaves the first to the work at
-/// hand. The place may lie behind the last block: a prefetch of memory that does not exist has no effect.
+/// Prefetches `bytes` bytes, from `from` bytes behind `place` on, into the second-level cache; the first stays free for
+/// the work at hand. The place may lie behind the last block: prefetching memory that does not exist has no effect.
 template <int bytes>
 MORULA_INLINE void prefetch(const void* place, std::int64_t from) {
   const auto address = reinterpret_cast<std::uintptr_t>(place) + static_cast<std::uintptr_t>(from);

@@ -48,7 +48,7 @@ MORULA_INLINE void storeFloats(float* p, Lanes a) { *p = static_cast<float>(a); 
 #define MORULA_LAST_PAIRS(a, b) __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15)
 #endif
 
-/// Four consecutive doubles of each of `width` rows ↔ four columns. Its own inverse for width ≥ 4.
+/// Transposes four consecutive doubles of each of `width` rows ↔ four columns. Its own inverse for width ≥ 4.
 #if MORULA_WIDTH >= 4
 MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d, Lanes column[4]) {
   const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d), high2 = MORULA_HIGH(c, d);
@@ -114,7 +114,7 @@ MORULA_INLINE void storeRows(double* firstRow, const Lanes column[rowColumns]) {
 typedef float FloatLanes __attribute__((vector_size(MORULA_WIDTH * 8)));
 typedef float HalfFloatLanes __attribute__((vector_size(MORULA_WIDTH * 4)));
 
-/// Two floats in the place of each double, rounded to nearest: a first, b second.
+/// Packs two floats into the place of each double, rounded to nearest: a first, b second.
 MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
   const HalfFloatLanes first = __builtin_convertvector(a.v, HalfFloatLanes);
   const HalfFloatLanes second = __builtin_convertvector(b.v, HalfFloatLanes);

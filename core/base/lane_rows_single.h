@@ -31,7 +31,7 @@ MORULA_INLINE void storeRows(float* firstRow, const Lanes column[rowColumns]) {
 
 typedef float Four __attribute__((vector_size(16)));
 
-/// Four consecutive floats of each of four rows (of eight: i and i + 4 side by side) ↔ four columns. Its own inverse.
+/// Transposes four consecutive floats of four rows (of eight: i and i + 4 paired) ↔ four columns. Its own inverse.
 MORULA_INLINE void transposeFours(const RawLanes row[4], Lanes column[4]) {
   const RawLanes low = MORULA_LOW(row[0], row[1]), high = MORULA_HIGH(row[0], row[1]),
                  low2 = MORULA_LOW(row[2], row[3]), high2 = MORULA_HIGH(row[2], row[3]);

@@ -1,8 +1,8 @@
-// Several cells side by side: with lane_rows_*.h the only place that knows SIMD. Only *_kernels.cpp files
-// include it: each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set
+// Lanes: several cells side by side. Only this file and lane_*.h know SIMD, and only *_kernels.cpp files include them,
+// by way of *_kernel.h. Each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set
 // by the build, so that no inline function of one set can be linked into another.
 //
-// The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest, so lane k of
+// The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest. So lane k of
 // any width computes what a double would. No fused multiply-add, no approximate reciprocal, no reassociation.
 #pragma once
 #include <cstdint>
@@ -57,7 +57,7 @@ typedef Real RawLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
 typedef MaskReal RawMask __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
 typedef double WideLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(double))));
 
-// AVX-512 has registers for masks; gcc would make vectors of its comparisons, and masks of these.
+// AVX-512 has registers for masks. From plain comparisons gcc would make vectors, and masks of these vectors.
 #if defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 8
 #define MORULA_COMPARE(a, b, how, ordered) \
   { _mm512_cmp_pd_mask((__m512d)a.v, (__m512d)b.v, ordered) }
@@ -98,7 +98,7 @@ MORULA_INLINE Lanes load(const Real* p) {
 }
 MORULA_INLINE void store(Real* p, Lanes a) { __builtin_memcpy(p, &a.v, sizeof a.v); }
 #if defined(MORULA_SINGLE)
-// Values of a whole cell are kept in doubles.
+// Loads values of whole cells, which are always kept in doubles.
 MORULA_INLINE Lanes load(const double* p) {
   WideLanes a;
   __builtin_memcpy(&a, p, sizeof a);
@@ -153,7 +153,7 @@ MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) {
 #endif
 }
 
-/// Bit i: lane i.
+/// Returns one bit per lane: bit i for lane i.
 MORULA_INLINE unsigned bits(Mask m) {
 #if defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 4
   return _mm_movemask_ps((__m128)m.v);
@@ -180,17 +180,17 @@ MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 
 #endif
 
-/// Added to a divisor: keeps quotients finite where a length is 0, and is below rounding everywhere else.
+/// A number to add to a divisor: keeps quotients finite where a length is 0, and is below rounding everywhere else.
 constexpr double tiny = single ? 1e-30 : 1e-280;
 
-// x86 has an instruction for each of the two. gcc often makes a comparison and a blend, which take longer.
+// x86 has one instruction for min and one for max. gcc often makes a comparison and a blend, which take longer.
 #if defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 8
 #define MORULA_X86_PACKED(operation, a, b) (RawLanes) _mm512_##operation##_pd((__m512d)a.v, (__m512d)b.v)
 #elif defined(__x86_64__) && !defined(MORULA_SINGLE) && MORULA_WIDTH == 4
 #define MORULA_X86_PACKED(operation, a, b) (RawLanes) _mm256_##operation##_pd((__m256d)a.v, (__m256d)b.v)
 #endif
 
-/// The smaller one; b where they do not compare (as x86's minpd).
+/// Returns the smaller number; b where a and b do not compare (as x86's minpd).
 MORULA_INLINE Lanes min(Lanes a, Lanes b) {
 #if defined(MORULA_X86_PACKED)
   return MORULA_X86_PACKED(min, a, b);
@@ -199,7 +199,7 @@ MORULA_INLINE Lanes min(Lanes a, Lanes b) {
 #endif
 }
 
-/// The larger one; b where they do not compare (as x86's maxpd).
+/// Returns the larger number; b where a and b do not compare (as x86's maxpd).
 MORULA_INLINE Lanes max(Lanes a, Lanes b) {
 #if defined(MORULA_X86_PACKED)
   return MORULA_X86_PACKED(max, a, b);

@@ -37,8 +37,7 @@ inline double naturalLog(double a) {
   return e * ln2 + 2 * s * series;
 }
 
-/// e^a, to within 1 ulp (4e-16 of it), in the subnormal range to within 1 ulp of that: with a = k ln 2 + r and
-/// |r| ≤ ½ ln 2
+/// e^a, to within 1 ulp (4e-16 of e^a), also where the result is subnormal: with a = k ln 2 + r and |r| ≤ ½ ln 2
 ///
 ///   e^a = 2^k (1 + r + r²/2! + … + r¹⁴/14!)
 ///
@@ -66,8 +65,8 @@ struct SineAndCosine {
 ///
 ///   sin r = r − r³/3! + … + r¹⁷/17!,   cos r = 1 − r²/2! + … + r¹⁶/16!
 ///
-/// whose next terms are below 1e-19. π/2 is taken off in three parts, the first two short enough for k times them
-/// to be exact. NaN for what is no number, infinite or larger than 1e9.
+/// whose next terms are below 1e-19. π/2 is taken off in three parts, the first two short enough for k times them to be
+/// exact. Returns NaN for an angle that is NaN or beyond ±1e9.
 inline SineAndCosine sineAndCosine(double angle) {
   constexpr double high = 0x1.921FB544p0, middle = 0x1.0B4611A6p-34, low = 0x1.3198A2E037073p-69;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,13 +1,13 @@
 #pragma once
-// Times that come back at equal intervals: 0, every, 2·every, …
+// Multiples of an interval in time: 0, every, 2·every, …
 #include <cstdint>
 #include <optional>
 
 namespace morula {
 
-/// The smallest n for which n·every, rounded to a double, is larger than `time` ≥ 0; every > 0. In a fixed
-/// number of operations, however small the interval is. Where n would not be exact as a double, 2^53: an
-/// interval that is so short has no next multiple that can be told from the time itself.
+/// Returns the smallest n for which n·every, rounded to a double, is larger than `time` ≥ 0; every > 0. The number of
+/// operations is fixed, however small the interval. Returns 2^53 if n would not be exact as a double: the next multiple
+/// of so short an interval cannot be told from `time`.
 inline std::uint64_t firstMultipleAfter(double time, double every) {
   constexpr double exact = 0x1p53;
   const double quotient = time / every;

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as text for messages: the same in every locale, and small ones do not become 0.000000.
+// Numbers as text for messages: the same in every locale, and small numbers do not become 0.000000.
 #include <charconv>
 #include <string>
 

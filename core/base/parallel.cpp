@@ -20,19 +20,19 @@ namespace {
 tbb::task_arena& arena(int threads) {
   static std::mutex mutex;
   static std::map<int, std::unique_ptr<tbb::task_arena>> arenas;
-  static std::unique_ptr<tbb::global_control> limit;  // by itself TBB would not go beyond the number of cores
+  static std::unique_ptr<tbb::global_control> limit;  // without a limit, TBB does not exceed the number of cores
   const std::lock_guard lock(mutex);
   auto& slot = arenas[threads];
   if (!slot) {
     const auto most = static_cast<std::size_t>(std::max(threads, arenas.rbegin()->first));
-    limit.reset();  // of several the lowest would count
+    limit.reset();  // of several limits the lowest would count
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, most);
     slot = std::make_unique<tbb::task_arena>(threads);
   }
   return *slot;
 }
 
-// Number of this thread in the innermost parallelFor, also in one that is a plain loop within another one's body.
+// Number of this thread in the innermost parallelFor, even if that is a plain loop in the body of another.
 thread_local int thisThread = 0;
 
 struct Numbered {

@@ -14,7 +14,7 @@ void parallelFor(int count, int threads, Body&& body) {
       &body);
 }
 
-/// The number of this thread within the running parallelFor, 0 … threads−1: which scratch memory is its own.
+/// Returns this thread's number within the running parallelFor, 0 … threads−1, which selects its scratch memory.
 int threadNumber();
 
 }  // namespace morula

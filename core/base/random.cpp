@@ -23,7 +23,7 @@ std::array<std::uint32_t, 4> randomWords(const Draw& draw, std::uint32_t number)
 
 namespace {
 
-/// In [0, 1).
+/// Returns a number in [0, 1) from the first 53 of 64 bits.
 double unitOf(std::uint32_t high, std::uint32_t low) {
   return static_cast<double>((std::uint64_t{high} << 32 | low) >> 11) * 0x1p-53;
 }
@@ -47,7 +47,7 @@ Vector randomDirection(const Draw& draw) {
 
 double randomNormal(const Draw& draw, std::uint32_t number) {
   for (std::uint32_t attempt = 0;; ++attempt) {
-    const auto w = randomWords(draw, number << 8 | (attempt & 0xFF));  // 256 failures in a row: never
+    const auto w = randomWords(draw, number << 8 | (attempt & 0xFF));  // 256 failures in a row do not happen
     const double u = 2 * unitOf(w[0], w[1]) - 1, v = 2 * unitOf(w[2], w[3]) - 1;
     const double s = u * u + v * v;
     if (!(s > 0 && s < 1)) continue;

@@ -10,7 +10,7 @@
 
 namespace morula {
 
-enum class Purpose : std::uint32_t {  // part of what a seed means: new ones stand behind the others
+enum class Purpose : std::uint32_t {  // part of what a seed means: new purposes take new numbers
   divisionPlane = 1,
   perturbation = 2,
   test = 3,
@@ -31,21 +31,21 @@ struct Draw {
   Purpose purpose = Purpose::test;
 };
 
-/// Four 32-bit words for draw number `number`.
+/// Returns four 32-bit words for draw number `number`.
 std::array<std::uint32_t, 4> randomWords(const Draw& draw, std::uint32_t number);
 
-/// Uniform in [0, 1), 53 bits.
+/// Returns a number uniform in [0, 1), with 53 bits.
 double randomUnit(const Draw& draw, std::uint32_t number);
 
-/// Uniform on the unit sphere, by rejection [Marsaglia 1972]: only + − × and square roots.
+/// Returns a direction uniform on the unit sphere, by rejection [Marsaglia 1972]: only + − × and square roots.
 Vector randomDirection(const Draw& draw);
 
-/// The most that a normal deviate is away from 0.
+/// The largest distance of a normal deviate from 0.
 constexpr double largestDeviate = 3;
 
-/// A deviate of the normal distribution with mean 0 and standard deviation 1 that lies within ±3; one farther out is
-/// drawn anew, so that nothing ever strays without bound (the standard deviation of what is left is 0.9866). By the
-/// polar method [Marsaglia & Bray 1964]: s = u² + v² in (0, 1), u √(−2 ln s / s). `number` below 2²⁴.
+/// Returns a deviate of the normal distribution with mean 0 and standard deviation 1. A deviate beyond ±3 is drawn
+/// anew, so that nothing strays without bound; the standard deviation of the others is 0.9866. Polar method [Marsaglia
+/// & Bray 1964]: s = u² + v² in (0, 1), u √(−2 ln s / s). `number` below 2²⁴.
 double randomNormal(const Draw& draw, std::uint32_t number = 0);
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// Arrays of real numbers in the precision that a scene asks for. Kernels, compiled once for each precision,
-// get the bare memory; all others read and write doubles.
+// Arrays of real numbers in the precision that a scene asks for. Kernels, compiled once for each precision, get the
+// bare memory; all other code reads and writes doubles.
 #include "base/aligned.h"
 #include "base/precision.h"
 
@@ -45,7 +45,7 @@ class Reals {
   double operator[](std::size_t i) const { return read(i); }
   /// Refers to a number of the array. A value that is written to it is rounded to the array's precision.
   Reference operator[](std::size_t i) { return {*this, i}; }
-  /// From element i on.
+  /// Returns a pointer to element i.
   RealPointer from(std::size_t i) {
     if (precision_ == Precision::binary64) return {doubles_.data() + i};
     return {floats_.data() + i};
@@ -61,7 +61,7 @@ class Reals {
   }
 
   Precision precision_;
-  AlignedVector<double> doubles_;  // one of the two is empty
+  AlignedVector<double> doubles_;  // doubles_ or floats_ is empty
   AlignedVector<float> floats_;
 };
 

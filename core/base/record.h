@@ -1,6 +1,6 @@
 #pragma once
-// Records: structs with one list of their fields. Columns of the database and their comments, JSON out and in, tables
-// for people come from that list; a field that is added to the struct and not to its list does not compile.
+// Records: structs with one list of their fields. The database's columns and their comments, JSON out and in, and
+// tables for people come from that list. A field of the struct that is not in its list does not compile.
 //
 //   template <IsA<TimeStepRecord> T>
 //   void listFields(T& change, auto&& field) {
@@ -24,7 +24,7 @@ struct FieldInfo {
   const char* name;            // of the column, and of the member in JSON
   const char* meaning = "";    // for people, on one line; "": the name says it
   const char* unit = "";       // "time"; "": a pure number, or none
-  const char* oneOf = "";      // of a text: all that it may be, each behind one blank but the first; "": anything
+  const char* oneOf = "";      // of a text: all allowed values with one blank between them; "": any text
   const char* refersTo = "";   // of a key: the table that it is the key of
   bool anyCharacters = false;  // of a text: may have line breaks and control characters
 };
@@ -39,7 +39,7 @@ concept Record = requires(T& record) {
 
 // Wrappers that a list may give in place of a member itself.
 
-/// Null where `isAbsent`, which may depend on fields before it and after it; null leaves the member as it is.
+/// A member that is null where `isAbsent`, which may depend on any field. Reading null leaves the member as it is.
 template <class Member>
 struct NullIf {
   bool isAbsent;
@@ -48,7 +48,7 @@ struct NullIf {
 template <class Member>
 NullIf(bool, Member&) -> NullIf<Member>;
 
-/// May be infinite, or NaN, which is null.
+/// A number that may be infinite or NaN; NaN is written as null.
 template <class Real>
 struct AnyReal {
   Real& of;
@@ -64,7 +64,7 @@ struct AllBits {
 template <class Number>
 AllBits(Number&) -> AllBits<Number>;
 
-/// A text that is made of members when it is written; `read` takes it back, or does nothing.
+/// A text made of members when the record is written. `read` sets the members from the text, or does nothing.
 template <class Write, class Read>
 struct TextOf {
   Write write;  // std::string()
@@ -82,7 +82,7 @@ struct BytesOf {
 template <class Write, class Read>
 BytesOf(Write, Read) -> BytesOf<Write, Read>;
 
-/// Any value that is made of members, for JSON.
+/// A value of any type made of members, for JSON.
 template <class Write, class Read>
 struct ValueOf {
   Write write;
@@ -93,7 +93,7 @@ ValueOf(Write, Read) -> ValueOf<Write, Read>;
 
 inline constexpr auto notRead = [](const auto&) {};
 
-// Kinds of members, for what stores and sends them.
+// Kinds of members, for code that stores or sends them.
 
 template <class T, template <class...> class Kind>
 inline constexpr bool isTemplate = false;

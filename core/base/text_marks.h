@@ -7,14 +7,14 @@
 
 namespace morula {
 
-/// The text behind a byte order mark of UTF-8, or the whole text.
+/// Returns the text behind a byte order mark of UTF-8, or the whole text.
 std::string_view withoutByteOrderMark(std::string_view text);
 
 /// True if the text begins with a byte order mark of UTF-16, in either order of bytes.
 bool isUtf16(std::string_view text);
 
-/// "U+00A0 no-break space" for a character beyond ASCII that shows as nothing or as a blank, or that turns what
-/// follows; "" for all others.
+/// Returns "U+00A0 no-break space" for a character beyond ASCII that shows as nothing or as a blank, or that changes
+/// the direction of the text behind it; "" for all others.
 std::string nameOfInvisible(char32_t c);
 
 struct InvisibleCharacter {
@@ -23,7 +23,7 @@ struct InvisibleCharacter {
   std::string name;
 };
 
-/// The first such character of a line; nothing if it has none, or has bytes that are not UTF-8 before it.
+/// Finds the first invisible character of a line; absent without one, or if bytes before it are not UTF-8.
 std::optional<InvisibleCharacter> findInvisible(std::string_view line);
 
 }  // namespace morula

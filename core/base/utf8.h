@@ -4,8 +4,8 @@
 
 namespace morula {
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 if there is none: overlong forms,
-/// surrogates and what lies beyond U+10FFFF are no characters.
+/// Returns the length in bytes of the UTF-8 character at the start of `text`. Returns 0 if there is none: overlong
+/// forms, surrogates and code points beyond U+10FFFF are no characters.
 int utf8Length(std::string_view text);
 
 /// The code point of the first `length` bytes, which utf8Length has found to be a character.

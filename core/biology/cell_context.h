@@ -29,7 +29,7 @@ struct OtherCell {
 
 /// The place of a cell's centre in the shell.
 struct ShellPlace {
-  Vector along;    // [1] along x, y and z, over how far the shell reaches that way: −1 to 1
+  Vector along;    // [1] position along x, y and z over the shell's reach that way: −1 to 1
   double out = 0;  // [1] 0 in the shell's middle, 1 on the shell
 };
 
@@ -37,57 +37,57 @@ class CellContext {
  public:
   virtual ~CellContext() = default;
 
-  // Known of every cell, at no cost
+  // Properties known of every cell, at no cost
   CellPath path;
   StateId state = 0;
   double time = 0;       // [time] now
-  double lastCycle = 0;  // [time] when its last cell cycle was due, or its mother's at its birth
-  double born = 0;       // [time] of the step in which it was born, so at times a little after `time`
+  double lastCycle = 0;  // [time] when its last cell cycle was due; until its first one, its mother's
+  double born = 0;       // [time] of the step in which it was born, which may be a little after `time`
   double pace = 1;       // [1] its cycle lengths over those of its state
   double age() const { return time > born ? time - born : 0; }
 
-  // Found when it is first asked for, and kept. Here: of a cell of which nothing more is known.
-  /// Its substances, sorted by name, separated by single spaces.
+  // Computed on first request, and kept. The defaults here describe a cell of which nothing more is known.
+  /// Returns the cell's substances, sorted by name, separated by single spaces.
   virtual std::string substances() const { return {}; }
-  /// Its body; null in a lineage-only scene.
+  /// Returns the cell's body; null in a lineage-only scene.
   virtual const PhysicalUnit* physical() const { return nullptr; }
-  /// The cells that it touches, by path; none in a scene without contact.
+  /// Returns the cells that this cell touches, by path; none in a scene without contact.
   virtual std::span<const Neighbour> neighbours() const { return {}; }
-  /// The other daughter of its mother, while she lives; else null.
+  /// Returns the other daughter of the cell's mother while she lives; else null.
   virtual const CellContext* sister() const { return nullptr; }
-  /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
+  /// Returns how the cell's mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
-  /// The division by which its mother was made; null without one.
+  /// Returns the division by which the cell's mother was made; null without one.
   virtual const DivisionRecord* grandmotherDivision() const { return nullptr; }
-  /// The cells that it is connected to, by path; none in a scene without connections.
+  /// Returns the cells that this cell is connected to, by path; none in a scene without connections.
   virtual std::span<const CellContext* const> connected() const { return {}; }
-  /// All other living cells, by path; none in a lineage-only scene.
+  /// Returns all other living cells, by path; none in a lineage-only scene.
   virtual std::span<const OtherCell> otherCells() const { return {}; }
-  /// [1] The share of its surface that lies on the shell: a vertex there stands for a third of the area of its
-  /// faces; 0 without a shell, and of a ball, which touches it in a point.
+  /// Returns the share [1] of the cell's surface that lies on the shell: a vertex there stands for a third of the area
+  /// of its faces. 0 without a shell, and for a ball, which touches the shell in a point.
   virtual double shellShare() const { return 0; }
-  /// [length] From its centre to the organism's outer surface, as a ball with half the radius of a mean cell feels it
-  /// [mesh/cavities.h]; absent in a lineage-only scene.
+  /// Returns the distance [length] from the cell's centre to the organism's outer surface, as a ball with half the
+  /// radius of a mean cell feels it [mesh/cavities.h]; absent in a lineage-only scene.
   virtual std::optional<double> surfaceDistance() const { return {}; }
-  /// Absent without a shell.
+  /// Returns the place of the cell's centre; absent without a shell.
   virtual std::optional<ShellPlace> placeInShell() const { return {}; }
-  /// [1] Its largest over its second largest extent, as the measure elongation; 1 of a ball.
+  /// Returns the cell's largest over its second largest extent [1], as the measure elongation; 1 for a ball.
   virtual double elongation() const { return 1; }
-  /// [1] Its volume at rest over the egg's: what divisions and growth have made of it.
+  /// Returns the cell's volume at rest over the egg's [1], as divisions and growth have made it.
   virtual double size() const { return 1; }
-  /// [1] That of its birth, or of the start. Known only where cells divide by what they have gained
+  /// Returns the cell's size [1] at birth, or at the start. Known only where cells divide by what they have gained
   /// (DivisionSize::Rule::adder); 0 elsewhere.
   virtual double sizeAtBirth() const { return 0; }
 
   // Further properties for division planes
-  /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no such shell.
+  /// Returns the semi-axes [length] along x, y and z of a shell centred at the origin; absent without such a shell.
   virtual std::optional<Vector> shell() const { return {}; }
-  /// For a shell that is a mesh and has no semi-axes: the outward unit normal of its face nearest to the cell's
-  /// centre; absent: no such shell.
+  /// Returns the outward unit normal of the shell's face nearest to the cell's centre, for a shell that is a mesh and
+  /// has no semi-axes; absent without such a shell.
   virtual std::optional<Vector> nearestShellNormal() const { return {}; }
-  /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.
+  /// Returns the centre [length] of the volume of all cells; in a lineage-only scene the origin.
   virtual Point organismCentre() const { return {}; }
-  /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none had any.
+  /// Returns the polarity left by the nearest ancestor that left one to her daughters [Cut::polarity]; null if none.
   virtual const Vector* inheritedPolarity() const { return nullptr; }
 };
 

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// [length] To the nearest of them; infinite without any.
+/// Returns the distance [length] to the nearest counted cell; infinite without any.
 double nearest(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {
   double distance = std::numeric_limits<double>::infinity();
   for (const OtherCell& other : cell.otherCells())
@@ -16,9 +16,9 @@ double nearest(const CellContext& cell, const SenseParameters&, const CountsCell
   return distance;
 }
 
-/// [1/length] The concentration c of what each of them releases at a rate of 4π D, where it diffuses with D and decays
-/// with the rate k, once it no longer changes: D ∇²c = k c around a point gives c = e^(−r/λ)/r, with λ = √(D/k) the
-/// range [Yukawa's potential; e.g. Wartlick, Kicheva & González-Gaitán 2009]. Infinite at r = 0.
+/// Returns the steady concentration c [1/length] of a substance that each counted cell releases at a rate of 4π D, and
+/// that diffuses with D and decays with the rate k: D ∇²c = k c around a point gives c = e^(−r/λ)/r, with λ = √(D/k)
+/// the range [Yukawa's potential; e.g. Wartlick, Kicheva & González-Gaitán 2009]. Infinite at r = 0.
 double concentration(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts) {
   double sum = 0;
   for (const OtherCell& other : cell.otherCells())

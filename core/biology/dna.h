@@ -31,32 +31,32 @@ struct Gene {
 MORULA_MEMBERS(Gene, name, product, inputs, repressors)
 
 struct Dna {
-  std::vector<std::string> substances;  // all names, and A and B; sorted: a SubstanceId is a place here
-  std::vector<SubstanceId> start;       // what the egg holds; sorted
+  std::vector<std::string> substances;  // all names, and A and B; sorted: a SubstanceId is an index of this list
+  std::vector<SubstanceId> start;       // the substances that the egg holds; sorted
   std::vector<Gene> genes;              // as written, ranges written out
   std::string source;                   // the text that this was read from
-  std::vector<std::string> warnings;    // what works, but may not be meant; each as a line of an InputError
+  std::vector<std::string> warnings;    // lines, as of an InputError, about DNA that works but may not be meant
 };
 MORULA_MEMBERS(Dna, substances, start, genes, source, warnings)
 
 /// The scene's uses of substances outside its DNA.
 struct DnaSurroundings {
-  std::set<std::string> given;    // to start cells, instead of START
-  std::vector<std::string> read;  // by colours, cycle lengths …; a name, or its beginning and '*'
-  /// Acting substances without effect in this scene; why, and what would be right: "needs x; add x".
+  std::set<std::string> given;    // substances that start cells get instead of START
+  std::vector<std::string> read;  // names that colours, cycle lengths … read; a name, or its beginning and '*'
+  /// Acting substances without effect in this scene, each with the reason and the remedy: "needs x; add x".
   std::map<std::string, std::string> inert;
-  std::set<std::string> sensed;  // that the simulator inserts for what cells perceive
+  std::set<std::string> sensed;  // substances that the simulator inserts for what cells perceive
 };
 
-/// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and `firstColumn`
+/// Reads DNA in the syntax above. `file` and `path` only name the place in messages. `firstLine` and `firstColumn`
 /// (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every line is indented alike.
-/// Throws InputError with all that is wrong, one line each: "file:line:column: [path: ]what is wrong; what would be
-/// right". Wrong is also what could never have an effect, such as an input that no gene produces. Without
-/// `surroundings` (null) only what no scene could make work is wrong.
+/// Throws InputError with all errors, one line each: "file:line:column: [path: ]what is wrong; what would be right".
+/// DNA that could never have an effect, such as an input that no gene produces, is an error. Without `surroundings`
+/// (null) only DNA that no scene could make work is an error.
 Dna parseDna(std::string_view text, const std::string& file, int firstLine = 1, int firstColumn = 1,
              const std::string& path = "", const DnaSurroundings* surroundings = nullptr);
 
-/// The id of a name, if the DNA knows it.
+/// Returns the id of a name, if the DNA knows the name.
 std::optional<SubstanceId> findSubstance(const Dna& dna, std::string_view name);
 
 }  // namespace morula

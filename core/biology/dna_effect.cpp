@@ -19,10 +19,10 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// The acting substance that a name which nothing reads was probably meant to be, or "". With two edits a short
-/// word could be any other word.
+/// Returns the acting substance that a name which nothing reads probably means, or "". With two edits a short word
+/// could be any other word.
 std::string misspelt(const std::string& name) {
-  if (name.size() > 10) return "";  // longer than any of them by more than two letters
+  if (name.size() > 10) return "";  // longer than any acting substance by more than two letters
   for (const std::string& word : substance::acting)
     if (editDistance(lowerCase(name), word) <= (word.size() >= 6 ? 2 : 1)) return word;
   return "";
@@ -32,7 +32,7 @@ class EffectCheck {
  public:
   EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics, Diagnostics& warnings)
       : lines_(lines), surroundings_(surroundings), diagnostics_(diagnostics), warnings_(warnings) {
-    // Lines that could not be read may have said anything.
+    // A line that could not be read may have said anything.
     read_ = lines.unreadableWords;
     for (const GeneLine& gene : lines.genes)
       for (const auto* words : {&gene.inputs, &gene.repressors})
@@ -45,7 +45,7 @@ class EffectCheck {
     if (!surroundings_) return;
     // A line that could not be read may have been a gene that reads anything.
     if (!lines_.unreadableWords.empty()) return;
-    std::set<std::string> seen;  // what is there twice has been reported
+    std::set<std::string> seen;  // repetitions have been reported
     for (const Word& word : lines_.start)
       if (seen.insert(word.text).second) checkStart(word);
     if (lines_.hasStartLine) checkReach();
@@ -57,7 +57,7 @@ class EffectCheck {
            std::ranges::any_of(surroundings_->read, [&](const std::string& pattern) { return fits(pattern, name); });
   }
 
-  /// A START substance or a product: does it act here, and if not, was it meant to?
+  /// Checks a START substance or a product: does it act in this scene, and if not, was it meant to?
   void checkSpelling(const Word& word) {
     const std::string& name = word.text;
     if (name == substance::a || name == substance::b) return;
@@ -77,7 +77,7 @@ class EffectCheck {
     else diagnostics_.add(word.place, text);
   }
 
-  /// `Divide`, which is wrong even where a gene reads it.
+  /// True for a name such as `Divide`, which is wrong even where a gene reads it.
   static bool isCase(const std::string& name) {
     return std::ranges::any_of(substance::acting,
                                [&](const std::string& word) { return name != word && equalButForCase(name, word); });
@@ -97,7 +97,7 @@ class EffectCheck {
                                        ", so it does nothing; remove it, or write a gene that reads it");
   }
 
-  /// A cell can come to hold this; so it can hold what genes make of it. What represses them may be absent.
+  /// Notes that a cell can come to hold this substance, and so what genes make of it. Repressors may be absent.
   void reach(const std::string& name) {
     std::vector<std::string> found{name};
     while (!found.empty()) {
@@ -110,7 +110,7 @@ class EffectCheck {
     }
   }
 
-  /// Genes whose inputs are all produced, and yet never present. One diagnostic for each substance that would
+  /// Reports genes whose inputs are all produced, and yet never present: one diagnostic for each substance that would
   /// wake others up.
   void checkReach() {
     std::set<std::string> produced;
@@ -149,8 +149,8 @@ class EffectCheck {
   const DnaSurroundings* surroundings_;
   Diagnostics& diagnostics_;
   Diagnostics& warnings_;
-  std::set<std::string> read_;                       // by genes
-  std::set<std::string> reachable_;                  // a cell can come to hold it
+  std::set<std::string> read_;                       // substances that genes read
+  std::set<std::string> reachable_;                  // substances that a cell can come to hold
   std::multimap<std::string, std::size_t> readers_;  // genes by their inputs
   std::vector<std::size_t> missing_;                 // [gene] inputs that are not reachable
 };

@@ -25,8 +25,8 @@ struct Unreadable {
   std::string text;
 };
 
-/// The first character as a message can show it: a letter beyond ASCII with its code point, because some look
-/// like others or like nothing; what cannot be printed as its byte.
+/// Returns the first character as a message can show it. A letter beyond ASCII comes with its code point, because some
+/// look like others or like nothing; an unprintable byte comes as its number.
 std::string shown(std::string_view text) {
   constexpr char digits[] = "0123456789ABCDEF";
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -42,23 +42,23 @@ std::string shown(std::string_view text) {
   return "'" + std::string(text.substr(0, length)) + "' (U+" + hex + ")";
 }
 
-constexpr std::size_t longestName = 100;  // [letter] so that messages and pictures can show it
+constexpr std::size_t longestName = 100;  // [letter] max, so that messages and pictures can show a name
 
-constexpr std::size_t maxNames = 20'000;  // that all ranges may write: a short text must not fill the memory
+constexpr std::size_t maxNames = 20'000;  // max names of all ranges: a short text must not fill the memory
 constexpr int largestNumber = 1'000'000;
 
 constexpr auto rangeExample = "; a range is written g{n}(a{n+1}|a{n}) for n in 0..4";
 constexpr auto startExample = "; the egg's substances are written START: a0, a1";
 constexpr auto geneExample = "; a gene is written g1(product|input, input)";
 
-/// A range as `for n in 0..4`, and the number that stands for n now.
+/// A range as `for n in 0..4`, and the number that n has now.
 struct Range {
   Place place;
   std::string variable;
   int first = 0, last = 0, now = 0;
 };
 
-/// Reads one line from left to right; with a range, for the number that it is at.
+/// Reads one line from left to right; a line with a range, for the range's present number.
 class Cursor {
  public:
   Cursor(std::string_view line, Place begin, const Range* range = nullptr) : line_(line), begin_(begin), range_(range) {
@@ -122,11 +122,11 @@ class Cursor {
     fail(text + example);
   }
 
-  std::string example = geneExample;   // what would be right
+  std::string example = geneExample;   // example of what would be right
   std::size_t words = 0, numbers = 0;  // names taken so far, and braces in them
 
  private:
-  /// Takes {n}, {n+1} or {n-1}: the number that it stands for.
+  /// Takes {n}, {n+1} or {n-1}. Returns the number that the braces stand for.
   std::string numberInBraces() {
     if (!range_) fail("'{' has a meaning only where a range ends the line" + std::string(rangeExample));
     const std::string& n = range_->variable;
@@ -144,7 +144,7 @@ class Cursor {
     if (take('+')) value += number();
     else if (take('-')) value -= number();
     if (next() != '}') fail("'}' is missing; " + forms);
-    ++at_;  // and no space: what follows belongs to the name
+    ++at_;  // spaces are not skipped: the next letters belong to the name
     if (value < 0) {
       const std::string braces(line_.substr(begin, at_ - begin));
       at_ = begin;
@@ -212,7 +212,7 @@ bool meansStart(const std::string& word) {
   return !closest(word, candidates).empty();
 }
 
-/// How many braces the line's first word holds.
+/// Reads one line. Returns how many braces the line's first word holds.
 std::size_t readLine(Cursor& cursor, Lines& lines) {
   if (cursor.atEnd()) return 0;
   const Place begin = cursor.place();
@@ -267,7 +267,7 @@ Range readRange(Cursor cursor) {
   return range;
 }
 
-/// Reads a line for each number of its range.
+/// Reads a line once for each number of its range.
 void readRepeated(std::string_view line, Place begin, Range range, Lines& lines) {
   const std::string braces = "{" + range.variable + "}";
   for (; range.now <= range.last; ++range.now) {
@@ -343,7 +343,7 @@ std::vector<std::string> Diagnostics::lines(const std::string& file, const std::
 
 void Diagnostics::report(const std::string& file, const std::string& path) {
   if (list_.empty()) return;
-  constexpr std::size_t most = 50;  // a picture taken for DNA has one per line
+  constexpr std::size_t most = 50;  // a picture mistaken for DNA has an error in each line
   const auto all = lines(file, path);
   std::string text;
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += (i ? "\n" : "") + all[i];

@@ -15,7 +15,7 @@ namespace {
 
 std::string atLine(const Place& place) { return "line " + std::to_string(place.line); }
 
-/// All names that a cell can come to hold; those of lines that could not be read count as possible.
+/// Returns all names that a cell can come to hold; names of lines that could not be read count as possible.
 std::set<std::string> possibleSubstances(const Lines& lines) {
   std::set<std::string> names = lines.unreadableWords;
   names.insert({substance::a, substance::b});

@@ -1,5 +1,5 @@
 #pragma once
-// Between text and Dna: what stands where, so that every diagnostic can name its place. Private to this module.
+// Between text and Dna: the parts of the text with their places, which diagnostics name. Private to this module.
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ namespace morula::dna_text {
 
 struct Place {
   int line = 1, column = 1;  // in the user's file, from 1
-  bool isRepeated = false;   // in a line with a range: what stands here is read for each of its numbers
+  bool isRepeated = false;   // in a line with a range, which is read for each of the range's numbers
 };
 
 struct Word {
@@ -22,21 +22,21 @@ struct Word {
 
 struct GeneLine {
   Word name, product;
-  std::vector<Word> inputs;      // that must be present
-  std::vector<Word> repressors;  // that must not
+  std::vector<Word> inputs;      // all must be present
+  std::vector<Word> repressors;  // none may be present
 };
 
 struct Lines {
-  Place begin;              // of the whole text
-  std::vector<Word> start;  // of all START lines
+  Place begin;              // place of the whole text
+  std::vector<Word> start;  // words of all START lines
   std::vector<GeneLine> genes;
-  bool hasStartLine = false;              // even one that could not be read
+  bool hasStartLine = false;              // also for a START line that could not be read
   bool areNamesKnown = true;              // false: START, or a range, may have said more than could be read
   std::set<std::string> unreadableWords;  // names in lines that could not be read: they may be anything
-  std::size_t repeatedNames = 0;          // that ranges wrote
+  std::size_t repeatedNames = 0;          // number of names that ranges wrote
 };
 
-/// Collects diagnostics; `file:line:column: [path: ]text` in the order of places.
+/// Collects diagnostics, `file:line:column: [path: ]text`, in the order of places.
 class Diagnostics {
  public:
   void add(Place place, std::string text) {
@@ -44,11 +44,11 @@ class Diagnostics {
     list_.push_back({place, std::move(text)});
     if (place.isRepeated) told_.insert({place.line, place.column});
   }
-  /// One diagnostic is enough for all that a range makes of one word.
+  /// True if the place is in a line with a range and has a diagnostic: one is enough for all numbers of the range.
   bool isTold(Place place) const { return place.isRepeated && told_.contains({place.line, place.column}); }
-  /// Throws InputError if there are any.
+  /// Throws InputError if there are any diagnostics.
   void report(const std::string& file, const std::string& path);
-  /// All of them, one line each.
+  /// Returns all diagnostics, one line each.
   std::vector<std::string> lines(const std::string& file, const std::string& path);
 
  private:
@@ -60,13 +60,13 @@ class Diagnostics {
   std::set<std::pair<int, int>> told_;  // line, column
 };
 
-/// The grammar: one line, one START list, gene or comment; a line with a range gives as many as it has numbers.
+/// Reads lines by the grammar: a START list, a gene or a comment each. A line with a range gives one for each number.
 Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics);
 
-/// The meaning: whatever is well written but cannot work. `surroundings` may be null.
+/// Reports DNA that is well written but cannot work. `surroundings` may be null.
 void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics);
 
-/// Reports what could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
+/// Reports DNA that could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
 /// reads, an acting substance misspelt or in a scene that does nothing with it. `surroundings` may be null.
 void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
                  Diagnostics& warnings);

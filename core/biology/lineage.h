@@ -1,6 +1,6 @@
 #pragma once
-// The lineage tree: every cell that ever was, by path. Cells that divide or die leave the physics and stay
-// here [Nilsson 2008, §4.4.2].
+// The lineage tree: every cell that ever was, by path. Cells that divide or die leave the physics and stay in the
+// lineage [Nilsson 2008, §4.4.2].
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,7 +20,7 @@ struct LineageEntry {
   std::uint64_t bornStep = 0;  // the physical step (or cycle, without physics) at which it was born
   std::uint64_t endedStep = 0;
   Fate fate = Fate::alive;
-  StateId state = 0;  // its substances: the last ones it had
+  StateId state = 0;  // the last substances of the cell
 };
 
 /// Entries in order of birth: a mother before her daughters, A before B, cells born at one time by their paths.
@@ -30,13 +30,13 @@ struct Lineage {
 
 const char* name(Fate fate);
 
-/// The entries' places, sorted by path: the egg first, every subtree in one piece. O(n log n): make it once,
-/// pass it on.
+/// Returns the indices of the entries, sorted by path: the egg first, every subtree in one piece. O(n log n), so
+/// compute the order once and pass it on.
 std::vector<std::uint32_t> orderByPath(const Lineage& lineage);
-/// The entry of a cell, or null. `order` comes from orderByPath. A cell's daughters are find(…,
+/// Returns the entry of a cell, or null. `order` comes from orderByPath. A cell's daughters are find(…,
 /// path.daughter(false)) and (true).
 const LineageEntry* find(const Lineage& lineage, std::span<const std::uint32_t> order, const CellPath& path);
-/// The places of the cells that did not divide (alive or died), sorted by path.
+/// Returns the indices of the cells that did not divide (alive or died), sorted by path.
 std::vector<std::uint32_t> leaves(const Lineage& lineage);
 
 }  // namespace morula

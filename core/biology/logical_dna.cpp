@@ -26,9 +26,9 @@ struct State {
   double growth = 0, connecting = 0;
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
-  // If the DNA has senses; bit i is for sense number i
-  std::uint64_t sensed = 0;                                      // whose substances it holds
-  std::uint64_t counted = 0;                                     // that count its cell [SenseParameters::of]
+  // Only if the DNA has senses; bit i is for sense number i
+  std::uint64_t sensed = 0;                                      // senses whose substances the state holds
+  std::uint64_t counted = 0;                                     // senses that count its cell [SenseParameters::of]
   std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by the bits sensed in it
 };
 
@@ -40,7 +40,7 @@ struct Sense {
   SubstanceId substance;
 };
 
-/// One gene, filed under one of its inputs: if that input is present, the gene is active if the other inputs are, too,
+/// One gene, filed under one of its inputs. If that input is present, the gene is active if the other inputs are, too,
 /// and no repressor is.
 struct WaitingGene {
   std::string name;
@@ -84,7 +84,7 @@ class LogicalDna final : public BiologicalUnit {
   void readSenses(const Dna& dna, std::span<const SenseParameters> senses);
 
   std::vector<std::string> names_;
-  std::vector<double> pace_;       // cycle length by substance; infinite: none is given
+  std::vector<double> pace_;       // cycle length by substance; infinite: none given
   std::vector<double> firstPace_;  // time to the first cycle, by a substance that genes will make; empty: none given
   double length_;                  // cycle length of all other states
   std::optional<DivisionSize> divisionSize_;
@@ -94,7 +94,7 @@ class LogicalDna final : public BiologicalUnit {
   // The substances with an effect; `unknown` for those that this DNA does not mention.
   SubstanceId divide_, die_, a_, b_, grow_, shrink_, connect_, release_;
 
-  // All states that have occurred so far. Any call with a new state adds it, so these are mutable.
+  // All states that have occurred so far; mutable, because any call with a new state adds it.
   mutable std::vector<State> states_;
   mutable std::map<Substances, StateId> ids_;
   StateId start_ = 0;
@@ -123,7 +123,7 @@ void LogicalDna::readPace(const CycleParameters& cycle) {
   if (!cycle.atBirth.empty()) firstPace_ = paceBySubstance(cycle.atBirth);
 }
 
-/// For each substance the shortest of the lengths whose names or patterns fit.
+/// Returns for each substance the shortest of the lengths whose names or patterns fit.
 std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, double>& lengths) const {
   std::vector<double> pace(names_.size(), std::numeric_limits<double>::infinity());
   for (const auto& [pattern, length] : lengths) {
@@ -222,7 +222,7 @@ StateId LogicalDna::nextState(const CellContext& cell) const {
   return states_[cell.state].next;
 }
 
-/// The bits of what the cell perceives now. Its state holds those of its last cycle, or for a newborn of its mother's.
+/// Returns the bits of what the cell perceives now. Its state holds the bits of its, or its mother's, last cycle.
 std::uint64_t LogicalDna::sense(const CellContext& cell) const {
   std::uint64_t sensed = 0;
   for (std::size_t i = 0; i < senses_.size(); ++i) {

@@ -12,7 +12,7 @@ double countNeighbours(const CellContext& cell, const SenseParameters&, const Co
   return count;
 }
 
-/// [length²] The largest contact with one of them; −1 without any.
+/// Returns the largest contact [length²] with a counted cell; −1 without any.
 double largestContact(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {
   double largest = -1;
   for (const Neighbour& n : cell.neighbours())
@@ -20,7 +20,7 @@ double largestContact(const CellContext& cell, const SenseParameters&, const Cou
   return largest;
 }
 
-/// [1] Their share of all contact area; 0 where nothing touches the cell.
+/// Returns the counted cells' share [1] of all contact area; 0 where nothing touches the cell.
 double shareOfContact(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {
   double all = 0, theirs = 0;
   for (const Neighbour& n : cell.neighbours()) {
@@ -36,7 +36,7 @@ double countConnected(const CellContext& cell, const SenseParameters&, const Cou
   return count;
 }
 
-/// 1 if the other daughter of the cell's mother is as is asked for; 0 if not, and of a cell without a mother.
+/// Returns 1 if the other daughter of the cell's mother is as asked for; 0 if not, and for a cell without a mother.
 double sister(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts) {
   if (cell.path.isEgg()) return 0;
   const CellContext* sister = cell.sister();

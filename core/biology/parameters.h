@@ -9,26 +9,26 @@
 
 namespace morula {
 
-/// The size at which a cell may divide, of its volume at rest over the egg's.
+/// The size at which a cell may divide: its volume at rest over the egg's.
 struct DivisionSize {
-  enum class Rule { sizer, adder };  // its number is part of what a scenario means
-  Rule rule = Rule::sizer;           // the size itself, or what it has gained since the cell's birth
+  enum class Rule { sizer, adder };  // the number is part of what a scenario means
+  Rule rule = Rule::sizer;           // the size itself, or the gain since the cell's birth
   double size = 1;                   // [1]
 };
 MORULA_MEMBERS(DivisionSize, rule, size)
 
 struct CycleParameters {
   double length = 1;  // [time] between cell cycles
-  // [time] for cells that hold the substance, or one with this beginning before '*'; the shortest wins
+  // [time] Lengths for cells that hold the substance, or one with this beginning before '*'; the shortest wins.
   std::map<std::string, double> perSubstance;
-  // [time] from birth to the first cycle, for a newborn whose genes will make this substance (or one with this
-  // beginning before '*') of what she is born with; the shortest wins, and goes before perSubstance
+  // [time] Lengths from birth to the first cycle, for a newborn whose genes will make this substance (or one with this
+  // beginning before '*'). The shortest wins, and goes before perSubstance.
   std::map<std::string, double> atBirth;
-  std::optional<DivisionSize> divisionSize;  // absent: cells divide when it is time, of whatever size
+  std::optional<DivisionSize> divisionSize;  // absent: cells divide when it is time, whatever their size
 };
 MORULA_MEMBERS(CycleParameters, length, perSubstance, atBirth, divisionSize)
 
-enum class SenseKind {  // its number is part of what a scenario means: new ones stand behind the others
+enum class SenseKind {  // the number is part of what a scenario means: new kinds stand last
   volume,
   pressure,
   age,
@@ -47,21 +47,21 @@ enum class SenseKind {  // its number is part of what a scenario means: new ones
 /// A condition on a measured number; all bounds that are given must hold.
 struct Threshold {
   std::optional<double> below = {}, above = {}, atMost = {}, atLeast = {};
-  // Beside one of the others: once it holds, it goes on holding until the number has passed this on the other side.
+  // Hysteresis, beside another bound: once the condition holds, it goes on until the number has passed this bound, too.
   std::optional<double> until = {};
 };
 MORULA_MEMBERS(Threshold, below, above, atMost, atLeast, until)
 
-/// One thing that cells perceive: at a cell's cycle the simulator inserts the substance if the condition holds, and
+/// One thing that cells perceive. At a cell's cycle the simulator inserts the substance if the condition holds, and
 /// takes it away if not, as it inserts A and B. sense.h says what each kind measures and which members it has.
 struct SenseParameters {
-  std::string substance = {};  // that is inserted
+  std::string substance = {};  // the inserted substance
   SenseKind kind = SenseKind::volume;
-  Threshold is = {};    // of kinds that compare a number
-  std::string of = {};  // the cells that count: that hold it, or one with this beginning before '*'; "": all
+  Threshold is = {};    // for kinds that compare a number
+  std::string of = {};  // a substance of the cells that count, or its beginning before '*'; "": all count
   std::optional<double> number = {};  // the contact's area [length²], a distance or a range [length]
-  Vector axis{1, 0, 0};               // of `position`; any length but 0
-  bool lives = true;                  // of `sister`, where `of` is "": whether she lives
+  Vector axis{1, 0, 0};               // for `position`; any length but 0
+  bool lives = true;                  // for `sister`, where `of` is "": whether she must live
 };
 MORULA_MEMBERS(SenseParameters, substance, kind, is, of, number, axis, lives)
 

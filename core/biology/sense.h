@@ -24,7 +24,7 @@ struct SenseOf {
   bool required = false;
 };
 
-/// SenseParameters::number.
+/// The key of SenseParameters::number in a scenario, and its unit.
 struct SenseNumber {
   const char* key = nullptr;
   const char* unit = "";
@@ -41,15 +41,15 @@ struct SenseKindRow {
   SenseNumber number = {};
   bool takesAxis = false;
   bool takesLives = false;                                  // `lives`, instead of `of`
-  double least = -std::numeric_limits<double>::infinity();  // what can be measured
+  double least = -std::numeric_limits<double>::infinity();  // range of what can be measured: `least` to `most`
   double most = std::numeric_limits<double>::infinity();
-  /// The measured number; infinite where there is nothing that could be near.
+  /// Returns the measured number; infinite where nothing could be near.
   double (*measure)(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts);
-  /// The condition on the number, for kinds whose scenario does not spell it; null: SenseParameters::is.
+  /// Returns the condition on the number, for kinds whose scenario does not spell it; null: SenseParameters::is.
   Threshold (*threshold)(const SenseParameters& sense) = nullptr;
 };
 
-/// All of them, in the order in which people should meet them.
+/// Returns the rows of all kinds, in the order in which people should meet them.
 std::span<const SenseKindRow* const> senseKinds();
 const SenseKindRow& kindOf(SenseKind kind);
 

@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-/// [1] Of the egg's mass or of its volume at rest, whichever is the smaller share, and no more than all of it.
+/// Returns the cell's share [1] of the egg: of its mass or of its volume at rest, whichever is smaller, at most 1.
 double shareOfEgg(const Bodies& b, int slot) {
   const double scale = b.restScale[slot];
   return std::min({1.0, b.mass(slot) / b.parameters.cell.mass, scale * scale * scale});
@@ -36,16 +36,14 @@ void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vecto
 double roundRadius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi)); }
 
 double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA, int slotB, double distance) {
-  // At rest, so that the length is no function of where vertices are: the spring's force is then all that its energy
-  // asks.
+  // Radii at rest do not depend on where vertices are, so the spring's force is all that its energy asks for.
   const double radii = b.parameters.cell.radius * (b.restScale[slotA] + b.restScale[slotB]);
   return spring.stiffness * (distance - spring.rest * radii);
 }
 
 namespace {
 
-/// [force] Which cells are connected how strongly: the pull of connection number `i` of the active ones over a
-/// distance.
+/// Returns the pull [force] of the active connection number `i` over a distance.
 class Pulls {
  public:
   Pulls(const Connections& c, const Bodies& b) : c_(c), b_(b) {}

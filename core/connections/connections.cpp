@@ -11,7 +11,7 @@ using Pair = std::pair<CellPath, CellPath>;
 
 Pair ordered(const CellPath& a, const CellPath& b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 
-/// Returns the place of the pair in the active list, or the place for it.
+/// Returns the place of the pair in the active list, or where the pair would go.
 auto place(const Connections& c, const Pair& pair) {
   return std::lower_bound(c.active.begin(), c.active.end(), pair, [&](std::size_t i, const Pair& p) {
     return Pair{c.history[i].a, c.history[i].b} < p;

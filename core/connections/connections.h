@@ -1,5 +1,5 @@
 #pragma once
-// The list of cell–cell connections, and what makes and ends them [Nilsson 2008, §4.4.3].
+// The list of cell–cell connections, and the functions that make and end them [Nilsson 2008, §4.4.3].
 #include <array>
 #include <vector>
 
@@ -34,40 +34,40 @@ struct ConnectionScratch {
   std::vector<std::array<int, 2>> ends;  // [active connection] the numbers of its cells
   std::vector<int> first, next,
       ofCell;                  // a cell's active connections: ofCell[first[cell]] to first[cell + 1]
-  std::vector<Vector> centre;  // [cell], of those with a connection
+  std::vector<Vector> centre;  // [cell] for cells with a connection
 };
 
 struct Connections {
   ConnectionParameters parameters;
-  std::vector<ConnectionRecord> history;  // in the order in which they were made
+  std::vector<ConnectionRecord> history;  // all connections in the order in which they were made
   std::vector<std::size_t> active;        // places in history, by (a, b)
 
   ConnectionScratch scratch;
 };
 
 bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);
-/// Does nothing if they are connected already, nor if one of them has ConnectionParameters::most connections.
+/// Connects two cells unless they are connected, or one of them has ConnectionParameters::most connections.
 void connect(Connections& connections, const CellPath& a, const CellPath& b, double time);
-/// Does nothing if they are not connected.
+/// Ends the connection of two cells, if they have one.
 void release(Connections& connections, const CellPath& a, const CellPath& b, double time, ReleaseCause cause);
-/// All connections of a cell that dies.
+/// Ends all connections of a cell that dies.
 void releaseAll(Connections& connections, const CellPath& cell, double time, ReleaseCause cause);
-/// The other ends of a cell's connections, by path.
+/// Returns the other ends of a cell's connections, by path.
 std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
 
-/// [length] Of the sphere that holds a cell's volume.
+/// Returns the radius [length] of the sphere that holds a cell's volume.
 double roundRadius(const Bodies& bodies, int slot);
-/// [force] Of a spring between two cells; < 0: it pushes them apart.
+/// Returns the tension [force] of a spring between two cells; < 0: the spring pushes them apart.
 double springTension(const ConnectionSpring& spring, const Bodies& bodies, int slotA, int slotB, double distance);
 
-/// [force·length] Of the active connections: k_c times the distance of the centres, or of springs ½ k (d − rest)².
+/// Returns the energy [force·length] of the active connections: k_c times the distance, or of springs ½ k (d − rest)².
 double measureConnectionEnergy(const Connections& connections, const std::vector<CellPath>& paths,
                                const Bodies& bodies);
 
-/// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
-/// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
-/// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their
-/// connections. With a spring k_c is its tension, which pushes where it is negative.
+/// Adds adhesion [Nilsson 2008, eq. 4.9] to the bodies' forces: on each of the two cells the constant force k_c towards
+/// the other's centre, spread evenly over its vertices; equal and opposite on a pair. `paths` [cell], sorted. Without a
+/// strength k_c is the smaller of what the two cells have for each of their connections. With a spring k_c is the
+/// spring's tension, which pushes where it is negative.
 void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies, int threads = 1);
 
 }  // namespace morula

@@ -30,14 +30,14 @@ inline constexpr auto choices<ConnectionsOnDivision> = std::to_array<Choice<Conn
     {ConnectionsOnDivision::a, "a", "all to daughter A, as an old cell keeps its bridges"},
 });
 
-// [force] Eq. 4.9 pulls with k_c per connection, however many a cell has, and its daughters as hard as their
-// mother: 32 cells that all hold one another press a tissue of radius R with 32²/2 · k_c · R. Shares of one
-// strength, that divide as the egg does, press with no more than an egg's worth, in any number.
+// [force] In eq. 4.9 each connection pulls with k_c, however many a cell has, and daughters pull as hard as their
+// mother: 32 cells that all hold one another press a tissue of radius R with 32²/2 · k_c · R. Shares of one strength,
+// which divides as the egg does, press with no more than an egg's worth, in any number.
 constexpr double sharedStrength = 0.2;
 
 /// Cells that connect when they touch: one holds a substance that fits `a`, the other one that fits `b`.
 struct ConnectedPair {
-  std::string a, b;  // a substance, or the beginning of some and '*'
+  std::string a, b;  // a substance, or its beginning and '*'
 };
 MORULA_MEMBERS(ConnectedPair, first, second)
 
@@ -54,12 +54,12 @@ struct ConnectionParameters {
   // k_c [force] of each connection: constant, towards the other cell [Nilsson 2008, eq. 4.9]. Absent: all
   // connections of a cell together pull with at most `sharedStrength`, times its share of the egg.
   std::optional<double> strength;
-  std::optional<double> releaseDistance;        // of the centres, in sums of the two cells' radii; released beyond
-  std::vector<ConnectedPair> pairs = {};        // of MakeConnections::pairs
+  std::optional<double> releaseDistance;        // max distance of the centres, in sums of the two cells' radii
+  std::vector<ConnectedPair> pairs = {};        // for MakeConnections::pairs
   std::optional<ConnectionSpring> spring = {};  // instead of a constant pull
-  std::optional<double> releaseTension = {};    // [force] with which a spring pulls; released above
-  std::optional<double> releaseAge = {};        // [time] since it was made; released then
-  std::optional<std::uint64_t> most = {};       // of a cell's connections: one more is not made
+  std::optional<double> releaseTension = {};    // [force] max pull of a spring
+  std::optional<double> releaseAge = {};        // [time] max age
+  std::optional<std::uint64_t> most = {};       // max number of a cell's connections
 };
 MORULA_MEMBERS(ConnectionParameters, make, onDivision, strength, releaseDistance, pairs, spring, releaseTension,
                                      releaseAge, most)

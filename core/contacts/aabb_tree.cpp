@@ -15,7 +15,7 @@ Box around(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
-/// From the leaves up: daughters stand behind their mothers.
+/// Refits boxes from the leaves up: children stand behind their parents.
 void refit(TreeSearch& tree, const SearchInput& input, int slot) {
   const Bodies& bodies = input.bodies;
   const auto& [meshLevel, firstBox, base] = tree.trees[slot];
@@ -43,8 +43,8 @@ void refit(TreeSearch& tree, const SearchInput& input, int slot) {
   }
 }
 
-/// The square of the distance of two boxes. Rounds as the square of the distance of two points does,
-/// operation by operation, so that it is never larger than that of any two points in the boxes.
+/// Returns the square of the distance of two boxes. It rounds as the square of the distance of two points does,
+/// operation by operation, so it never exceeds that of any two points in the boxes.
 double distanceSquared(const Box& a, const Box& b) {
   const auto gap = [](double lowA, double highA, double lowB, double highB) {
     return std::max(0.0, std::max(lowB - highA, lowA - highB));
@@ -83,7 +83,7 @@ void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, const CellTre
   }
 }
 
-/// The shape of a mesh's trees: made when a cell first has the mesh.
+/// Returns the shape of a mesh's trees; makes it when a cell first has the mesh.
 const TreeShape& shapeAt(TreeSearch& tree, const Bodies& bodies, int meshLevel) {
   if (static_cast<int>(tree.shapes.size()) <= meshLevel) tree.shapes.resize(meshLevel + 1);
   TreeShape& shape = tree.shapes[meshLevel];

@@ -1,15 +1,15 @@
 #pragma once
 // One tree of axis-aligned boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §3.6.2, §4.3.1].
 //
-// All cells of a mesh template share a tree's shape, and only boxes belong to a cell: the template's vertices are
+// All cells of a mesh template share a tree's shape, and only boxes belong to a cell. The template's vertices are
 // halved recursively along the longest side of their box, so a leaf is a patch of the surface, and stays one however
-// the cell deforms. So a tree is built once per template, and when cells move its boxes are refitted, from the leaves
-// up. There is no broad phase, as the thesis names none: each cell is tested against all others' roots.
+// the cell deforms. A tree is built once per template; when cells move, its boxes are refitted from the leaves up.
+// There is no broad phase, as the thesis names none: each cell is tested against all others' roots.
 #include "contacts/point_table.h"
 
 namespace morula {
 
-/// In depth-first order: a parent before its children, the first child directly after it.
+/// Nodes stand in depth-first order: a parent before its children, the first child directly after it.
 struct TreeNode {
   std::int32_t first, last;  // the vertices below: [first, last) of TreeShape::order
   std::int32_t second;       // the second child, or 0 for a leaf
@@ -22,13 +22,13 @@ struct TreeShape {
   int leaves = 0;
 };
 
-/// Leaves hold at most `leafSize` vertices.
+/// Makes a tree's shape whose leaves hold at most `leafSize` vertices.
 TreeShape makeTreeShape(const std::vector<Point>& vertices, int leafSize);
 
 /// One cell's tree.
 struct CellTree {
-  std::int32_t meshLevel;             // whose shape it has
-  std::int32_t firstBox, firstPoint;  // its own begin here
+  std::int32_t meshLevel;             // the mesh whose shape the tree has
+  std::int32_t firstBox, firstPoint;  // where the tree's boxes and points begin
 };
 
 struct TreeSearch {

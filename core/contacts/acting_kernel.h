@@ -4,27 +4,27 @@
 //
 //   |a| < R_ij  and  min(g, g + τ ġ) < 0      with the gap g = a·h, ġ = u·h, u = v_i − v_j and the delay τ = C/K
 //
-// and two in three do not: they lie beside or behind each other, or are too far apart. Let a₀, h₀, u₀, g₀ and ġ₀ be
-// those of a moment, and b = a₀ + t u₀ what a is a time t later if no v changes. While no y is farther than δ from
-// where its v of then would have brought it, no n has turned by more than η, and no v has changed by more than w, all
-// as lengths of vectors, and since no n, and so no h, is longer than ν,
+// Two pairs in three do not act: they lie beside or behind each other, or are too far apart. Let a₀, h₀, u₀, g₀ and ġ₀
+// be the values of a moment, and b = a₀ + t u₀ the value of a at a time t later if no v changes. Assume that since then
+// no y has strayed by more than δ from where its v would have brought it, no n has turned by more than η, and no v has
+// changed by more than w, as lengths of vectors. No n, and so no h, is longer than ν. Then
 //
 //   |a| ≥ |b| − 2δ
-//   g = b·h₀ + (a − b)·h₀ + a·(h − h₀)                   ≥ g₀ + t ġ₀ − 2νδ − R_ij η                     where |a| < R_ij
+//   g = b·h₀ + (a − b)·h₀ + a·(h − h₀)                   ≥ g₀ + t ġ₀ − 2νδ − R_ij η                    where |a| < R_ij
 //   g + τ ġ = g + τ ġ₀ + τ (u − u₀)·h + τ u₀·(h − h₀)    ≥ g₀ + (t + τ) ġ₀ − 2ν (δ + τ w) − (R_ij + τ |u₀|) η
 //
-// with means of both vertices' δ, η and w. So until 2ν (δ + τ w) + R η of one or the other, for the largest R of all,
-// reaches a margin M, or t a horizon T, the pair does not act with
+// with means of both vertices' δ, η and w. The pair does not act until 2ν (δ + τ w) + R η of either vertex, for the
+// largest R of all, reaches a margin M, or t a horizon T, if
 //
 //   |a₀|² + 2T min(a₀·u₀, 0) > (R_ij + M)²   or   min(g₀, g₀ + (T + τ) ġ₀) > M + τ |u₀| M/R
 //
-// since |b|² is at least the former. What moves together stays apart, however fast. In single precision roundings of
-// all this, here, in the law and in what is counted, are some 1e-6 of R + (T + τ) |u₀|, and of |b|: 1e-5 of them are
-// added. η and w are sums over snapshots of the changes from one to the next, and δ of how far y is from where the last
-// v would have brought it, and of w over time, for each vertex by itself. Of lengths upper bounds are taken (atMost).
+// since |b|² is at least the first left side. Vertices that move together stay apart, however fast. In single
+// precision, roundings of the choice, the law and the counts are some 1e-6 of R + (T + τ) |u₀| and of |b|, so 1e-5 of
+// them are added. For each vertex η and w are sums of the changes from one snapshot to the next. δ is the sum of how
+// far y is from where the last v would have brought it, and of w over time. Upper bounds stand for lengths (atMost).
 //
 // A vertex that reaches the margin is checked again against its whole list, and so are the vertices that may act on it
-// then: the check gives the same answer from both sides, to the bit. Other lists may still name it, which adds nothing.
+// then: both sides get the same answer, to the bit. Other lists may still name the vertex, which adds nothing.
 #include "contacts/near_kernel.h"  // hitTable
 #include "contacts/rows_kernel.h"
 
@@ -54,7 +54,7 @@ inline void findActing(const ListsToThin& lists, const RowMemory* rows, std::int
       const Lanes most = room + roomPerSpeed * atMost(relative);
       const Lanes nearest = dot(a, a) + twiceHorizon * min(dot(a, relative), Lanes(0.0));
       const unsigned idle = bits(curvature * nearest > reachSquare) |
-                            bits((gap > most) & (gap + ahead * opening > most));  // what does not compare may act
+                            bits((gap > most) & (gap + ahead * opening > most));  // a NaN may act
       const unsigned acts = ~idle & ((1u << (count - k < width ? count - k : width)) - 1);
       for (int l = 0; l < width; ++l) acting[found + l] = list[k + hitTable.which[acts][l]];
       found += hitTable.count[acts];

@@ -13,20 +13,20 @@ namespace morula {
 namespace {
 
 // [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with
-// the margin M lasts M/ċ of them, and pairs that are kept for the margin cost as M does: both together cost least at M
-// = 1.4 √(R ċ), measured.
+// the margin M lasts M/ċ evaluations. The cost of pairs kept for the margin grows with M. Both costs together are least
+// at M = 1.4 √(R ċ), measured.
 constexpr double marginScale = 1.4, minMargin = 0.01, maxMargin = 0.07;
-// [evaluation] A choice that lasts less than the shortest costs more than it saves: after two of them all pairs are
-// taken.
+// [evaluation] A choice that lasts less than shortestLife costs more than it saves: after two such choices all pairs
+// are taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
-// Share of all vertices: if more of them need a new choice at once, all get one.
+// Share of all vertices: if more vertices need a new choice at once, all get one.
 constexpr double maxRenewed = 0.1;
-// After so many new lists for each of a block's rows all are chosen and cut anew, so that slices stay full.
+// After this many new lists per row of a block, all pairs are chosen and cut anew, so that slices stay full.
 constexpr std::int64_t maxReplaced = 2;
 
 double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
 
-/// Lists of the acting pairs of one block's `chosen` rows. `radius`: the smallest influence radius [length].
+/// Finds the acting pairs of one block's `chosen` rows. `radius`: the smallest influence radius [length].
 void findActing(const Contacts& c, const Bodies& bodies, int block, double radius, BlockLists& lists) {
   const std::size_t needed = std::size_t(lists.used) + ListsToThin::readable;
   if (lists.neighbours.size() < needed) lists.neighbours.resize(needed + needed / 4);
@@ -48,7 +48,7 @@ void findActing(const Contacts& c, const Bodies& bodies, int block, double radiu
                         lists.acting.neighbours.data());
 }
 
-/// All of one block's rows that have neighbours, cell by cell.
+/// Chooses pairs for all of one block's rows that have neighbours, cell by cell.
 void chooseBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   BlockLists& lists = c.list.perBlock[block];
   const auto rows = static_cast<std::int32_t>(lists.length.size());
@@ -63,7 +63,7 @@ void chooseBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   cutIntoSlices(lists, lists.acting, bodies.blocks[block].firstLine * blockLanes, bodies.lineCount() * blockLanes);
 }
 
-/// One block's rows that are marked, and the marks are gone.
+/// Chooses pairs for one block's marked rows, and clears the marks.
 void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   BlockLists& lists = c.list.perBlock[block];
   const VertexNumber first = bodies.blocks[block].firstLine * blockLanes;
@@ -72,7 +72,7 @@ void renewBlock(Contacts& c, const Bodies& bodies, int block, double radius) {
   lists.chosen.clear();
   for (std::int32_t line = 0; line < rows; line += blockLanes) {
     std::uint64_t any;
-    std::memcpy(&any, marked + line, sizeof any);  // of all eight
+    std::memcpy(&any, marked + line, sizeof any);  // marks of all eight lanes
     if (any == 0) continue;
     for (std::int32_t row = line; row < line + blockLanes; ++row)
       if (marked[row]) lists.chosen.push_back(row), marked[row] = 0;
@@ -102,7 +102,7 @@ void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
   }
   findActing(c, bodies, block, radius, lists);
   const auto mark = [&](VertexNumber g) {
-    std::atomic_ref(acting.marked[g]).store(1, std::memory_order_relaxed);  // several threads may write it
+    std::atomic_ref(acting.marked[g]).store(1, std::memory_order_relaxed);  // several threads may write the mark
   };
   for (std::int32_t row : lists.chosen) {
     mark(first + row);
@@ -111,7 +111,7 @@ void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
   }
 }
 
-/// [length] The smallest influence radius.
+/// Returns the smallest influence radius [length].
 double smallestRadius(const Contacts& c, const Bodies& bodies) {
   double radius = INFINITY;
   for (int slot : bodies.slots) radius = std::min(radius, c.radius[slot]);
@@ -120,7 +120,7 @@ double smallestRadius(const Contacts& c, const Bodies& bodies) {
 
 bool isOver(const ActingPairs& acting) { return !(acting.blocks[0].time <= acting.horizon); }
 
-/// How many vertices' margins the last snapshot found used up.
+/// Returns how many vertices' margins the last snapshot found used up.
 std::int64_t countEnded(const ActingPairs& acting) {
   std::int64_t ended = 0;
   for (const ActingPairs::OfBlock& block : acting.blocks) ended += block.endedCount;
@@ -166,7 +166,7 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   for (int slot : bodies.slots) acting.largestRadius = std::max(acting.largestRadius, c.radius[slot]);
   const bool tooShort = acting.horizon > 0 && acting.age < shortestLife && (isOver(acting) || countEnded(acting) > 0);
   acting.endedSoon = tooShort ? acting.endedSoon + 1 : 0;
-  // The first choice shall not last: how fast gaps change is not known yet.
+  // The first choice is meant to be short: how fast gaps change is not known yet.
   double perEvaluation = 0, timeStep = 0;
   if (acting.age > 0) {
     parallelFor(bodies.blockCount(), threads, [&](int block) { sumChanges(acting, bodies, block); });

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// [1] Area of a vertex at rest over the square of its influence radius.
+/// Returns the area of a vertex at rest over the square of its influence radius [1].
 double areaOverSquare(const MeshTemplate& mesh, double influence) {
   double area = 0;
   for (const auto& [i, j, k] : mesh.mesh.faces) {
@@ -23,13 +23,13 @@ double areaOverSquare(const MeshTemplate& mesh, double influence) {
   return area / (mesh.vertexCount() * radius * radius);
 }
 
-/// [1] Of a normal in a flat mesh, whose G is six times a vertex's area (surface_kernel.h).
+/// Returns the length [1] of a normal in a flat mesh, whose G is six times a vertex's area (surface_kernel.h).
 double normalLength(double areaOverSquare) {
   const double g = 6 * areaOverSquare;
   return g * std::sqrt(normalScaleSquared / (g * g + foldedNormal * foldedNormal));
 }
 
-/// T of vertices of these two slots, for W = 1; of spheres a force. The same to the bit when they are exchanged.
+/// Returns T of vertices of these two slots for W = 1; for spheres a force. Exchanging the slots changes no bit.
 double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
   const double ri = c.radius[i], rj = c.radius[j];
   if (b.areSpheres()) return pi * (ri * rj) / (ri + rj);  // their influence radius is the diameter

@@ -19,22 +19,22 @@ namespace morula {
 
 struct Contacts;
 
-/// Cells that stick to others alike are of one kind. Who knows the cells gives their kinds; without them all
-/// are of kind 0, and stick with AdhesionParameters::strength.
+/// The kinds of cells: cells of one kind stick to others alike. Without given kinds all cells are of kind 0, and stick
+/// with AdhesionParameters::strength.
 struct AdhesionKinds {
   std::vector<int> ofSlot;   // [slot]
-  int count = 1;             // of kinds
+  int count = 1;             // number of kinds
   std::vector<double> work;  // [kind · count + kind] W [force/length], symmetric
-  // [slot] Each cell's own; two cells stick with the mean of theirs. Empty: all are 1.
+  // [slot] Each cell's factor; two cells stick with the mean of their factors. Empty: all are 1.
   std::vector<double> factor = {};
 };
 
-/// Follows from the cells' kinds, their influence radii and the neighbour list.
+/// The strengths of all pairs. They follow from the cells' kinds, their influence radii and the neighbour list.
 struct Adhesion {
   AdhesionKinds kinds;
   std::vector<AlignedVector<double>> ofPairs;  // [block][as BlockLists::indices] T [energy]; of spheres S [force]
-  bool isCurrent = false;                      // ofPairs
-  // Found anew for each set of cells
+  bool isCurrent = false;                      // ofPairs fits the list
+  // Computed anew for each set of cells
   std::vector<int> blockOfLine;        // [line]
   std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
 };
@@ -42,25 +42,25 @@ struct Adhesion {
 // Spheres attract each other over a gap of an eighth of the sum of their radii.
 constexpr double sphereAdhesionReach = 1.125;
 
-/// [force/length] W of the cells in two slots. There must be adhesion.
+/// Returns W [force/length] of the cells in two slots. Requires adhesion.
 double workOfAdhesion(const Contacts& contacts, int i, int j);
 
-/// [length²] a of a vertex, and [1/length²] 1/A² of vertices of two slots. After resetAdhesion; not of spheres.
+/// Returns a [length²] of a vertex, or 1/A² [1/length²] of vertices of two slots. After resetAdhesion; not for spheres.
 double restAreaOfVertex(const Contacts& contacts, const Bodies& bodies, int slot);
 double inverseReachSquared(const Contacts& contacts, int i, int j);
 
-/// To be called when the set of cells has changed. Nothing without adhesion.
+/// Must be called when the set of cells has changed. Does nothing without adhesion.
 void resetAdhesion(Contacts& contacts, const Bodies& bodies);
 
-/// To be called when cells have changed their kinds, and after resetAdhesion.
+/// Must be called when cells have changed their kinds, and after resetAdhesion.
 void setAdhesionKinds(Contacts& contacts, AdhesionKinds kinds);
 
-/// Fills Adhesion::ofPairs for the list as it is.
+/// Fills Adhesion::ofPairs for the present list.
 void findPairStrengths(Contacts& contacts, const Bodies& bodies, int threads);
 
-/// [force/length] The steepest that adhesion of these cells may change with the distance of two vertices, times the α²
-/// as many that are within A as within R, or of two spheres: counts against the time step as a contact's stiffness
-/// does. 0 without adhesion.
+/// Returns the steepest change [force/length] of these cells' adhesion with the distance of two vertices, times α², as
+/// α² as many vertices are within A as within R; or of two spheres. It counts against the time step as a contact's
+/// stiffness does. 0 without adhesion.
 double adhesionStiffness(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// The ways to search as one type, which only what finds pairs and what counts their memory needs to know
-// (NeighbourList::search). To add one: its struct here, its name in contact_search.h.
+// All searches as one type, which only code that finds pairs, or counts their memory, needs to know
+// (NeighbourList::search). To add a search: its struct in this file, its name in contact_search.h.
 #include <variant>
 
 #include "contacts/aabb_tree.h"

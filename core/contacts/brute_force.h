@@ -1,5 +1,5 @@
 #pragma once
-// All vertices against all of other cells: the oracle. It shares no code with the other ways to search, and
+// Tests all vertices against all vertices of other cells. This oracle shares no code with the other searches, and
 // stores nothing between searches.
 #include "contacts/search.h"
 

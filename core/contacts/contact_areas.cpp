@@ -17,7 +17,7 @@ struct Side {
   VertexNumber vertex;
 };
 
-/// A third of the area of the faces around each vertex of a cell. [length²]
+/// Returns a third of the area [length²] of the faces around each vertex of a cell.
 std::vector<double> vertexAreas(const Bodies& b, int slot) {
   std::vector<double> areas(b.vertexCount(slot), 0);
   for (const Face& f : b.meshOf(slot).mesh.faces) {
@@ -41,14 +41,14 @@ VertexPlace placeOf(const Bodies& b, VertexNumber g) {
   return {line - b.blocks[block].firstLine, block * blockLanes + g % blockLanes};
 }
 
-/// [slot] the number of its cell.
+/// Returns the number of each slot's cell.
 std::vector<int> cellsOf(const Bodies& b) {
   std::vector<int> cells(b.blocks.size() * blockLanes);
   for (int cell = 0; cell < b.count; ++cell) cells[b.slots[cell]] = cell;
   return cells;
 }
 
-/// The slot that vertex g touches, or −1.
+/// Returns the slot that vertex g touches, or −1.
 int touchedSlot(const Contacts& c, const Bodies& b, const BlockLists& lists, const NeighbourSlice& slice, int lane) {
   const SnapshotRow i = readRow(c.rows[slice.vertex[lane]], b.parameters.precision);
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
@@ -70,7 +70,7 @@ int touchedSlot(const Contacts& c, const Bodies& b, const BlockLists& lists, con
   return touched;
 }
 
-/// Area [length²] of the disc in which the surfaces of two spheres meet; 0 if they do not.
+/// Returns the area [length²] of the disc in which the surfaces of two spheres meet; 0 if they do not meet.
 double discArea(const SnapshotRow& i, double ri, const SnapshotRow& j, double rj) {
   const Vector apart{i.x - j.x, i.y - j.y, i.z - j.z};
   const double square = dot(apart, apart), distance = std::sqrt(square);
@@ -101,26 +101,26 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
   return pairs;
 }
 
-constexpr double minOverlap = 1.0 / 5000;  // of the influence radius
-constexpr double maxCover = 2;             // of a vertex's area, and of what forces say of a pair that sticks
-// [1] Both are chosen so that the areas of two cells on icospheres 2 to 4 are nearest to those on icosphere 5, for W
+constexpr double minOverlap = 1.0 / 5000;  // min overlap over the influence radius
+constexpr double maxCover = 2;             // max, over a vertex's area and the area that forces give a sticking pair
+// [1] minHeld and stressOverWork bring areas of two cells on icospheres 2 to 4 nearest to those on icosphere 5, for W
 // from 0.1 to 2, free or pressed together.
-constexpr double minHeld = 0.1;       // of a vertex's share of W
+constexpr double minHeld = 0.1;       // share of W below which a vertex covers nothing
 constexpr double stressOverWork = 3;  // σ A/W
 // A share of the smaller cell's surface as a sphere. Smaller areas come from one or two vertices and depend on the
 // meshes' orientation.
 constexpr double minShare = 0.005;
 
-/// c of one vertex. Of surfaces that touch, n vertices per area, of a at rest each, hold −W (a n)² per area of both
-/// sides.
+/// Returns c of one vertex. Surfaces that touch, with n vertices per area of rest area a each, hold −W (a n)² per area
+/// of both sides.
 double coverOf(const PairSum& p, double work, double own, double atRest) {
   const double held = -2 * p.adhesion * own / (work * atRest * atRest);
   return std::clamp((held - minHeld) / (1 - minHeld), 0.0, 1.0);
 }
 
-/// Areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over the
-/// pressure that the overlap bears where that is larger. No vertex counts for more than twice its area. Areas of cells
-/// that stick are as the header says.
+/// Returns areas by pressure: the force on the vertices of either side over the mean pressure in both cells, or over
+/// the pressure that the overlap bears where that is larger. No vertex counts for more than twice its area. For cells
+/// that stick, contact_areas.h gives the formula.
 std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
   std::vector<std::vector<double>> areas(b.blocks.size() * blockLanes);  // [slot][vertex]
   for (int slot : b.slots) areas[slot] = vertexAreas(b, slot);
@@ -159,7 +159,7 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   if (b.areSpheres()) return sphereContacts(c, b);
   if (c.parameters.law == ContactLaw::pair) return pressedAreas(c, b);
-  std::vector<Side> sides;  // the same pair may occur many times
+  std::vector<Side> sides;  // a pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<double>> areas;  // [cell][vertex]
   for (int slot : b.slots) areas.push_back(vertexAreas(b, slot));
@@ -175,7 +175,7 @@ std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b)
         const int own = cellOf[place.slot], other = cellOf[touched];
         sides.push_back({{std::min(own, other), std::max(own, other), 0.5 * areas[own][place.vertex]}, g});
       }
-  // One order for the sums, whatever the order of the slices, which hangs on when the list was built.
+  // The sums have one order, whatever the order of the slices, which depends on when the list was built.
   std::sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) {
     return std::tie(p.pair.a, p.pair.b, p.vertex) < std::tie(q.pair.a, q.pair.b, q.vertex);
   });

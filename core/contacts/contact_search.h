@@ -1,6 +1,6 @@
 #pragma once
-// How pairs of vertices within reach are found. All ways find the same pairs, so none changes a bit of the
-// result; they are here to be compared (tests/bench/search_bench.cpp prints what each costs).
+// The ways to find pairs of vertices within reach. All find the same pairs, so none changes a bit of the result;
+// several exist to be compared (tests/bench/search_bench.cpp prints what each costs).
 #include "base/choice.h"
 
 namespace morula {
@@ -15,7 +15,7 @@ inline constexpr auto choices<ContactSearch> = std::to_array<Choice<ContactSearc
     {ContactSearch::bruteForce, "brute-force", "all vertices against all: the oracle"},
 });
 
-/// Changes speed, never a bit of the result.
+/// Settings that change the speed of a search, never a bit of the result.
 struct SearchSettings {
   ContactSearch method = ContactSearch::grid;
   /// [1] The skin, over the smallest influence radius: a list stays valid until a vertex has moved half of the skin. A

@@ -11,7 +11,7 @@ Mesh takeContactSurface(const Contacts* contacts, const Bodies& b, int slot) {
   std::vector<double> neighbours(gradient.size());
   const Point origin = surface.vertices[0];
   for (const Face& face : surface.faces)
-    for (int k = 0; k < 3; ++k) {  // of the two faces at an edge one runs along it from each end
+    for (int k = 0; k < 3; ++k) {  // the two faces at an edge run along it in opposite directions
       const Point &next = surface.vertices[face[(k + 1) % 3]], &last = surface.vertices[face[(k + 2) % 3]];
       gradient[face[k]] += cross(next - origin, last - origin);
       around[face[k]] += next;

@@ -1,12 +1,12 @@
 #pragma once
-// The surface that contacts act on, for those who measure; the step finds it in surface_kernel.h.
+// The surface that contacts act on, for measures; the step finds it in surface_kernel.h.
 #include "contacts/contacts.h"
 #include "mesh/mesh.h"
 
 namespace morula {
 
-/// [length] A cell's mesh where contacts act on it: of the pair law y = x + λ U − γ δ n of each vertex, of another law,
-/// of none (null) and of spheres as others see it (takeSurface).
+/// Returns a cell's mesh [length] where contacts act on it: with the pair law y = x + λ U − γ δ n of each vertex; with
+/// another law, without contacts (null) and for spheres takeSurface.
 Mesh takeContactSurface(const Contacts* contacts, const Bodies& bodies, int slot);
 
 }  // namespace morula

@@ -9,18 +9,18 @@
 namespace morula {
 namespace {
 
-/// [force·time/length] The most that friction is, per slip speed. Slow cells feel this bound alone: their friction is a
-/// damper, so it follows from what the cells are and not from the time step, or each step would have another law. m is
-/// the lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all
+/// Returns the max of friction per slip speed [force·time/length]. Slow cells feel this bound alone: their friction is
+/// a damper. It follows from the cells and not from the time step, or each step would have another law. m is the
+/// lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all
 /// directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
-/// quarter of what is critical; and they do not reverse its slip within a time step, 5c Δt < m, while that is at most
-/// 0.53 √(m/K), as automatic ones of velocity Verlet are. A longer one lowers the bound.
+/// quarter of critical damping. They do not reverse its slip within a time step, 5c Δt < m, up to steps of 0.53 √(m/K),
+/// as the automatic steps of velocity Verlet are. A longer step lowers the bound.
 double strongestGrip(const Contacts& c, double timeStep) {
   const double m = c.lightestVertex;
   return std::min(0.3 * std::sqrt(c.parameters.stiffness * m), 0.16 * m / timeStep);
 }
 
-/// The points that lists are built from: where the rows stand.
+/// Takes the points that lists are built from: the places of the rows.
 void takePoints(Contacts& c, const Bodies& bodies, int threads) {
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) {
     c.list.reference = bodies.position;
@@ -111,7 +111,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;
-  const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // its square is finite, κ times it need not be
+  const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // far² is finite, κ far² need not be
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);
@@ -158,7 +158,7 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   if (choose) (search ? choosePairs : renewPairs)(c, bodies, threads);
   ++c.acting.age;
   if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
-  c.pairEvaluations += c.list.pairs;  // the forces come next
+  c.pairEvaluations += c.list.pairs;  // for the forces, which come next
   if (c.parameters.friction > 0) {
     c.lightestVertex = INFINITY;
     for (int slot : bodies.slots) c.lightestVertex = std::min(c.lightestVertex, bodies.vertexMass[slot]);

@@ -7,7 +7,7 @@ namespace morula {
 void prepare(GridSearch& grid, const SearchInput& input) {
   const Box box = boundingBox(input);
   const Vector extent = box.high - box.low;
-  // A bin has a min size, or doubling it would take long, and never end if reaches underflow.
+  // A bin has a min size: otherwise doubling it would take long, and never end if reaches underflow.
   const double longest = std::max({extent.x, extent.y, extent.z});
   double binSize = std::max({safeBinSize(input.largestReach()), longest * 0x1p-30, 0x1p-1000});
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
@@ -28,7 +28,7 @@ void prepare(GridSearch& grid, const SearchInput& input) {
 
 void searchBlock(const GridSearch& grid, const SearchInput& input, int block, BlockLists& lists) {
   const Bodies& bodies = input.bodies;
-  // Cell by cell: what lies around one cell stays in the nearest cache.
+  // Goes cell by cell: the surroundings of one cell stay in the nearest cache.
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
     for (int v = 0; v < bodies.verticesPerLane(block); ++v) {
       const int slot = block * blockLanes + lane;

@@ -13,7 +13,7 @@ struct GridSearch {
   PointTable points;
   std::vector<std::int32_t> binOf;  // scratch
 
-  /// Along one axis. Everything outside, and what is not a number, belongs to a bin at the border.
+  /// Returns the number of a bin along one axis. Everything outside, and NaN, belongs to a bin at the border.
   int column(double a, double lowest, int n) const {
     const double i = (a - lowest) * inverseBin;
     return i >= n ? n - 1 : i > 0 ? static_cast<int>(i) : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Finds the points near a vertex among those of the rows around it. Rows are short, and a branch per hit would be
+// Finds the points near a vertex among the points of the rows around it. Rows are short, and a branch per hit would be
 // unpredictable, so there is none: of eight points at a time all places are written, and the list's end advances by the
 // number of hits.
 #include "base/lanes.h"
@@ -9,7 +9,7 @@ namespace morula::MORULA_ISA {
 
 typedef std::int32_t EightInts __attribute__((vector_size(32)));
 
-/// For each set of hits among eight points: their places, and their number.
+/// A table that has for each set of hits among eight points their places and their number.
 struct HitTable {
   std::int32_t which[256][8] = {};
   std::uint8_t count[256] = {};
@@ -35,7 +35,7 @@ inline std::int32_t findNear(const NearQuery& q, std::int32_t* out) {
         const Lanes reach = (load(q.halfReach + at) + ownHalf) + skin;
         near |= bits((dx * dx + dy * dy + dz * dz < reach * reach) & (load(q.slot + at) != own)) << i;
       }
-      near &= (1u << (last - k < 8 ? last - k : 8)) - 1;  // not what lies behind the row's end
+      near &= (1u << (last - k < 8 ? last - k : 8)) - 1;  // without points behind the row's end
       EightInts places;
       __builtin_memcpy(&places, hitTable.which[near], sizeof places);
       places += k;

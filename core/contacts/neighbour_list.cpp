@@ -29,7 +29,7 @@ std::int64_t maxNumbers(const NeighbourList& list) {
   return static_cast<std::int64_t>(std::clamp(list.maxBytes / list.bytesPerNeighbour, 0.0, 1e15));
 }
 
-/// Fills all blocks' lists. Each of the threads may use its share of what is left.
+/// Fills all blocks' lists. Each thread may use its share of the memory that is left.
 template <class Search>
 void searchBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
   const Bodies& bodies = input.bodies;
@@ -54,8 +54,8 @@ void requireRoomForLists(const NeighbourList& list) {
   }
 }
 
-/// The answer to whether lists are too long, and where, must not depend on the number of threads that share the memory.
-/// If the shares do not suffice, one thread searches again and decides.
+/// Searches all blocks. Whether lists are too long, and where, must not depend on the number of threads that share the
+/// memory. If the shares do not suffice, one thread searches again and decides.
 template <class Search>
 void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
   try {

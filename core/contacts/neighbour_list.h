@@ -2,9 +2,9 @@
 // The neighbour list: vertices of other cells that may come within reach before the list is built anew. It is a Verlet
 // list with a skin.
 //
-// A list holds every pair closer than the pair's influence radius plus the skin, so as long as no vertex has
-// moved more than half the skin it misses no contact; pairs out of reach add exactly nothing. Forces
-// therefore never depend on when it was built, nor on how the pairs were found (search.h).
+// A list holds every pair closer than the pair's influence radius plus the skin. As long as no vertex has moved more
+// than half the skin, the list misses no contact; pairs out of reach add exactly nothing. So forces never depend on
+// when the list was built, nor on how the pairs were found (search.h).
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -24,30 +24,30 @@ struct NeighbourList {
   const SearchKernels* kernels = nullptr;
 
   double maxBytes = INFINITY;     // [byte] that the lists may take
-  double reach = 1;               // [1] influence reaches so many influence radii
+  double reach = 1;               // [1] reach of influence, in influence radii
   double bytesPerNeighbour = 16;  // [byte] that an entry may take, see maxNumbers
-  double skin = 0;                // [length] with 0, it is good for the positions it was built at
-  Reals reference;                // points it is built from, as Bodies::position
+  double skin = 0;                // [length] with 0, the list is good only for the positions at its build
+  Reals reference;                // points that the list is built from, laid out as Bodies::position
   std::uint64_t pairs = 0;        // entries in all lists: each pair twice
   SearchCounters counters;        // of all builds
 
-  // Kept between builds so that a steady run allocates nothing.
+  // Memory that is kept between builds, so that a steady run allocates nothing.
   Indirect<AnySearch> search;       // any_search.h
   AlignedVector<double> halfReach;  // [slot]
   std::vector<BlockLists> perBlock;
 };
 
-/// Empty, and how it will be built.
+/// Makes an empty list that will be built by this search.
 NeighbourList makeNeighbourList(ContactSearch search, Isa isa);
 
-/// Builds the list from the points in `reference`, but for its slices. `radius` [slot]: influence radii. Throws
+/// Builds the list from the points in `reference`, without its slices. `radius` [slot]: influence radii. Throws
 /// ListsTooLong.
 void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads);
 
-/// And with slices of all pairs.
+/// Builds the list as findNeighbourLists does, and cuts all pairs into slices.
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius, int threads);
 
-/// Vertex numbers of the neighbours of vertex g, in rising order. For tests and measures, not for the hot path.
+/// Returns the numbers of vertex g's neighbours, in rising order. For tests and measures, not for the hot path.
 std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g);
 
 }  // namespace morula

@@ -42,7 +42,7 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
 }  // namespace
 
 std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
-  std::vector<int> slotOfLine(b.lineCount());  // [line] its block's first slot
+  std::vector<int> slotOfLine(b.lineCount());  // [line] first slot of the line's block
   for (int block = 0; block < b.blockCount(); ++block)
     std::fill_n(slotOfLine.begin() + b.blocks[block].firstLine, b.verticesPerLane(block), block * blockLanes);
   const auto slotOf = [&](VertexNumber g) { return slotOfLine[g / blockLanes] + g % blockLanes; };
@@ -69,7 +69,7 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
         }
         sums.insert(sums.end(), own.begin(), own.end());
       }
-  // One order for the sums of who reads them, whatever the order of the slices, which hangs on when the list was built.
+  // Callers' sums have one order, whatever the order of the slices, which depends on when the list was built.
   std::vector<int> cellOf(b.blocks.size() * blockLanes);
   for (int cell = 0; cell < b.count; ++cell) cellOf[b.slots[cell]] = cell;
   const auto key = [&](const PairSum& p) {

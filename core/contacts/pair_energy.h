@@ -1,5 +1,5 @@
 #pragma once
-// The pair law (pair_law_kernel.h) once more, one pair at a time and in doubles: for measures, and as an oracle.
+// The pair law (pair_law_kernel.h) one pair at a time and in doubles: for measures, and as an oracle.
 #include "contacts/contacts.h"
 
 namespace morula {
@@ -8,15 +8,15 @@ namespace morula {
 struct PairSum {
   VertexNumber vertex;   // i
   int slot, other;       // of i and of the other cell
-  double repulsion = 0;  // [energy] half of the pairs': the other half is that of the vertices j
-  double adhesion = 0;   // [energy] the same, at most 0
+  double repulsion = 0;  // [energy] half of the pairs' energy: the vertices j have the other half
+  double adhesion = 0;   // [energy] half of the pairs' energy, at most 0
   double deepest = 0;    // [1] B u (deepestHeld)
   double pressing = 0;   // [force] along h, where the planes of i and j overlap
   Vector force;          // −∂E/∂y_i
 };
 
-/// Sums the pairs of all vertices that have another cell's vertices within reach: sorted by the cells' numbers, the
-/// lower one first, and then by vertex. Uses the last snapshot.
+/// Returns the sums of all vertices that have another cell's vertices within reach. They are sorted by the cells'
+/// numbers, the lower one first, and then by vertex. Uses the last snapshot.
 std::vector<PairSum> sumPairs(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

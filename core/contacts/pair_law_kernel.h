@@ -16,11 +16,11 @@
 //
 // The first part repels: K [force/length]. Face to face its energy rises until B = 0.38, at a depth of 0.74 R, where it
 // is 4.5 K R². Surfaces that are pressed deeper would pass through each other, so the run ends before (deepestHeld). β₁
-// and β₂ multiply B, not κ D²: otherwise vertices far beside each other, where u ends, would be so stiff that many
+// and β₂ multiply B, not κ D². Otherwise vertices far beside each other, where u ends, would be so stiff that many
 // cells together never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of
-// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). It reaches farther than repulsion:
-// with α = 1, where each vertex attracts but the next few, vertices hold each other one by one, the border of a contact
-// stays where it is, and how large a contact is depends on the way that cells came to it.
+// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). Attraction reaches farther than
+// repulsion: with α = 1 each vertex attracts only the next few, and vertices hold each other one by one. Then the
+// border of a contact stays where it is, and the contact's size depends on the way that cells came to it.
 //
 // y and n depend on the vertices' one-rings, so the gradient of the energy does, too. With
 //
@@ -36,13 +36,13 @@
 // and surface_kernel.h distributes f and q to the vertices. Exchanging i and j negates f and gives the q of j, so
 // momentum is kept to rounding. So is angular momentum, since E does not change when both surfaces are turned together.
 //
-// How stiff a pair is. At h fixed, the second derivative of the first part along a is, with q = κ a²,
+// Stiffness of a pair: at h fixed, the second derivative of the first part along a is, with q = κ a²,
 //
 //   (D/a)² s K (u² (1 + 6β₁ B + 15β₂ B²) + 16 q² (q² − u) (1 + 3β₁ B + 6β₂ B²) − 6 q² u (2 + 3β₁ B + 4β₂ B²))
 //     ≤ K (1 + 6β₁ B + 15β₂ B²) + 16 K S,   S = s κ D² q³ (1 + 3β₁ B + 6β₂ B²)
 //
 // since q/κ = a², and D/a is 1 at most where normals are 1 long. The first term is that of vertices face to face
-// (hardeningAt), where q is small and with it the second. That one is 16 K and more for vertices that lie in each
+// (hardeningAt), where q and the second term are small. The second term is 16 K and more for vertices that lie in each
 // other's cell and nearly R apart: where edges are stretched beyond R, vertices slide past each other's reach, and rest
 // behind each other at the end of u.
 //
@@ -63,8 +63,8 @@
 
 namespace morula::MORULA_ISA {
 
-// PairLaw computes 2D in place of D and 4B in place of B, with powers of two in its constants: fewer operations, the same
-// bits.
+// PairLaw computes 2D in place of D and 4B in place of B, with powers of two in its constants: the same bits with fewer
+// operations.
 template <bool withFriction, bool withAdhesion>
 struct PairLaw {
   MORULA_INLINE explicit PairLaw(const ContactConstants& c)

@@ -11,7 +11,7 @@ namespace morula {
 
 enum class ContactLaw {
   pair,    // the gradient of an energy of each pair of vertices: both momenta are kept
-  thesis,  // stiffness ∝ 1/Δt²; kept so that the difference can be shown
+  thesis,  // stiffness ∝ 1/Δt²; kept for comparison
 };
 template <>
 inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
@@ -21,16 +21,16 @@ inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
 
 /// How strongly cells with one of two substances stick to cells with the other.
 struct AdhesionPair {
-  std::string a, b;     // a substance, or the beginning of some and '*'; which is which does not matter
+  std::string a, b;     // a substance, or its beginning and '*'; a and b may be exchanged
   double strength = 0;  // as AdhesionParameters::strength
 };
 MORULA_MEMBERS(AdhesionPair, first, second, strength)
 
 /// Differential adhesion [Steinberg 1963].
 struct AdhesionParameters {
-  // W [force/length], which is energy per area: what it costs to part two flat surfaces, per area of contact,
-  // whatever the mesh and the cells' size; of cells that no pair names. Higher: larger contacts, and from
-  // about a fifth of the membrane's stiffness on crumpled ones.
+  // W [force/length], energy per area: what it costs to part two flat surfaces, per area of contact, whatever the mesh
+  // and the cells' size. Applies to cells that no pair names. Higher: larger contacts, and crumpled ones from about a
+  // fifth of the membrane's stiffness on.
   double strength = 0;
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
@@ -43,11 +43,11 @@ constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // 
 constexpr double minFacing = 0.5;                                            // m₀
 constexpr double attractionReach = 1.5;                                      // α
 constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
-// B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
-// surfaces are let through.
+// B of two vertices face to face where the energy is about to fall again, and κ D² at that depth. Surfaces farther in
+// each other pass through.
 constexpr double deepestHeld = 0.37, deepestBulk = 0.54;
-// [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no
-// pair of vertices face to face passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
+// [1] Max share of a reach by which a cell's centre may move in a step. Two cells that meet then approach by 0.38 of
+// it: no pair of vertices face to face skips the depths from 0.61, where a run ends (deepestHeld), to 1.
 constexpr double maxFlight = 0.19;
 
 struct ContactParameters {

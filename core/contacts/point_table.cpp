@@ -39,7 +39,7 @@ void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTabl
 Box boundingBox(const SearchInput& input) {
   Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   const auto include = [](double& low, double& high, double a) {
-    if (!(std::abs(a) < 1e150)) return;  // what lies farther out belongs to the bins at the border
+    if (!(std::abs(a) < 1e150)) return;  // points farther out belong to the bins at the border
     low = std::min(low, a);
     high = std::max(high, a);
   };

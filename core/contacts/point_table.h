@@ -20,8 +20,8 @@ struct PointTable {
 void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTable& table, const NearQuery::Row* rows,
                     int rowCount, int slot, int row, const Point& x);
 
-/// The corners of the smallest box around all vertices; numbers that are not finite, or enormous, are left
-/// out. An empty box is {0, 0, 0} twice.
+/// Returns the corners of the smallest box around all vertices, without numbers that are not finite, or enormous. An
+/// empty box is {0, 0, 0} twice.
 Box boundingBox(const SearchInput& input);
 
 /// Calls body(i, block, vertex, lane) for each vertex of a living cell, in order of vertex numbers.
@@ -60,8 +60,8 @@ void sortIntoBins(PointTable& table, std::vector<std::int32_t>& start, std::vect
   start[0] = 0;
 }
 
-/// Bins must be this wide, so that what is within reach lies in neighbouring bins in spite of rounding: up to
-/// 2^30 bins along an axis, a coordinate's bin is off by less than 1e-6.
+/// Returns the width of bins that keeps points within reach in neighbouring bins in spite of rounding: up to 2^30 bins
+/// along an axis, a coordinate's bin is off by less than 1e-6.
 inline double safeBinSize(double reach) { return reach * (1 + 1e-6); }
 
 }  // namespace morula

@@ -33,7 +33,7 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
 #endif
 }
 
-/// One row, the same in every lane.
+/// Loads one row into every lane.
 MORULA_INLINE Rows loadRowInAllLanes(const RowMemory* row) {
   const Real* r = numbersOf(row);
 #if defined(MORULA_SINGLE)
@@ -68,7 +68,7 @@ MORULA_INLINE Vec asStored(const Vec& v) {
 #endif
 }
 
-/// `width` consecutive ones.
+/// Stores `width` consecutive rows.
 MORULA_INLINE void storeRows(RowMemory* rows, const Rows& r) {
 #if defined(MORULA_SINGLE)
   const Lanes columns[rowColumns] = {
@@ -87,8 +87,8 @@ MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index
 }
 
 /// Prefetches, with each slice of a block, its share of the next block's rows and forces: sorted by length, slices name
-/// a block's own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Places and
-/// velocities are what the ring pass and the kick behind it wait for; with 2048 cells that is another 8 %.
+/// a block's own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step. Positions
+/// and velocities, for which the ring pass and the kick behind it wait, take off another 8 %.
 MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
                                      const Real* force) {
   constexpr int ofRows = blockLanes * sizeof(RowMemory), ofForces = vertexStride * sizeof(Real);
@@ -102,7 +102,7 @@ MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slic
   }
 }
 
-/// The largest lane, at least 0; a NaN counts as 0.
+/// Returns the largest lane, at least 0; a NaN counts as 0.
 MORULA_INLINE double largestOf(Lanes a) {
   Real spread[width];
   store(spread, a);

@@ -2,8 +2,8 @@
 // The interface of all neighbour searches. Each is a struct with the memory that it keeps,
 // and two functions: `prepare` once per search, then `searchBlock` for each block of cells, on any thread.
 //
-// The answer is fixed, so that it does not matter who gives it: the neighbours of vertex i are the vertices j
-// of other cells with |x_j − x_i|² < reach², in these roundings and in rising order of their numbers.
+// All searches give one answer: the neighbours of vertex i are the vertices j of other cells with |x_j − x_i|² <
+// reach², in these roundings and in rising order of their numbers.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -31,7 +31,7 @@ struct SearchInput {
   double largestReach() const { return (largestHalfReach + largestHalfReach) + skin; }
 };
 
-/// How much work searches were: the same on every machine, thread count and instruction set.
+/// The work of searches: the same on every machine, thread count and instruction set.
 struct SearchCounters {
   std::uint64_t searches = 0;
   std::uint64_t pairs = 0;          // neighbours found, each pair from both sides
@@ -51,27 +51,27 @@ struct SearchCounters {
   }
 };
 
-/// More neighbours than there is memory for: cells overlap.
+/// Thrown if there are more neighbours than there is memory for: cells overlap.
 struct ListsTooLong {
-  int block = 0;  // where it was found
+  int block = 0;  // the block whose list is too long
 };
 
 /// The neighbours of one block's vertices; vertex v of lane l is row v·blockLanes + l.
 struct RowLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
-  std::vector<VertexNumber> neighbours;     // longer than used
+  std::vector<VertexNumber> neighbours;     // allocated longer than used
 };
 
 /// Memory is kept between searches, so that a steady run allocates nothing.
 struct BlockLists : RowLists {
   std::int32_t used = 0;
-  std::int64_t asked = 0;                                        // the most that room was asked for
-  std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
+  std::int64_t asked = 0;                                        // max room that was asked for
+  std::int64_t most = std::numeric_limits<std::int32_t>::max();  // max numbers that may be kept
   SearchCounters counters;                                       // of this search
 
-  RowLists acting;  // those of `chosen` without pairs that cannot act for a while (acting_pairs.h)
+  RowLists acting;  // lists of `chosen` without pairs that cannot act for a while (acting_pairs.h)
   std::vector<std::int32_t> chosen;
-  std::int64_t chosenAgain = 0;  // rows, since all were chosen
+  std::int64_t chosenAgain = 0;  // rows chosen again since all were chosen
 
   // Slices for the kernels (slices.h), of all pairs or of the acting ones; vertices without neighbours have none.
   std::vector<NeighbourSlice> slices;
@@ -85,7 +85,7 @@ struct BlockLists : RowLists {
     used = 0, asked = 0;
     counters = {};
   }
-  /// Returns the place of the next list, with room for so many numbers. Throws ListsTooLong.
+  /// Returns the place of the next list, with room for `numbers` numbers. Throws ListsTooLong.
   VertexNumber* room(std::int64_t numbers) {
     asked = std::max(asked, used + numbers);
     if (asked > most) throw ListsTooLong{};

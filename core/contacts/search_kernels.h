@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// Points in rows of a PointTable, and which of them are near: closer than the pair's reach, and not of the
-/// asking cell. The reach of a pair is (halfReach_i + halfReach_j) + skin. Lengths are the scene's.
+/// Points in rows of a PointTable, and the vertex that asks which of them are near: closer than the pair's reach, and
+/// not of its cell. The reach of a pair is (halfReach_i + halfReach_j) + skin. Lengths are the scene's.
 struct NearQuery {
   struct Row {
     std::int32_t first, last;
@@ -20,8 +20,8 @@ struct NearQuery {
 };
 
 struct SearchKernels {
-  /// Writes the vertex numbers of the points that are near, row by row; returns how many. `out` has room for
-  /// all of the rows' points and eight more.
+  /// Writes the vertex numbers of near points, row by row; returns how many. `out` has room for all of the rows' points
+  /// and eight more.
   std::int32_t (*findNear)(const NearQuery&, std::int32_t* out);
 
   /// Puts up to `longestShortList` different numbers into rising order, without a branch on any of them.

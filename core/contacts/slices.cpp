@@ -9,12 +9,12 @@
 namespace morula {
 namespace {
 
-/// Long lists first, so that the eight of a slice are of almost one length; ties by number: a counting sort.
+/// Orders long lists first, so that the eight of a slice have almost one length; ties by number: a counting sort.
 void orderByLength(BlockLists& block, const RowLists& lists) {
   const auto rows = static_cast<std::int32_t>(lists.length.size());
   std::int32_t longest = 0, listed = 0;
   for (std::int32_t l : lists.length) longest = std::max(longest, l), listed += l > 0;
-  block.ofLength.assign(longest + 1, 0);  // where the next one goes
+  block.ofLength.assign(longest + 1, 0);  // where the next list of this length goes
   for (std::int32_t l : lists.length) ++block.ofLength[l];
   std::int32_t next = 0;
   for (std::int32_t l = longest; l > 0; --l) std::swap(next, block.ofLength[l]), next += block.ofLength[l];
@@ -23,7 +23,7 @@ void orderByLength(BlockLists& block, const RowLists& lists) {
     if (lists.length[i] > 0) block.order[block.ofLength[lists.length[i]]++] = i;
 }
 
-/// `row`: −1 for none.
+/// Writes one lane of a slice. `row`: −1 for none.
 void writeLane(BlockLists& block, const NeighbourSlice& slice, int lane, const RowLists& lists, std::int32_t row,
                VertexNumber far) {
   std::int32_t* out = block.indices.data() + slice.start * blockLanes + lane;
@@ -35,7 +35,7 @@ void writeLane(BlockLists& block, const NeighbourSlice& slice, int lane, const R
   for (; k < slice.length; ++k) out[k * blockLanes] = far;
 }
 
-/// Behind the others, of the rows in `order`.
+/// Adds slices of the rows in `order` behind the others.
 void addSlices(BlockLists& block, const RowLists& lists, VertexNumber firstOfBlock, VertexNumber far) {
   const std::size_t firstNew = block.slices.size();
   std::int64_t lines = firstNew == 0 ? 0 : block.slices.back().start + block.slices.back().length;

@@ -1,6 +1,6 @@
 #pragma once
-// The snapshot of a vertex that contact laws read: one cache line, copied of all vertices at one moment, so that forces
-// are computed from data that no thread changes, in any order and on any number of threads.
+// The snapshot of a vertex that contact laws read: one cache line, copied for all vertices at one moment. Forces are
+// computed from data that no thread changes, in any order and on any number of threads.
 #include <cstdint>
 
 #include "base/precision.h"
@@ -8,8 +8,8 @@
 namespace morula {
 
 struct SnapshotRow {
-  double x, y, z;              // [length] where its surface stands (surface_kernel.h); the thesis' law: the vertex
-  double nx, ny, nz;           // [1] outward normal, about 1 long; in full, for the couples on either side to match
+  double x, y, z;              // [length] place of the surface (surface_kernel.h); the thesis' law: of the vertex
+  double nx, ny, nz;           // [1] outward normal, about 1 long; not rounded, so that couples match on both sides
   float vx, vy, vz;            // [length/time] at the same moment
   float inverseRadiusSquared;  // of the influence radius [1/length²]
 };
@@ -25,7 +25,7 @@ struct SingleSnapshotRow {
 };
 static_assert(sizeof(SingleSnapshotRow) == 64);
 
-/// Memory for one or the other.
+/// Memory for a row of either precision.
 struct alignas(64) RowMemory {
   unsigned char bytes[64];
   friend bool operator==(const RowMemory&, const RowMemory&) = default;

@@ -23,7 +23,7 @@ inline void sortShortList(std::int32_t* numbers, std::int32_t count) {
   std::int32_t unsorted[SearchKernels::longestShortList], place[SearchKernels::longestShortList];
   static_assert(SearchKernels::longestShortList % 16 == 0);
   __builtin_memcpy(unsorted, numbers, sizeof(std::int32_t) * static_cast<std::size_t>(count));
-  for (std::int32_t i = count; i % intWidth != 0; ++i) unsorted[i] = 0;  // so that what is read is written
+  for (std::int32_t i = count; i % intWidth != 0; ++i) unsorted[i] = 0;  // so that all numbers read have been written
   for (std::int32_t i = 0; i < count; i += intWidth) {
     Ints own, smaller{};
     __builtin_memcpy(&own, unsorted + i, sizeof own);

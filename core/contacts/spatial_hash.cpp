@@ -10,7 +10,7 @@ struct Bin {
   std::int32_t x, y, z;
 };
 
-/// Along one axis; what is not a number goes to 0.
+/// Returns a bin's number along one axis; NaN goes to 0.
 std::int32_t column(double a, double lowest, double inverseBin) {
   const double i = (a - lowest) * inverseBin;
   return i >= 0x1p30 ? 1 << 30 : i > 0 ? static_cast<std::int32_t>(i) : 0;
@@ -30,7 +30,7 @@ std::int32_t bucket(const SpatialHash& h, std::int32_t x, std::int32_t y, std::i
 /// The buckets of the 27 bins around a bin, each once: two bins may share a bucket. Returns how many.
 int bucketsAround(const SpatialHash& h, const Bin& b, std::int32_t* buckets) {
   int count = 0;
-  std::uint64_t seen = 0;  // a set bit: one with these last six bits may be there already
+  std::uint64_t seen = 0;  // a set bit: a bucket with these last six bits may be there already
   for (std::int32_t z = b.z - 1; z <= b.z + 1; ++z)
     for (std::int32_t y = b.y - 1; y <= b.y + 1; ++y)
       for (std::int32_t x = b.x - 1; x <= b.x + 1; ++x) {

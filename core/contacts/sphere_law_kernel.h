@@ -1,14 +1,14 @@
 #pragma once
-// Contact of spheres: of two whose centres are closer than r = r_i + r_j, n = (x_i − x_j)/|x_i − x_j|,
+// Contact of spheres. For two spheres whose centres are closer than r = r_i + r_j, with n = (x_i − x_j)/|x_i − x_j|,
 //
 //   f = max(0, K (r − |x_i − x_j|) − C v·n) n,   v = v_i − v_j
 //
 // on i, and friction as in pair_law_kernel.h. Exchanging i and j negates f bit for bit. Two spheres with
 // one centre feel no force: it would have no direction.
 //
-// Adhesion pulls with S [force] of the pair (adhesion.h) where they overlap, and beyond over a gap g with
-// S (1 − g²/δ²)², δ = (r_i + r_j)/8: no force jumps, and where it ends its slope does. S is that of smooth
-// spheres whose surfaces take the work W per area to part, 2πW r_i r_j/(r_i + r_j) [Derjaguin et al. 1975].
+// Adhesion pulls with S [force] of the pair (adhesion.h) where they overlap, and beyond over a gap g with S (1 −
+// g²/δ²)², δ = (r_i + r_j)/8: the force does not jump, and its slope ends where the force ends. S is the force between
+// smooth spheres whose surfaces take the work W per area to part, 2πW r_i r_j/(r_i + r_j) [Derjaguin et al. 1975].
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -20,7 +20,7 @@ struct Spheres {
 
 template <bool withFriction, bool withAdhesion>
 struct SphereLaw {
-  // In rows of spheres a radius stands where a mesh's have the normal.
+  // Rows of spheres hold the velocity where a mesh's have the normal, and the radius behind the velocity.
   static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index) {
     Lanes c[rowColumns];
     loadRows(numbersOf(rows), index, c);
@@ -36,7 +36,7 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
     const Lanes inverse = load(inverseRadiusSquared + lane);
-    // Influence reaches over the diameter (makeCentre); lanes without a cell have none.
+    // Influence reaches over the diameter (makeCentre); lanes without a cell have no influence.
     const Lanes radius = select(inverse > Lanes(0.0), 0.5 / sqrt(inverse), 0.0);
 #if defined(MORULA_SINGLE)
     const Lanes columns[rowColumns] = {x.x, x.y, x.z, w.x, w.y, w.z, radius, 0.0, 0.0, inverse, 0.0, 0.0};

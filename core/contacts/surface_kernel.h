@@ -1,5 +1,5 @@
 #pragma once
-// The surface that contacts act on, and what its forces are to the vertices.
+// The surface that contacts act on, and the forces that its vertices get from it.
 //
 //   n = ν G/√(G² + ε² R⁴),  ε = 2      normal, with G = 6∇V of the one-ring (physics/ring_kernel.h). Of six equal
 //                                      triangles G² = 27 R⁴ and n is 1 long, by ν² = 1 + ε²/27; where a ring folds n
@@ -7,20 +7,19 @@
 //   U = mean of the ring − x           the vertex' distance from its one-ring
 //   y = x + λ U − γ δ n                where the surface stands,  λ = 1/8,  γ = 0.65
 //
-// Faces cut across a curved surface: the one that holds the cell's volume lies δ inside the smooth one through its
-// vertices (physics/sag.h). δ is the cell's, not the vertex' own −¼ U·n: a vertex that is pressed flat has none, and
-// yet the smooth surface of the cell beside it stands out by δ, so that it would be pressed flat too far. γ δ leaves
-// out the third that surfaces overlap by when they press on each other, and what λ U adds at the rim of a contact: of λ
-// and γ these let nine pressed pairs, whose meshes lie in nine ways, have the contact areas (−2.8 to 3.8 %), pressures
-// (−0.2 to 0.5 %) and places (1.4e-3 radii) of the limit on icosphere 2; with λ = 1/8 alone areas are 5 to 12 % too
-// large.
+// Faces cut across a curved surface: the surface that holds the cell's volume lies δ inside the smooth surface through
+// its vertices (physics/sag.h). δ is the cell's, not the vertex' own −¼ U·n. A vertex that is pressed flat has no U·n,
+// and yet the smooth surface of the cell beside it stands out by δ, so that it would be pressed flat too far. γ δ
+// leaves out the third that surfaces overlap by when they press on each other, and what λ U adds at the rim of a
+// contact. These λ and γ let nine pressed pairs, whose meshes lie in nine ways, have the contact areas (−2.8 to 3.8 %),
+// pressures (−0.2 to 0.5 %) and places (1.4e-3 radii) of the limit on icosphere 2. With λ = 1/8 alone areas are 5 to 12
+// % too large.
 //
 // λ U evens the surface out where it is sharp. Without it rims, where three cells meet, slip into each other under
 // contacts that are soft beside membranes, and cells take twice as long to come to rest (γ = 0.74 alone: as good for
 // pressed pairs).
 //
-// A force f on y and q = −∂E/∂n are, to the vertices (n_v neighbours around v; k runs over its ring,
-// counter-clockwise):
+// A force f on y and q = −∂E/∂n give the vertices (n_v neighbours around v; k runs over its ring, counter-clockwise):
 //
 //   t   = (q' − n (n·q')/ν²) ν/√(G² + ε² R⁴),  q' = q − γ δ f    −∂E/∂G; 1/√… = √(1 − n²/ν²)/(ε R²)
 //   F_v = (1 − λ) f_v + Σ_k λ f_k/n_k + Σ_k (x_{k−1} − x_{k+1}) × t_k
@@ -31,14 +30,14 @@
 
 namespace morula::MORULA_ISA {
 
-/// The sum over the pairs of a vertex.
+/// Sums over the pairs of a vertex.
 struct SurfaceForce {
   Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and friction
   Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
 };
 
-/// Adds what has changed between two rows of `width` vertices, the first of which is number `row` of the block: the
-/// sum.
+/// Adds the changes between two rows of `width` vertices, of which the first is number `row` of the block. Returns the
+/// sums.
 MORULA_INLINE Lanes countChange(const ChangeCount& count, int row, const Rows& before, const Rows& now) {
   const Lanes faster = atMost(now.v - before.v), fasterBefore = loadFloats(count.speeds + row);
   const Lanes change = loadFloats(count.change + row) + Lanes(count.perTurning) * atMost(now.n - before.n) +
@@ -49,7 +48,7 @@ MORULA_INLINE Lanes countChange(const ChangeCount& count, int row, const Rows& b
   return change;
 }
 
-/// Rows whose change has reached the margin, or does not compare.
+/// Finds rows whose change has reached the margin, or is NaN.
 inline void findEnded(ChangeCount& count, int rows, int liveLanes) {
   for (int row = 0; row < rows; row += blockLanes)
     for (int lane = 0; lane < liveLanes; lane += width) {
@@ -102,12 +101,12 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
       farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
     }
   }
-  if constexpr (counting)  // floats are rounded
+  if constexpr (counting)  // room for the rounding of floats
     if (any(maxChanged > Lanes(0.999999 * count.margin))) findEnded(count, mesh.vertexCount * blockLanes, b.liveLanes);
   return largestOf(farthest);
 }
 
-/// Zeros in the scratch of a block's surface.
+/// Clears the scratch of a block's surface.
 MORULA_INLINE void clearSurface(const BlockSlices& block) {
   const std::size_t bytes = std::size_t(block.mesh.vertexCount) * vertexStride * sizeof(Real);
   __builtin_memset(static_cast<Real*>(block.surfaceForce), 0, bytes);
@@ -127,7 +126,7 @@ struct SurfaceDepths {
   Real value[blockLanes];
 };
 
-/// f and t of `width` vertices, lane by lane; the far row (number `vertices`) has no place.
+/// Stores f and t of `width` vertices, lane by lane; the far row (number `vertices`) has no place.
 MORULA_INLINE void storeOnSurface(const BlockSlices& block, const SurfaceDepths& depths, const VertexNumber* vertex,
                                   std::int32_t vertices, const Rows& row, const SurfaceForce& sum) {
   const Lanes left = max(normalScaleSquared - dot(row.n, row.n), Lanes(0.0));          // ν² (1 − n²/ν²)

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double tolerance = 0.01;
 
-/// Written so that a NaN is not.
+/// False for a NaN.
 bool isNear(double actual, double expected) { return std::abs(actual - expected) <= tolerance * std::abs(expected); }
 
 Faces facesOf(const Bodies& b, const Body& body) { return b.meshAt(body.meshLevel).mesh.faces; }
 
-/// The body on the next coarser mesh; its volume is off if no scale can give it back.
+/// Returns the body on the next coarser mesh; its volume is off if no scale can restore it.
 Body restrictBody(const Bodies& b, const Body& body) {
   const std::vector<std::int32_t>& nested = b.coarser[body.meshLevel].nested;
   Body coarse = body;

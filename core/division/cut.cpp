@@ -9,8 +9,8 @@
 namespace morula {
 
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor) {
-  // A plane that was placed for a share may miss it a little. A plane through the middle that gives one daughter so
-  // little has cut a shape that was never one piece.
+  // A plane that was placed for a share may miss it a little. A plane through the middle that gives one daughter less
+  // than this has cut a shape that was never one piece.
   const double least = cut.share ? 0.05 : 0.1;
   CutResult result;
   Body &a = result.daughters.a, &b = result.daughters.b;

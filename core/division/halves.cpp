@@ -38,7 +38,7 @@ Halves halve(Points vertices, Faces faces, const Point& onPlane, const Vector& n
   std::vector<char> flatInA(vertices.size()), flatInB(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const double height = dot(vertices[v] - onPlane, normal);
-    (height > 0 ? h.b : h.a)[v] = vertices[v] - height * normal;  // in whom it lies beyond the plane
+    (height > 0 ? h.b : h.a)[v] = vertices[v] - height * normal;  // in the half where v lies beyond the plane
     (height > 0 ? flatInB : flatInA)[v] = true;
   }
   unfold(h.a, faces, flatInA, -normal);

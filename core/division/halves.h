@@ -1,22 +1,21 @@
 #pragma once
-// Both sides of a plane.
-// Cuts a surface into halves by projection onto the plane, and unfolds what projection folds over.
+// Cuts a surface into halves by projection onto a plane, and unfolds what projection folds over.
 //
-// A mother that is not convex casts parts of her far side onto one another: faces of the flat side that lie
-// upside down. Most would spring open by themselves, some would stay as a dent. So the projected vertices are
-// drawn towards the mean of their neighbours, within the plane, until no face lies upside down. The fixed
-// point of that is Tutte's embedding, which has no fold where the rim is convex [Tutte 1963].
+// A mother that is not convex casts parts of her far side onto one another: faces of the flat side lie upside down.
+// Most would spring open by themselves, some would stay as a dent. So the projected vertices are drawn towards the mean
+// of their neighbours, within the plane, until no face lies upside down. The fixed point of this is Tutte's embedding,
+// which has no fold where the rim is convex [Tutte 1963].
 #include <vector>
 
 #include "mesh/measures.h"
 
 namespace morula {
 
-/// The faces between three projected vertices that look the wrong way; `outward` is the unit normal of the flat side.
+/// Counts faces between three projected vertices that look the wrong way; `outward`: unit normal of the flat side.
 int countFolds(Points vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward);
 
-/// Moves projected vertices within the plane, as little as unfolds them all; at most `sweeps` times. Bodies
-/// without folds stay as they are. Returns the folds that are left.
+/// Moves projected vertices within the plane, only until no face is folded; at most `sweeps` times. Bodies without
+/// folds stay as they are. Returns the number of folds left.
 int unfold(std::vector<Point>& vertices, Faces faces, const std::vector<char>& isProjected, const Vector& outward,
            int sweeps = 200);
 
@@ -27,9 +26,8 @@ struct Halves {
   double volumeA, volumeB;  // [length³]
 };
 
-/// Projects the vertices beyond the plane along its unit normal, and takes out what that folds over. Projects the
-/// surface onto the plane from both sides. If nothing folds, both volumes add up to the whole exactly: a face's shadow
-/// on the plane stays the same.
+/// Projects the vertices beyond the plane along its unit normal, once for each side of the plane, and unfolds the
+/// results. If nothing folds, both volumes add up to the whole exactly: a face's shadow on the plane stays the same.
 Halves halve(Points vertices, Faces faces, const Point& onPlane, const Vector& normal);
 
 }  // namespace morula

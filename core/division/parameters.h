@@ -14,7 +14,7 @@ namespace morula {
 
 class DivisionPolicy;
 
-enum class DivisionPlane {  // its number is part of what a scenario means: new ones stand behind the others
+enum class DivisionPlane {  // the number is part of what a scenario means: new planes stand last
   longest,                  // the default
   axis,
   random,  // the thesis' reference
@@ -30,11 +30,11 @@ enum class DivisionPlane {  // its number is part of what a scenario means: new 
   tension,
 };
 
-/// How one cell is cut: a plane, and what that plane takes.
+/// How one cell is cut: a plane, and the plane's parameters.
 struct PlaneChoice {
   DivisionPlane plane = DivisionPlane::longest;
-  Vector axis{1, 0, 0};     // of planes that take one; any length but 0
-  std::string substance{};  // of planes that take one: a name, or its beginning and '*'
+  Vector axis{1, 0, 0};     // for planes that take one; any length but 0
+  std::string substance{};  // for planes that take one: a name, or its beginning and '*'
   bool turnsAway = false;   // polarity with a substance: away from contacts, not to them
   friend bool operator==(const PlaneChoice&, const PlaneChoice&) = default;
 };
@@ -42,27 +42,27 @@ MORULA_MEMBERS(PlaneChoice, plane, axis, substance, turnsAway)
 
 /// The daughters of a division turn against each other about its axis [simulation/swirls.h].
 struct Chirality {
-  double angle = 20;  // [degree] in all, of A; B turns by as much the other way; below 0: the mirror image
+  double angle = 20;  // [degree] whole turn of A; B turns by as much the other way; below 0: the mirror image
   double time = 0.5;  // [time] in which the turning falls to 1/e
   friend bool operator==(const Chirality&, const Chirality&) = default;
 };
 MORULA_MEMBERS(Chirality, angle, time)
 
-/// How some cells divide. What it does not say is as of a cell that no rule names.
+/// How some cells divide. Absent members are as for a cell that no rule names.
 struct DivisionRule {
-  std::vector<std::string> of{};       // patterns: a cell that holds a substance for each of them
+  std::vector<std::string> of{};       // patterns: the rule is for cells that hold a substance for each
   std::optional<PlaneChoice> plane{};  // absent: DivisionParameters::otherwise
-  std::optional<double> share{};       // [1] of the volume that daughter A is to have; absent: the plane goes
+  std::optional<double> share{};       // [1] daughter A's share of the volume; absent: the plane goes
                                        // through the centre
-  std::optional<double> tilt{};        // [degree] sd of the axis about its direction, by the seed
+  std::optional<double> tilt{};        // [degree] standard deviation of the axis from its direction, by the seed
   std::optional<Chirality> chirality{};
 };
 MORULA_MEMBERS(DivisionRule, of, plane, share, tilt, chirality)
 
 struct DivisionParameters {
-  PlaneChoice otherwise{};               // of cells that no rule names
+  PlaneChoice otherwise{};               // for cells that no rule names
   std::vector<DivisionRule> rules{};     // the first that fits a cell counts
-  std::optional<Chirality> chirality{};  // of cells whose rule has none; absent: they do not turn
+  std::optional<Chirality> chirality{};  // for cells whose rule has none; absent: they do not turn
 };
 MORULA_MEMBERS(DivisionParameters, otherwise, rules, chirality)
 
@@ -79,25 +79,25 @@ struct DivisionPlaneKind {
   bool usesSeed = false;         // draws random numbers
   // Parts that the scene must have, without which the plane could never have an effect
   bool needsContact = false;
-  bool needsLongShell = false;  // one that is no sphere
+  bool needsLongShell = false;  // a shell that is no sphere
   bool needsConnections = false;
-  bool keepsPolarity = false;  // its cuts say what daughters inherit [Cut::polarity]
+  bool keepsPolarity = false;  // its cuts set what polarity daughters inherit [Cut::polarity]
   std::unique_ptr<DivisionPolicy> (*make)(const PlaneChoice&, std::uint64_t seed);
 };
 
-/// Each in a file of planes/.
+/// The rows, each in a file of planes/.
 extern const DivisionPlaneKind longestPlane, randomPlane, axisPlane, alternatingPlane, smallestAreaPlane, towardsPlane,
     awayFromPlane, acrossPlane, polarityPlane, shellAxisPlane, perpendicularPlane, parallelPlane, tensionPlane;
-/// All of them, in the order in which people should meet them.
+/// Returns all rows, in the order in which people should meet them.
 std::span<const DivisionPlaneKind> divisionPlanes();
 const DivisionPlaneKind& kindOf(DivisionPlane plane);
 
-/// True if a plane that some cells may be cut by keeps polarities.
+/// True if a plane that may cut some cells keeps polarities.
 bool keepsPolarity(const DivisionParameters& parameters);
 
-/// The chirality of the division of a cell with these substances; absent: its daughters do not turn.
+/// Returns the chirality of the division of a cell with these substances; absent: its daughters do not turn.
 std::optional<Chirality> chiralityOf(const DivisionParameters& parameters, const std::string& substances);
-/// [time] The longest of all chiralities; 0: there are none.
+/// Returns the longest time [time] of all chiralities; 0 without any.
 double longestChirality(const DivisionParameters& parameters);
 
 }  // namespace morula

@@ -13,7 +13,7 @@ struct Heights {
   double middle() const { return 0.5 * (low + high); }
 };
 
-/// The heights between which a share, which falls from 1 at the lower end to 0 at the upper one, passes `wanted`. The
+/// Returns heights between which a share, falling from 1 at the lower end to 0 at the upper one, passes `wanted`. The
 /// number of halvings is fixed, and enough for the last place of a double.
 template <class ShareAbove>
 Heights bisect(Heights h, double wanted, const ShareAbove& shareAbove) {
@@ -63,7 +63,7 @@ Point placePlane(Points vertices, Faces faces, const Vector& normal, double shar
   const double found = shareAbove(height);
   if (found - share < 1e-12 && share - found < 1e-12) return centre + height * normal;
   const Heights at = bisect(all, share, shareAbove);
-  // Beside a jump, so that rounding (of a scene that is turned, say) does not decide on which side the plane lies.
+  // Moves beside a jump, so that rounding (in a turned scene, say) does not decide on which side the plane lies.
   const double beside = 1e-9 * (all.high - all.low);
   const double more = shareAbove(at.low - beside) - share, less = share - shareAbove(at.high + beside);
   if (more + less < 1e-6) return centre + at.middle() * normal;

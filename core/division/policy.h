@@ -18,7 +18,7 @@ class DivisionPolicy {
   virtual Cut findCut(const CellContext& cell) const = 0;
 };
 
-/// One plane for all cells. Throws InputError for an axis of length 0.
+/// Makes a policy with one plane for all cells. Throws InputError for an axis of length 0.
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed);
 
 /// Returns the policy that takes plane, share, tilt and deviations of each cell from the first rule that fits it

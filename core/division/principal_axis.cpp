@@ -7,7 +7,7 @@
 namespace morula {
 namespace {
 
-/// The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses acos.)
+/// Uses the iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses acos.)
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solveCovariance(std::span<const Point> points, int options) {
   const Point c = measureCentroid(points);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

@@ -20,14 +20,14 @@ struct DivisionRecord {
   friend bool operator==(const DivisionRecord&, const DivisionRecord&) = default;
 };
 
-/// The polarity that a cell left to her daughters. Kept beside the divisions, for few scenes have any.
+/// The polarity that a cell left to her daughters. Kept beside the divisions, because few scenes have polarities.
 struct PolarityRecord {
   CellPath path;          // of the mother
   Vector direction = {};  // unit vector
   friend bool operator==(const PolarityRecord&, const PolarityRecord&) = default;
 };
 
-/// Below this ratio of the two largest extents the longest one is ambiguous: what moves a surface by 1 % (a
+/// Below this ratio of the two largest extents the longest one is ambiguous: a change that moves a surface by 1 % (a
 /// longer time step, another mesh) may turn the plane by a right angle.
 constexpr double ambiguousExtentRatio = 1.01;
 

@@ -17,7 +17,7 @@ bool fitsCell(const DivisionRule& rule, std::string_view substances) {
   return std::ranges::all_of(rule.of, [&](const std::string& pattern) { return fitsAny(pattern, substances); });
 }
 
-/// Each cell by its rule, with its deviations.
+/// Cuts each cell by its rule, with its deviations.
 class RuledDivision final : public DivisionPolicy {
  public:
   RuledDivision(const DivisionParameters& division, std::uint64_t seed, const VariationParameters& variation)

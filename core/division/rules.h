@@ -6,13 +6,13 @@
 
 namespace morula {
 
-/// The first rule that fits a cell with these substances (names with single spaces between them); null if none does.
+/// Returns the first rule that fits a cell with these substances (names with single spaces between them); null if none.
 const DivisionRule* ruleFor(const DivisionParameters& division, std::string_view substances);
 
-/// Its plane, or that of cells that no rule names.
+/// Returns the plane of that rule, or of cells that no rule names.
 const PlaneChoice& planeFor(const DivisionParameters& division, std::string_view substances);
 
-/// Daughter A's share as it can be cut.
+/// Bounds of daughter A's share that can be cut.
 constexpr double minShare = 0.1, largestShare = 0.9;
 
 }  // namespace morula

@@ -8,8 +8,8 @@
 namespace morula {
 namespace {
 
-/// The rotation R that makes Σ b·Ra largest, where m = Σ a bᵀ: of the unit quaternion that is the eigenvector of the
-/// largest eigenvalue of Horn's matrix. By the iterative solver, as in principal_axis.cpp.
+/// Returns the rotation R that maximises Σ b·Ra, where m = Σ a bᵀ: the unit quaternion that is the eigenvector of the
+/// largest eigenvalue of Horn's matrix. Uses the iterative solver, as principal_axis.cpp does.
 Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& m) {
   const double xx = m(0, 0), xy = m(0, 1), xz = m(0, 2);
   const double yx = m(1, 0), yy = m(1, 1), yz = m(1, 2);
@@ -39,7 +39,7 @@ std::optional<Superposition> superpose(std::span<const Point> points, std::span<
   }
   if (!(size > 0 && otherSize > 0)) return {};
   const Eigen::Matrix3d rotation = bestRotation(m);
-  double along = 0;  // Σ b·Ra; the scale that leaves least is this over Σ a²
+  double along = 0;  // Σ b·Ra; the best scale is this over Σ a²
   for (std::size_t i = 0; i < points.size(); ++i)
     along += vector(others[i], otherCentre).dot(rotation * vector(points[i], centre));
   const double scale = along / size;

@@ -1,5 +1,5 @@
 #pragma once
-// How far apart two sets of points are when one has been laid upon the other as well as can be.
+// The distance of two sets of points when one has been laid upon the other as well as can be.
 #include <optional>
 #include <span>
 
@@ -8,14 +8,14 @@
 namespace morula {
 
 struct Superposition {
-  double distance;  // [length] root mean square of what is left between the points, turned and moved, not scaled
-  double shape;     // [1] the same, the points also scaled, over the root mean square radius of the others
-  double scale;     // [1] by which the points are scaled for that
+  double distance;  // [length] root mean square distance of the points from the others, turned and moved, not scaled
+  double shape;     // [1] this distance with scaled points, over the root mean square radius of the others
+  double scale;     // [1] factor of this scaling
 };
 
 /// Turns and moves `points` so that the sum of their squared distances from `others` is least [Kabsch 1976], by the
-/// unit quaternion that does it [Horn 1987]: never a reflection. As many points as others; absent with fewer than three
-/// pairs, or where either are all in one place.
+/// unit quaternion of [Horn 1987]: never a reflection. Requires as many points as others. Absent with fewer than three
+/// pairs, or if either set is all in one place.
 std::optional<Superposition> superpose(std::span<const Point> points, std::span<const Point> others);
 
 }  // namespace morula

@@ -1,16 +1,16 @@
 #pragma once
-// Axes that are a little off.
+// Random tilts of axes.
 #include "base/random.h"
 
 namespace morula {
 
-/// A unit vector about `axis` (of length 1), drawn from the von Mises–Fisher distribution [Fisher 1953], the bell
-/// curve of directions. Its concentration is κ = 1/σ² with σ = `degrees` in radians: for small σ the deviations along
-/// both tangents are normal with that standard deviation. Mean of the cosine to the axis: coth κ − 1/κ. The deviation
-/// belongs to the draw, and turns with the axis.
+/// Tilts `axis` (of length 1) by a random angle. The result is drawn from the von Mises–Fisher distribution [Fisher
+/// 1953], the bell curve of directions. Its concentration is κ = 1/σ² with σ = `degrees` in radians: for small σ the
+/// deviations along both tangents are normal with the standard deviation σ. Mean of the cosine to the axis: coth κ −
+/// 1/κ. The deviation belongs to the draw, and turns with the axis.
 ///
-/// Tilts an axis by a random angle, drawn by inversion [Ulrich 1984; Wood 1994; Jakob 2012]: w = 1 + ln(u + (1 − u)
-/// e^{−2κ})/κ along the axis, and an even angle about it.
+/// Draws by inversion [Ulrich 1984; Wood 1994; Jakob 2012]: w = 1 + ln(u + (1 − u) e^{−2κ})/κ along the axis, and a
+/// uniform angle about it.
 Vector tiltAxis(const Vector& axis, double degrees, const Draw& draw);
 
 }  // namespace morula

@@ -10,8 +10,8 @@
 //   while (!organism.finished()) organism.step(64);
 //   std::cout << organism.cells() << ' ' << organism.hash() << '\n';
 //
-// Errors are thrown as std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which
-// the organism stays as it failed. Two simulators share nothing; one must not be used by two threads at once.
+// Errors are thrown as std::exception: a scene cannot be read or run, or the physics cannot go on. The organism then
+// keeps the state in which it failed. Two simulators share nothing; only one thread at a time may use a simulator.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,22 +24,22 @@ namespace morula {
 
 class Simulator {
  public:
-  /// `scene`: the text that `morula validate --scene` writes; `threads` change no bit of any result.
+  /// `scene`: the text that `morula validate --scene` writes. `threads`: their number changes no bit of any result.
   explicit Simulator(std::string_view scene, int threads = 1);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
 
-  /// Goes on by up to so many time steps, not past the end. Call it first in a thread: it sets how the processor
-  /// rounds.
+  /// Takes up to `most` time steps, not past the end. A thread must call step first: it sets the processor's rounding
+  /// mode.
   void step(std::uint64_t most = 1);
   bool finished() const;
   std::uint64_t steps() const;
   double now() const;
-  /// The time at which it will end, where the scene says so.
+  /// Returns the time at which the scene ends, if the scene gives one.
   std::optional<double> end() const;
 
-  /// 32 hexadecimal digits over the whole state, as `morula run` prints them.
+  /// Returns 32 hexadecimal digits over the whole state, as `morula run` prints them.
   std::string hash() const;
 
   std::size_t cells() const;
@@ -48,8 +48,8 @@ class Simulator {
   std::string path(std::size_t cell) const;
   /// Returns the substances that the cell holds, sorted, with blanks between.
   std::string substances(std::size_t cell) const;
-  /// x, y and z of each vertex of its surface, one after the other, and three vertices for each face; empty without
-  /// bodies.
+  /// vertices: x, y and z of each vertex of the cell's surface in turn. faces: three vertices for each face. Both are
+  /// empty without bodies.
   std::vector<double> vertices(std::size_t cell) const;
   std::vector<std::int32_t> faces(std::size_t cell) const;
 

@@ -79,10 +79,10 @@ class Reader {
 
   std::string_view rest_;
   std::string name_;
-  std::uint64_t line_ = 2, at_ = 2;  // the next one, behind the title; where what was read last began
+  std::uint64_t line_ = 2, at_ = 2;  // the next line, behind the title; the line of the last number
 };
 
-/// How many values a choice has; they are counted from 0.
+/// Returns how many values a choice has; they are counted from 0.
 template <class Enum>
 std::size_t countOf() {
   if constexpr (requires { choices<Enum>.size(); }) return choices<Enum>.size();

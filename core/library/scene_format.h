@@ -1,12 +1,12 @@
 #pragma once
-// A scene as a text of its own, for programs that have the simulator and know no scenario files: run_scene of the
-// tests, pages that run again, other programs. A scenario is for people; this holds exactly what decides a run, all
-// numbers as their bits.
+// A scene as text, for programs that have the simulator but know no scenario files: run_scene of the tests, pages that
+// run again, other programs. A scenario is for people; this text holds exactly what decides a run, with all numbers as
+// bits.
 //
 //   morula-scene 3
 //   11 unique-four         a text: its bytes, a blank, and the text
 //   20080617               a number: whole, or the 64 bits of a double
-//   …                      the members of Scene, one after the other; before what may be absent 0 or 1, before a list its length
+//   …                      the members of Scene in order; 0 or 1 before an optional member, the length before a list
 //   hash 0f1e…             XXH3-128 of all that stands above
 #include <string>
 #include <string_view>
@@ -19,8 +19,8 @@ inline constexpr int sceneFormat = 3;
 
 std::string writeScene(Scene scene);
 
-/// Reads just what writeScene writes. Throws InputError "NAME:line: what is wrong; what would be right" for anything
-/// else: another version, a byte that was changed, cut off or added, a number that its member cannot be.
+/// Reads a text of writeScene. Throws InputError "NAME:line: what is wrong; what would be right" for anything else:
+/// another version, a byte changed, cut off or added, or a number that its member cannot be.
 Scene readScene(std::string_view text, const std::string& name);
 
 }  // namespace morula

@@ -9,19 +9,19 @@
 namespace morula {
 namespace {
 
-/// Cubes side by side, z fastest.
+/// A grid of cubes, numbered with z fastest.
 struct Cubes {
   Point low;
   double edge;
   int count[3];         // along x, y, z
-  std::size_t step[3];  // to the next along x, y, z
+  std::size_t step[3];  // to the next cube along x, y, z
 
   std::size_t size() const { return step[0] * count[0]; }
   int place(std::size_t cube, int axis) const { return static_cast<int>(cube / step[axis] % count[axis]); }
   Point centre(std::size_t cube) const {
     return low + edge * Vector{place(cube, 0) + 0.5, place(cube, 1) + 0.5, place(cube, 2) + 0.5};
   }
-  /// The six that share a face, as far as they exist.
+  /// Visits the cubes that share a face with this one, up to six.
   void eachNeighbour(std::size_t cube, const auto& visit) const {
     for (int axis = 0; axis < 3; ++axis) {
       const int at = place(cube, axis);
@@ -32,8 +32,8 @@ struct Cubes {
 };
 using Marks = std::vector<std::uint8_t>;  // [cube]
 
-/// Marks the cubes whose centres are within `reach` [edges] of that of one for which `isIn` is true: squares of
-/// distances, axis by axis. All are whole numbers.
+/// Marks the cubes whose centres are within `reach` [edges] of the centre of a cube with `isIn`. Adds squared distances
+/// axis by axis, as whole numbers.
 Marks around(const Cubes& cubes, double reach, const auto& isIn) {
   constexpr std::int16_t far = 10'000;  // much more than reach²
   std::vector<std::int16_t> square(cubes.size()), next;
@@ -60,7 +60,7 @@ Marks around(const Cubes& cubes, double reach, const auto& isIn) {
   return marks;
 }
 
-/// Sets the marks from 1 to 0 of all that are connected to this cube; how many they are.
+/// Clears the marks of this cube and of all marked cubes connected to it. Returns their number.
 std::size_t takePiece(const Cubes& cubes, Marks& marks, std::size_t cube) {
   std::vector<std::size_t> open{cube};
   std::size_t count = 0;
@@ -95,7 +95,7 @@ Cubes cubesAround(std::span<const MeshView> meshes, double probe, double most) {
 
 Marks cubesInside(std::span<const MeshView> meshes, const Cubes& cubes) {
   Marks inside(cubes.size());
-  const auto number = [&](double z) {  // of the first centre at or above z
+  const auto number = [&](double z) {  // number of the first centre at or above z
     return std::clamp(static_cast<int>(std::ceil((z - cubes.low.z) / cubes.edge - 0.5)), 0, cubes.count[2]);
   };
   visitInside(meshes, cubes.low, cubes.edge, cubes.count[0], cubes.count[1],
@@ -117,7 +117,7 @@ Cavities measureCavities(std::span<const MeshView> meshes, double probe, double 
   if (!(reach > 1)) return found;
   const Marks inside = cubesInside(meshes, cubes);
   const Marks wall = around(cubes, reach, [&](std::size_t i) { return inside[i]; });
-  Marks shut(wall.size());  // where a probe's centre fits, and does not get out
+  Marks shut(wall.size());  // where a probe's centre fits, and cannot get out
   std::transform(wall.begin(), wall.end(), shut.begin(), [](auto w) { return !w; });
   takePiece(cubes, shut, 0);
   for (std::size_t i = 0; i < wall.size(); ++i) {

@@ -24,7 +24,7 @@ struct Connectivity {
   std::vector<Face> faces;
 };
 
-/// The mesh must be one that checkClosedManifold lets pass: a BugError otherwise as far as the rings need it.
+/// Throws BugError if the rings cannot be made, because the mesh does not pass checkClosedManifold.
 Connectivity makeConnectivity(const Mesh& mesh);
 
 }  // namespace morula

@@ -9,10 +9,10 @@
 namespace morula {
 namespace {
 
-constexpr double planeWithin = 1e-9;  // of the size, at least: corners of one polygon as decimal numbers put them
+constexpr double planeWithin = 1e-9;  // [size] min tolerance of a plane: a polygon's corners, as decimal numbers
 constexpr double maxRounding =
-    1e-3;                           // of the size, at most: what a file's digits explain; more is a shape, not rounding
-constexpr double minOffset = 1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
+    1e-3;                           // [size] max tolerance from a file's digits; more is a shape, not rounding
+constexpr double minOffset = 1e-3;  // [size] if nearer, rounding of a distant vertex could reach the origin
 constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
 class Planes {
@@ -53,9 +53,9 @@ class Planes {
     return norm(a.normal - b.normal) * size_ <= within && std::abs(a.offset - b.offset) <= within;
   }
 
-  /// [length] By how much the digits of the file can put a vertex at this distance from the face outside of its plane:
-  /// each coordinate may be off by its rounding ε, so a point by √3 ε; the plane through three such points, of which
-  /// the smallest height is h, is off by √3 ε (1 + 2 r/h) at a distance r from them.
+  /// Returns how far [length] the file's digits can put a vertex, at this distance from the face, outside of the face's
+  /// plane. Each coordinate may be off by its rounding ε, so a point by √3 ε. A plane through three such points, whose
+  /// smallest height is h, is off by √3 ε (1 + 2 r/h) at a distance r from them.
   double toleranceAt(const Face& face, double distance) const {
     double rounding = 0, longest = 0;
     for (int i = 0; i < 3; ++i) {
@@ -80,8 +80,8 @@ class Planes {
                               : "the origin lies almost in this face; a shell has it well inside, so move it");
   }
 
-  /// Throws if a vertex lies outside of the plane by more than the file's digits explain; moves the plane to the
-  /// farthest of those that they explain, so that the shell holds all of its vertices.
+  /// Throws if a vertex lies outside of the plane by more than the file's digits explain. Otherwise moves the plane to
+  /// the farthest vertex outside, so that the shell holds all of its vertices.
   void moveOutwards(std::size_t f, ShellPlane& plane) {
     const Face& face = mesh_.faces[f];
     double farthest = plane.offset;

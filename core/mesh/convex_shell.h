@@ -11,7 +11,7 @@ namespace morula {
 /// A point x is inside where normal·x ≤ offset.
 struct ShellPlane {
   Vector normal;  // of length 1, outward
-  double offset;  // [length] > 0, of the plane from the origin
+  double offset;  // [length] > 0, distance of the plane from the origin
 
   bool operator==(const ShellPlane&) const = default;
 };
@@ -19,24 +19,24 @@ MORULA_MEMBERS(ShellPlane, normal, offset)
 
 struct ConvexShell {
   Mesh mesh;
-  std::vector<ShellPlane> planes;  // one for all faces in one plane, in the order of the first of them
+  std::vector<ShellPlane> planes;  // one plane for all faces in it, in the order of their first faces
 };
 MORULA_MEMBERS(ConvexShell, mesh, planes)
 
-/// Reads a Wavefront OBJ text as readObj does, but neither moves nor scales it. Throws InputError "name:line:column: …"
-/// where readObj does, and for the first face with a vertex outside of its plane (not convex) by more than 1e-9 of the
-/// shell's size and more than the digits explain with which the file writes coordinates (at most 1e-3 of the size), or
-/// whose plane has the origin outside or within 1e-3 of that size. The size: from the origin to the farthest vertex,
-/// 1e-6 to 1e6.
+/// Reads a Wavefront OBJ text as readObj does, but neither moves nor scales it. The shell's size is the distance from
+/// the origin to the farthest vertex, 1e-6 to 1e6. Throws InputError "name:line:column: …" where readObj does, and for
+/// the first face that is not convex, or whose plane has the origin outside or within 1e-3 of the size. Not convex: a
+/// vertex is outside of the face's plane by more than 1e-9 of the size and more than the file's digits explain (at most
+/// 1e-3 of the size).
 ConvexShell readConvexShell(const std::string& text, const std::string& name);
 
 /// Returns the shell `factor` > 0 times as large.
 ConvexShell scaleConvexShell(ConvexShell shell, double factor);
 
-/// [1] The largest normal·x / offset: at most 1 inside, and linear along a ray from the origin.
+/// Returns the largest normal·x / offset [1]: at most 1 inside, and linear along a ray from the origin.
 double measureReach(const std::vector<ShellPlane>& planes, const Point& x);
 
-/// The plane with the least distance to a point inside; the first of equals.
+/// Returns the plane with the least distance to a point inside; of equals the first.
 const ShellPlane& nearestPlane(const std::vector<ShellPlane>& planes, const Point& x);
 
 }  // namespace morula

@@ -17,7 +17,7 @@ Vector nearestOnSegment(const Point& p, const Point& a, const Point& b) {
   return a + share * d;
 }
 
-/// Inside the triangle's prism the foot on its plane, else the nearest point of a side that p lies beyond.
+/// Returns the squared distance of p: from its foot if the triangle has it, else from the nearest side p lies beyond.
 double squaredDistance(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Vector n = cross(b - a, c - a);
   const double area = dot(n, n);
@@ -31,14 +31,14 @@ double squaredDistance(const Point& p, const Point& a, const Point& b, const Poi
   return least < INFINITY ? least : height * height / area;
 }
 
-/// A face with the ball around it, by which most faces are left out.
+/// A face with the ball around it, which rules out most faces quickly.
 struct Patch {
   Point a, b, c, centre;
   double radius;
 };
 
 std::vector<Patch> patchesOf(const Mesh& mesh) {
-  std::vector<Patch> patches;  // by their centres' x
+  std::vector<Patch> patches;  // sorted by their centres' x
   for (const Face& f : mesh.faces) {
     Patch p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]], {}, 0};
     p.centre = (p.a + p.b + p.c) / 3.0;
@@ -49,7 +49,7 @@ std::vector<Patch> patchesOf(const Mesh& mesh) {
   return patches;
 }
 
-/// Squared, from the vertices of one to the surface of the other.
+/// Returns squared distances from the vertices of `from` to the surface of `to`.
 std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   const std::vector<Patch> patches = patchesOf(to);
   double largest = 0;
@@ -57,7 +57,7 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   std::vector<double> squares;
   for (std::size_t v = 0; v < from.vertices.size(); ++v) {
     const Point& p = from.vertices[v];
-    // An upper bound to begin with: the vertex of the same number, which is near where both meshes are the same.
+    // Begins with an upper bound: the vertex of the same number, which is near if the meshes are alike.
     const Vector guess = p - to.vertices[std::min(v, to.vertices.size() - 1)];
     double least = dot(guess, guess), reach = std::sqrt(least);
     const auto tryPatch = [&](const Patch& patch) {
@@ -67,7 +67,7 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
       const double squared = squaredDistance(p, patch.a, patch.b, patch.c);
       if (squared < least) least = squared, reach = std::sqrt(squared);
     };
-    // Outwards on both sides of the vertex's x, as far as a patch could still be nearer than the nearest.
+    // Searches outwards on both sides of the vertex's x, as far as a patch could still be nearer than the nearest.
     const auto middle =
         std::lower_bound(patches.begin(), patches.end(), p.x, [](const Patch& q, double x) { return q.centre.x < x; });
     for (auto up = middle; up != patches.end() && up->centre.x - p.x <= reach + largest; ++up) tryPatch(*up);
@@ -78,8 +78,8 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   return squares;
 }
 
-/// Winding number of the closed surface around a point, 0 outside: how often a ray from the point leaves the surface,
-/// less how often it enters. The ray lies in no plane of symmetry of our meshes, so it does not run along edges.
+/// Returns the closed surface's winding number around a point, 0 outside: how often a ray from the point leaves the
+/// surface, minus how often it enters. The ray lies in no plane of symmetry of our meshes, so it runs along no edge.
 int windingAround(const Point& p, const Mesh& mesh) {
   const Vector ray{0.8017837, 0.2672613, 0.5345225};
   int winding = 0;

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-// The corners of three golden rectangles that stand across each other are those of an icosahedron.
+// The corners of three mutually perpendicular golden rectangles are the corners of an icosahedron.
 Mesh makeIcosahedron() {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   const double length = std::sqrt(1 + golden * golden);
@@ -24,7 +24,7 @@ Mesh makeIcosahedron() {
   // clang-format on
 }
 
-// Splits each face in four; a new vertex per edge, in the order in which the faces meet the edges.
+// Splits each face in four. Each edge gets a new vertex, in the order in which the faces meet the edges.
 Mesh split(Mesh mesh) {
   std::map<std::pair<int, int>, int> middles;
   const auto middleOf = [&](int a, int b) {

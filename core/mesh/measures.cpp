@@ -10,8 +10,8 @@
 namespace morula {
 
 // F(x) = x has divergence 3, so 3 V = Σ_faces ∫ x · n dA = Σ_faces (v1 + v2 + v3)/3 · n A, with n A = (v2 − v1) × (v3 −
-// v1)/2. Of v1 + v2 + v3 each term gives the same triple product, 3 v1 · (v2 × v3); the 3s go and 1/2 · 1/3 leave the
-// 6. Positions are taken from the first vertex, so that a cell far from the origin loses no digits.
+// v1)/2. Each term of v1 + v2 + v3 gives the same triple product, together 3 v1 · (v2 × v3). The factors 3 cancel, and
+// 1/2 · 1/3 leave the 6. Positions are taken from the first vertex, so that a cell far from the origin loses no digits.
 double measureVolume(Points vertices, Faces faces) {
   if (vertices.empty()) return 0;
   const Point origin = vertices[0];
@@ -35,7 +35,7 @@ Mesh scaleToVolume(Mesh mesh, double volume) {
   return scaleBy(std::move(mesh), cubeRoot(volume / own));
 }
 
-// The radius is not cubed: the volume of a tiny or huge cell may be no number.
+// The radius is not cubed: its cube may underflow or overflow.
 Mesh scaleToRadius(Mesh mesh, double radius) {
   const double own = measureVolume(mesh.vertices, mesh.faces);
   return scaleBy(std::move(mesh), radius * cubeRoot(4 * std::numbers::pi / 3 / own));
@@ -54,8 +54,8 @@ Point measureCentroid(Points vertices) {
   return sum / static_cast<double>(vertices.size());
 }
 
-// The tetrahedron of the origin and a face (a, b, c) has 6 V = a · (b × c), ∫ x = V (a + b + c)/4 and ∫ |x|² = V (|a|² + |b|² +
-// |c|² + |a + b + c|²)/20; with the sign of V they add up over a closed surface.
+// The tetrahedron of the origin and a face (a, b, c) has 6 V = a · (b × c), ∫ x = V (a + b + c)/4 and ∫ |x|² = V (|a|²
+// + |b|² + |c|² + |a + b + c|²)/20. With the sign of V they add up over a closed surface.
 SolidMoments measureMoments(Points vertices, Faces faces) {
   const Point origin = measureCentroid(vertices);
   SolidMoments m;

@@ -10,10 +10,10 @@ namespace morula {
 using Points = std::span<const Point>;
 using Faces = std::span<const Face>;
 
-/// [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if the faces are inverted.
+/// Returns the volume [length³] by the divergence theorem [Nilsson 2008, eq. 4.4, appendix A]; negative if inverted.
 double measureVolume(Points vertices, Faces faces);
 
-/// The mesh, scaled about the origin, that encloses this volume [length³]. Its own must be positive.
+/// Returns the mesh scaled about the origin to enclose this volume [length³]. The mesh must have a positive volume.
 Mesh scaleToVolume(Mesh mesh, double volume);
 
 /// Scales a mesh to the volume of a sphere of this radius [length]. An inscribed icosphere encloses less than
@@ -23,7 +23,7 @@ Mesh scaleToRadius(Mesh mesh, double radius);
 /// [length²]
 double measureArea(Points vertices, Faces faces);
 
-/// [length] The mean of the vertices, which carry the mass: the thesis' centre of mass, not the volume's.
+/// Returns the mean [length] of the vertices, which carry the mass: the thesis' centre of mass, not the volume's.
 Point measureCentroid(Points vertices);
 
 /// Moments of the solid of even density that a closed surface encloses.
@@ -42,7 +42,7 @@ struct Box {
   Point low, high;
 };
 
-/// The smallest box along the axes that holds the vertices. There must be one at least.
+/// Returns the smallest box along the axes that holds the vertices. Requires at least one vertex.
 Box measureBox(Points vertices);
 
 }  // namespace morula

@@ -8,8 +8,8 @@
 namespace morula {
 namespace {
 
-constexpr double enough = 0.992;  // of the area: what a shape without wrinkles has anyway
-constexpr double most = 0.5;      // of its bulge by which a vertex is drawn out; more would turn rims over
+constexpr double enough = 0.992;  // share of the fine area: a shape without wrinkles keeps that much anyway
+constexpr double most = 0.5;      // max share of its bulge by which a vertex is displaced; more would turn rims over
 
 /// How far each vertex stands out from the mean of its neighbours: outwards where the surface is convex, not
 /// at all where it is flat.

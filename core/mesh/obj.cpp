@@ -77,7 +77,7 @@ class ObjStatements {
   bool mayGoOn_ = true;  // a backslash at the end of the line joins the next one
 };
 
-// The name of another format that the text is in, by how such files begin; "" where it may be OBJ.
+// Returns the name of another format that the text begins like; "" if it may be OBJ.
 std::string otherFormat(std::string_view text) {
   if (isUtf16(text)) return "UTF-16";
   text = withoutByteOrderMark(text);
@@ -92,7 +92,7 @@ std::string otherFormat(std::string_view text) {
   return text.size() > head && (text.size() - head) % perTriangle == 0 ? "STL" : "a binary format";
 }
 
-// Names, textures, normals, materials, smoothing, points and lines: they do not change the surface.
+// Keywords that do not change the surface: names, textures, normals, materials, smoothing, points and lines.
 constexpr std::array<std::string_view, 19> passedOver = {
     "vt",     "vn",     "vp",     "g",   "o",     "s",        "mg",       "p",          "l",        "usemtl",
     "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
@@ -114,7 +114,7 @@ class ObjReader {
                        "`assimp export`");
   }
 
-  /// `toUnitSize`: centroid to the origin, farthest vertex to distance 1. `from`: where the lines go, if not null.
+  /// `toUnitSize`: centroid to the origin, farthest vertex to distance 1. `from`, if not null, receives the lines.
   Mesh read(bool toUnitSize, MeshSource* from = nullptr) {
     std::vector<ObjWord> words;
     while (statements_.next(words)) {
@@ -144,7 +144,7 @@ class ObjReader {
                             : Error{at.line, at.column, text});
   }
 
-  // In the order of the text, not in that of finding them.
+  // Returns all errors in the order of the text, not in the order of their discovery.
   std::string allErrors() {
     std::stable_sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) {
       return std::pair(a.line, a.column) < std::pair(b.line, b.column);
@@ -159,7 +159,7 @@ class ObjReader {
     return all;
   }
 
-  // v x y z, and what exporters put behind: a weight, or a colour of three numbers, or both, which are not read.
+  // v x y z. Exporters may add a weight, or a colour of three numbers, or both, which are not read.
   void readVertex(const std::vector<ObjWord>& words) {
     std::array<double, 3> numbers{};
     bool good = true;
@@ -169,7 +169,7 @@ class ObjReader {
       fail(words[0], "a vertex of " + std::to_string(n) + " numbers; write \"v x y z\"");
       good = false;
     }
-    // A bad vertex keeps its place, so that the numbers of those behind it stay true in further messages.
+    // A bad vertex keeps its place, so that later vertices keep their numbers in further messages.
     mesh_.vertices.push_back(good ? Point{numbers[0], numbers[1], numbers[2]} : Point{});
     source_.vertexLines.push_back(words[0].line);
   }
@@ -267,8 +267,8 @@ class ObjReader {
     return good;
   }
 
-  // Centroid to the origin, farthest vertex to distance 1. Twice divided, for the square of a tiny or huge
-  // distance would not be a number.
+  // Moves the centroid to the origin and the farthest vertex to distance 1. Divides twice, because the square of a tiny
+  // or huge distance may underflow or overflow.
   void moveToUnitSize() {
     const Point centre = measureCentroid(mesh_.vertices);
     double extent = 0, farthest = 0;

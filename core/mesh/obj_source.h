@@ -4,7 +4,7 @@
 
 namespace morula {
 
-/// readObj of mesh.h, but with the vertices where the text has them. `source` tells where its parts stand.
+/// Reads as readObj of mesh.h does, but leaves the vertices as given. `source` receives the lines of its parts.
 Mesh readObjAsGiven(const std::string& text, const std::string& name, MeshSource& source);
 
 }  // namespace morula

@@ -224,7 +224,7 @@ bool isStarShaped(const MeshView& mesh, const Point& centre) {
   const Points& v = mesh.vertices;
   for (const auto& [a, b, c] : mesh.faces)
     if (!(dot(cross(v[b] - v[a], v[c] - v[a]), v[a] - centre) > 0)) return false;
-  // All faces look outward, so that the surface covers every direction equally often: this is how often.
+  // Counts how often the surface covers the direction +z; since all faces look outward, all directions are alike.
   int covered = 0;
   Slice s;
   for (const auto& [a, b, c] : mesh.faces)

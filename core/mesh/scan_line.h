@@ -1,8 +1,8 @@
 #pragma once
-// Finds where a triangle meets a vertical line (x, y). Every line meets an even number of faces of a closed mesh,
-// for every decision is taken per edge, from the edge's own numbers in an order that both of its faces
-// share, by half-open rules. A line through an edge or vertex then belongs to one of the faces around it, and
-// crossings upwards and downwards balance exactly, whatever the rounding.
+// Finds where a triangle meets a vertical line (x, y). Every line meets an even number of faces of a closed mesh. Each
+// decision is taken per edge by half-open rules, from the edge's own numbers in an order that both of its faces share.
+// A line through an edge or vertex then belongs to one of the faces around it, and crossings upwards and downwards
+// balance exactly, whatever the rounding.
 #include <utility>
 
 #include "base/vec3.h"
@@ -11,15 +11,15 @@ namespace morula {
 
 /// The piece of a triangle in the plane y = const.
 struct Slice {
-  double xLow = 0, xHigh = 0;  // it is met by the lines with xLow <= x < xHigh
-  double zLow = 0, zHigh = 0;  // at its ends
+  double xLow = 0, xHigh = 0;  // lines with xLow <= x < xHigh meet the piece
+  double zLow = 0, zHigh = 0;  // z at xLow and at xHigh
   int sign = 0;                // +1: the face looks up (a way up leaves the body here), −1: down
 
   bool meets(double x) const { return xLow <= x && x < xHigh; }
   double heightAt(double x) const { return zLow + (x - xLow) / (xHigh - xLow) * (zHigh - zLow); }
 };
 
-/// False if the triangle does not reach the plane.
+/// Returns false if the triangle does not reach the plane.
 inline bool slice(const Point& a, const Point& b, const Point& c, double y, Slice& out) {
   const Point* corners[3] = {&a, &b, &c};
   double xUp = 0, zUp = 0, xDown = 0, zDown = 0;

@@ -32,7 +32,7 @@ bool fanCovers(const std::vector<Point>& corners, const Vector& normal) {
   return true;
 }
 
-/// The corners without the coordinate along which the normal is longest, turned so that the polygon is
+/// Returns the corners without the coordinate along which the normal is longest, turned so that the polygon is
 /// counter-clockwise.
 std::vector<Flat> flatten(const std::vector<Point>& corners, const Vector& normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
@@ -58,7 +58,7 @@ class Ears {
     least_ = rounding * (high - low) * (high - low);
   }
 
-  /// False if two sides that are no neighbours cross.
+  /// Returns false if two sides cross that are not neighbours.
   bool isSimple() const {
     const int n = static_cast<int>(at_.size());
     for (int i = 0; i < n; ++i)
@@ -67,7 +67,7 @@ class Ears {
     return true;
   }
 
-  /// Empty if at some step no corner is an ear.
+  /// Returns no triangles if at some step no corner is an ear.
   std::vector<std::array<int, 3>> cut() {
     std::vector<std::array<int, 3>> triangles;
     while (left_.size() > 3) {
@@ -99,7 +99,7 @@ class Ears {
     return twiceArea(at_[a], at_[b], at_[c]);
   }
 
-  /// The smallest height over the longest side, or 0 where the corner does not turn left.
+  /// Returns the triangle's smallest height over its longest side, or 0 if the corner does not turn left.
   double qualityAt(int i) const {
     const double area = areaAt(i);
     if (!(area > least_)) return 0;
@@ -137,14 +137,14 @@ class Ears {
 
   std::vector<Flat> at_;   // [corner]
   std::vector<int> left_;  // corners that have not been cut off
-  double least_;           // twice an area that is more than rounding
+  double least_;           // twice the smallest area that is more than rounding
 };
 
 }  // namespace
 
 Triangulation triangulate(const std::vector<Point>& corners) {
   Triangulation result;
-  if (corners.size() == 3) {  // a flat one is for the mesh's own check
+  if (corners.size() == 3) {  // the mesh's own check reports a flat triangle
     result.triangles = {{0, 1, 2}};
     return result;
   }

@@ -19,7 +19,7 @@ struct Side {
   int high() const { return std::max(a, b); }
 };
 
-// The checks in an order in which each may rely on those before it.
+// Runs the checks in an order in which each may rely on earlier ones.
 class Checker {
  public:
   Checker(const Mesh& mesh, const MeshSource& source) : mesh_(mesh), source_(source) {}
@@ -196,8 +196,8 @@ class Checker {
       fail(faceLine(0), "the mesh is flat: it encloses no volume; a cell needs an inside");
   }
 
-  // A height of less than this, in units of the length beside it, counts as none. The bound lies far above rounding and
-  // far below any mesh that springs could hold apart.
+  // A height below this share of the length beside it counts as none. The share lies far above rounding and far below
+  // any mesh that springs could hold apart.
   static constexpr double flat = 1e-10;
 
   const Mesh& mesh_;

@@ -8,14 +8,14 @@
 
 namespace morula {
 
-/// How finely a file's coordinates are written: the most decimals, and the most significant digits, of any of them.
-/// Exporters round all coordinates alike, to a number of decimals or of digits, and may leave out zeros at the end.
+/// How finely a file's coordinates are written: max decimals and max significant digits of all of them. Exporters round
+/// all coordinates alike, to a number of decimals or of digits, and may leave out zeros at the end.
 struct WrittenDigits {
   int decimals = 0, significant = 0;
 
   /// Takes one coordinate into account, as "-1.25" or "3e-4".
   void note(std::string_view number);
-  /// [length] By how much the coordinate may differ from the number that was rounded to it.
+  /// Returns by how much [length] the coordinate may differ from the number before rounding.
   double roundingOf(double coordinate) const;
 };
 

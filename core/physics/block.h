@@ -15,9 +15,8 @@ namespace morula {
 constexpr int blockLanes = 8;
 constexpr int vertexStride = 3 * blockLanes;  // numbers from one vertex to the next
 
-/// One step from a vertex around its ring: where a neighbour stands in a [vertex][xyz][lane] array, and where
-/// the edge that leads to it stands in [edge][lane]. Offsets instead of numbers save the
-/// kernels' innermost loops the multiplications.
+/// One step from a vertex around its ring: the offset of a neighbour in a [vertex][xyz][lane] array, and of the edge to
+/// that neighbour in [edge][lane]. Offsets instead of numbers save the kernels' innermost loops the multiplications.
 struct RingStep {
   std::int32_t vertexOffset, edgeOffset;
 };
@@ -31,7 +30,7 @@ struct TemplateView {
   const double* springWeights;    // [edge] [1] of k_s and k_d; null: all 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
-  const double* ringShare;  // [as ring] 1 over the number of that vertex' own neighbours; 0 of a repeated one
+  const double* ringShare;  // [as ring] 1 over the number of the neighbour's own neighbours; 0 for a repeated one
   // Shape matching only, at scale 1
   const double* restShape;    // [vertex][3] [length] from the mean of the vertices
   const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
@@ -46,7 +45,7 @@ struct TemplateView {
 
 /// Pointers to a block's numbers. Shapes: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
 struct BlockView {
-  int meshLevel;  // which of the scene's meshes these cells have (Bodies::meshAt)
+  int meshLevel;  // number of these cells' mesh (Bodies::meshAt)
   int liveLanes;  // living cells in this block, in the first lanes
   // State
   RealPointer position;      // [v]
@@ -70,7 +69,7 @@ struct BlockView {
 
 struct ShellPlane;  // mesh/convex_shell.h
 
-/// `surface`: a sphere or ellipsoid that holds surfaces, not vertices.
+/// The shell as kernels distinguish it. `surface`: a sphere or ellipsoid that holds surfaces, not vertices.
 enum class ShellShape { none, sphere, ellipsoid, surface, aroundSpheres, planes, planesAroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
@@ -79,7 +78,7 @@ struct KernelParameters {
   double outsidePressure;                            // [force/length²]
   double drag;                                       // [1/time]
   double semiAxes[3];                                // [length] shell
-  int substeps;                                      // XPBD only: of a time step
+  int substeps;                                      // XPBD only: per time step
   double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only: ShapeMatchingParameters
   double radius;                                     // [length] spheres only: at scale 1
   const ShellPlane* planes;                          // shell of a mesh only, else null

@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-/// [mass] of the vertices of lanes without a cell
+/// Mass [mass] of a vertex in a lane without a cell.
 double immovable(Precision precision) { return precision == Precision::binary64 ? 0x1p900 : 0x1p100; }
 
 /// Gives every cell its slot, and every block its lines.
@@ -53,7 +53,7 @@ void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
   }
 }
 
-/// A resting cell of the egg's size with one of the scene's meshes.
+/// Returns a resting cell of the egg's size with one of the scene's meshes.
 Body makeEgg(const Bodies& b, int meshLevel) {
   const Mesh& mesh = b.meshAt(meshLevel).mesh;
   return {.position = mesh.vertices,
@@ -114,7 +114,7 @@ BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
-  // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
+  // All meshes share the egg's slack edge, which stands behind its last edge and stays 0.
   const std::size_t coefficients = std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
   return {.meshLevel = place.meshLevel,
           .liveLanes = place.liveLanes,

@@ -1,9 +1,9 @@
 #pragma once
 // The bodies of all living cells: what the physics changes, in blocks of eight (block.h).
 //
-// A slot is a place in storage: lane s % 8 of block s / 8. Cells fill the slots in the order of lineage paths, so where
-// all have one mesh, cell number i has slot i. Cells with a coarser mesh stand in blocks of their own behind the
-// others, each mesh in whole blocks; Bodies::slots knows where. Slots follow from the living cells alone, so nothing
+// A slot is a place in storage: lane s % 8 of block s / 8. Cells fill the slots in the order of lineage paths, so if
+// all have one mesh, cell number i has slot i. Cells with a coarser mesh stand behind the others in blocks of their
+// own, each mesh in whole blocks; Bodies::slots holds their slots. Slots follow from the living cells alone, so nothing
 // depends on the history of births. Lanes without a cell hold a resting egg of enormous mass, which never moves.
 #include <vector>
 
@@ -23,12 +23,12 @@ struct Body {
   double mass = 0;              // [mass] of the whole cell
   double restScale = 1;         // rest lengths over the template's
   double pressureConstant = 0;  // k_p [force·length]
-  int meshLevel = 0;            // its mesh: 0 the egg's, 1 … the coarser ones of the scene
+  int meshLevel = 0;            // number of its mesh: 0 the egg's, 1 … the coarser ones of the scene
 };
 
 /// A block of eight lanes in storage.
 struct BlockPlace {
-  int meshLevel;  // of its cells' mesh
+  int meshLevel;  // level of its cells' mesh
   int firstLine;  // vertices of all blocks before it
   int liveLanes;  // cells in it
 };
@@ -36,7 +36,7 @@ struct BlockPlace {
 /// A mesh that cells may take instead of the finer one before it.
 struct CoarserMesh {
   MeshTemplate mesh;
-  std::vector<std::int32_t> nested;  // [vertex] which vertex of the finer mesh it is
+  std::vector<std::int32_t> nested;  // [vertex] number of the same vertex in the finer mesh
 };
 
 struct Bodies {
@@ -44,20 +44,20 @@ struct Bodies {
   PhysicsParameters parameters;
   KernelParameters kernelParameters;
   MeshTemplate mesh;                 // the egg's; a sphere's is its centre
-  Mesh surface;                      // what a sphere is seen as, at scale 1; empty with other models
+  Mesh surface;                      // the mesh that draws a sphere, at scale 1; empty with other models
   std::vector<CoarserMesh> coarser;  // finer ones first; empty: all cells have the egg's mesh
 
   // Places of cells
   int count = 0;                   // living cells
-  std::vector<int> slots;          // [cell] in the order of lineage paths
+  std::vector<int> slots;          // [cell] slots in the order of lineage paths
   std::vector<BlockPlace> blocks;  // coarser meshes behind finer ones
-  int livingVertices = 0;          // of all cells
+  int livingVertices = 0;          // vertices of all living cells
 
   // State: [block][vertex][xyz][lane]
   Reals position, velocity, acceleration;
   // Each cell's parameters, [slot], filled up to whole blocks
   AlignedVector<double> vertexMass, restScale, pressureConstant;
-  AlignedVector<double> sag;  // [length] how far below its vertices a cell's surface is that holds its volume (sag.h)
+  AlignedVector<double> sag;  // [length] depth below the vertices of the surface that holds a cell's volume (sag.h)
 
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
@@ -102,26 +102,26 @@ struct Bodies {
   BlockView block(int index, int thread);
 };
 
-/// No cells yet; `threads` sets of scratch. `coarser`: meshes of the egg's shape that cells may take, each
-/// with vertices that are some of the mesh's before it.
+/// Makes storage without cells, with `threads` sets of scratch. `coarser`: meshes of the egg's shape that cells may
+/// take. The vertices of each are some of the vertices of the mesh before it.
 Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,
                   const std::vector<Mesh>& coarser = {});
 
-/// The egg: the mesh as loaded, at rest.
+/// Returns the egg: the mesh as loaded, at rest.
 Body makeEgg(const Bodies& bodies);
 
 Body takeBody(const Bodies& bodies, int slot);
 
-/// A cell as others see it. [length]
+/// Returns a cell's surface [length]: its mesh, or a sphere's ball.
 Mesh takeSurface(const Bodies& bodies, int slot);
 
-/// The mean of a cell's vertices, which carry its mass. [length]
+/// Returns the mean [length] of a cell's vertices, which carry its mass.
 Point measureCentre(const Bodies& bodies, int slot);
 
-/// Another mass for a cell's vertices; forces, which accelerations stand for, stay.
+/// Sets the mass of a cell's vertices. Accelerations change so that forces stay.
 void setVertexMass(Bodies& bodies, int slot, double mass);
 
-/// Replaces all cells; they come in the order of lineage paths. Accelerations are zero until the next force evaluation.
+/// Replaces all cells by `cells`, in order of lineage paths. Accelerations are zero until the next force evaluation.
 void setBodies(Bodies& bodies, const std::vector<Body>& cells);
 
 }  // namespace morula

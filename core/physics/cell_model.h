@@ -16,11 +16,11 @@ struct CellModelKind {
   bool hasMesh = true;        // the egg's surface; else one vertex, the centre of a sphere
   bool hasMembrane = false;   // springs along edges around a fluid: physics.membrane, physics.pressure
   bool hasRestShape = false;  // physics.shape-matching
-  const char* limitedBy;      // what StabilityLimits::spring limits, for people
+  const char* limitedBy;      // name of the cause of StabilityLimits::spring, for people
 
-  /// Sets the stages that find the inner forces [PhysicsStages]. `surfaces`: as chooseStages.
+  /// Sets the stages that find the inner forces [PhysicsStages]. `surfaces`: as in chooseStages.
   void (*chooseForces)(PhysicsStages&, const PhysicsKernels&, const PhysicsParameters&, bool surfaces);
-  /// [measureLimits]
+  /// Returns the stability limits of one cell, as measureLimits does.
   StabilityLimits (*limits)(const Bodies&, int slot);
 };
 

@@ -4,8 +4,8 @@
 
 namespace morula::MORULA_ISA {
 
-/// For each vertex advance(v, lane, acceleration, x, velocity, predicted), from position and velocity; and the
-/// shell keeps what would leave it. Writes the last three.
+/// Calls advance(v, lane, acceleration, x, velocity, predicted) for each vertex, from position and velocity. Then keeps
+/// the vertex in the shell, and writes the last three.
 template <ShellShape shell, class Advance>
 MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                  const Advance& advance) {
@@ -24,7 +24,7 @@ MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, c
     }
 }
 
-// In front of the body of a lambda that a kernel calls.
+// Attribute before the body of a lambda that a kernel calls.
 #define MORULA_INLINE_LAMBDA __attribute__((always_inline))
 
 }  // namespace morula::MORULA_ISA

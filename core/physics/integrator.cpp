@@ -57,7 +57,7 @@ Movement moveByRungeKutta(Kernels k, int s, bool) {
 }
 Movement moveByXpbd(Kernels k, int s, bool damped) { return {k.driftXpbd[damped][s], {}, k.endEvaluation}; }
 
-// In the order of the enumeration's values.
+// Rows stand in the order of the enumeration's values.
 constexpr IntegratorKind kinds[] = {
     {.title = "velocity Verlet", .order = 2, .oscillatorLimit = verletLimit<2>, .movement = moveByVelocityVerlet},
     {.title = "the thesis' Verlet", .order = 1, .oscillatorLimit = verletLimit<1>, .movement = moveByThesisVerlet},
@@ -74,7 +74,7 @@ constexpr IntegratorKind kinds[] = {
      .oscillatorLimit = rungeKuttaLimit<4>,
      .undampedLimit = 2.8284271247461903,  // √8
      .movement = moveByRungeKutta},
-    // Takes contact forces once per time step, whatever its sub-steps, as symplectic Euler does.
+    // XPBD takes contact forces once per time step, whatever its sub-steps, as symplectic Euler does.
     {.title = "position-based dynamics",
      .order = 1,
      .solvesForces = true,

@@ -6,8 +6,8 @@
 
 namespace morula::MORULA_ISA {
 
-/// Velocity Verlet's addPressureForces, kick<Kick::half> and driftVelocityVerlet, bit for bit. Leaves forces in
-/// `acceleration`: the last of several steps ends with those three.
+/// Runs velocity Verlet's addPressureForces, kick<Kick::half> and driftVelocityVerlet, bit for bit. Leaves forces in
+/// `acceleration`: the last of several steps ends with these three kernels.
 template <bool dragged, ShellShape shell>
 inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const EnclosedFluid<dragged> fluid(b, p);

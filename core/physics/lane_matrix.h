@@ -1,5 +1,5 @@
 #pragma once
-// Three by three numbers of each lane, as rows.
+// 3 × 3 matrices, one per lane, as rows.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
@@ -27,7 +27,7 @@ MORULA_INLINE Matrix inertiaOf(const Matrix& m) {
   return {{trace - m.x.x, -m.x.y, -m.x.z}, {-m.y.x, trace - m.y.y, -m.y.z}, {-m.z.x, -m.z.y, trace - m.z.z}};
 }
 
-/// The solution v of M v = a, by Cramer's rule; not finite where M has none.
+/// Returns the solution v of M v = a, by Cramer's rule; not finite where M has no inverse.
 MORULA_INLINE Vec solve(const Matrix& m, const Vec& a) {
   const Vec first = cross(m.y, m.z), second = cross(m.z, m.x), third = cross(m.x, m.y);
   return (1.0 / dot(m.x, first)) * (a.x * first + a.y * second + a.z * third);

@@ -8,7 +8,7 @@ namespace morula::MORULA_ISA {
 
 using Vec = Vec3<Lanes>;
 
-/// The vectors of `width` cells, from the first lane that `p` points to.
+/// Loads the vectors of `width` cells, from the lane that `p` points to on.
 MORULA_INLINE Vec loadVec(const Real* p) { return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)}; }
 
 /// Loads vertex `v` of a [vertex][3][lane] array, from lane `lane` on.

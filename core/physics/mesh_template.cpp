@@ -29,7 +29,7 @@ TemplateView MeshTemplate::view() const {
 
 namespace {
 
-/// [MeshTemplate::unevenness] of a closed mesh.
+/// Measures MeshTemplate::unevenness of a closed mesh.
 double measureUnevenness(const Mesh& mesh) {
   std::vector<Vector> gradient(mesh.vertices.size());  // 6 ∇V
   for (const Face& face : mesh.faces)
@@ -42,7 +42,7 @@ double measureUnevenness(const Mesh& mesh) {
   return std::max(double(gradient.size()) * sum / (area * area), 1.0);
 }
 
-/// [length] Of the sphere that all these lie on; nothing if they do not.
+/// Returns the radius [length] of the sphere on which all vertices lie; absent if there is none.
 std::optional<double> radiusOfSphere(const std::vector<Point>& vertices) {
   const Point centre = measureCentroid(vertices);
   const double radius = norm(vertices[0] - centre);
@@ -82,7 +82,7 @@ MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
     sum += t.restLengths.back();
   }
   t.meanRestLength = sum / c.edgeCount;
-  t.restLengths.push_back(0);  // of the slack edge that evens out odd rings
+  t.restLengths.push_back(0);  // for the slack edge that evens out odd rings
   for (int v = 0; v < c.vertexCount; ++v) {
     t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
     for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k) {

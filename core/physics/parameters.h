@@ -13,7 +13,7 @@
 
 namespace morula {
 
-/// How a scene goes through time. The properties of each integrator are in integrator.h.
+/// The method by which a scene advances in time. The properties of each integrator are in integrator.h.
 enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd, fire };
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
@@ -45,7 +45,7 @@ struct CellParameters {
 };
 MORULA_MEMBERS(CellParameters, radius, mass, model)
 
-/// How strong each of a mesh's springs is (makeSpringWeights).
+/// The strength of each of a mesh's springs (makeSpringWeights).
 enum class Springs { equal, dual };
 template <>
 inline constexpr auto choices<Springs> = std::to_array<Choice<Springs>>({
@@ -61,7 +61,7 @@ struct MembraneParameters {
   double damping = 0.02;  // k_d [force·time/length] along the edge
   // Membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension.
   double areaFactor = 1.26;
-  Springs springs = Springs::dual;  // what k_s and k_d of an edge are multiplied with
+  Springs springs = Springs::dual;  // factor of k_s and k_d of each edge
 };
 MORULA_MEMBERS(MembraneParameters, stiffness, damping, areaFactor, springs)
 
@@ -83,7 +83,7 @@ struct ShapeMatchingParameters {
 };
 MORULA_MEMBERS(ShapeMatchingParameters, stiffness, linear, damping)
 
-/// How fast a cell grows or shrinks while its biology wants to.
+/// The rate at which a cell grows or shrinks while its biology wants to.
 struct GrowthParameters {
   double rate = 0.1;                 // [1/time] relative change of k_p and mass; lengths follow with a third of it
   std::optional<double> until = {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
@@ -109,8 +109,8 @@ struct ShellParameters {
 };
 MORULA_MEMBERS(ShellParameters, semiAxes, mesh, holds)
 
-/// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and
-/// turns to a new direction now and then, which the seed chooses.
+/// Cells that crawl. An active force would move a cell alone through the medium at constant speed, and turns to a new
+/// direction now and then, which the seed chooses.
 struct MotilityParameters {
   double speed = 0.1;      // [length/time]; higher: cells change their neighbours more often
   double persistence = 1;  // [time] for which a cell keeps its direction
@@ -119,10 +119,10 @@ MORULA_MEMBERS(MotilityParameters, speed, persistence)
 
 /// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
 struct SettleParameters {
-  double tolerance = 0.03;              // [1] of tractions left, over the mean pressure
-  std::uint64_t evaluations = 20'000;   // of the forces, at most, in one settling
-  double together = 0;                  // [time] events so close to one another share a settling
-  std::optional<std::uint64_t> sample;  // of so many settlings one is measured for how far from rest it ends
+  double tolerance = 0.03;              // [1] max tractions left, over the mean pressure
+  std::uint64_t evaluations = 20'000;   // max evaluations of the forces in one settling
+  double together = 0;                  // [time] events no farther apart share a settling
+  std::optional<std::uint64_t> sample;  // every `sample`-th settling is measured for how far from rest it ends
 };
 MORULA_MEMBERS(SettleParameters, tolerance, evaluations, together, sample)
 
@@ -131,10 +131,10 @@ struct PhysicsParameters {
   // every cell has the egg's mesh.
   std::optional<double> coarsen;
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
-  double autoShare = 1;            // of the automatic time step, in (0, 1]; less: more exact and slower
+  double autoShare = 1;            // share of the automatic time step, in (0, 1]; less: more exact and slower
   Integrator integrator = Integrator::velocityVerlet;
-  std::optional<std::uint64_t> substeps;      // XPBD only: of a time step; more: more exact and slower; absent: 1
-  Precision precision = Precision::binary64;  // of positions, velocities and forces; per cell: doubles
+  std::optional<std::uint64_t> substeps;      // XPBD only: per time step; more: more exact and slower; absent: 1
+  Precision precision = Precision::binary64;  // of positions, velocities and forces; cells' own numbers are doubles
   CellParameters cell;
   MembraneParameters membrane;
   PressureParameters pressure;

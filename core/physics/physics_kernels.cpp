@@ -16,7 +16,7 @@
 
 namespace morula::MORULA_ISA {
 
-// [ShellShape] of a drift whose template arguments before the shape are the ones that follow its name.
+// A drift's kernels [ShellShape]. The drift's template arguments before the shape follow its name.
 #define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
   drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
       drift<__VA_ARGS__ ShellShape::ellipsoid>, drift<__VA_ARGS__ ShellShape::surface>
@@ -25,7 +25,7 @@ namespace morula::MORULA_ISA {
     MORULA_IN_MESH_SHELLS(drift), driftSpheres<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>>, \
         driftInPlanes<drift<ShellShape::none>, true>                                                             \
   }
-// [evaluation] of a time step.
+// A time step's drifts [evaluation].
 #define MORULA_FOUR(shape) \
   { driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, driftRungeKutta<4, shape> }
 
@@ -36,7 +36,7 @@ namespace morula::MORULA_ISA {
         driftInPlanes<driftRungeKutta<3, ShellShape::none>, balls>, \
         driftInPlanes<driftRungeKutta<4, ShellShape::none>, balls>  \
   }
-// [KickShell]
+// A kick's kernels [KickShell].
 #define MORULA_KICKS(lacking)                                                                                  \
   {                                                                                                            \
     kick<lacking, ShellShape::none>, kick<lacking, ShellShape::ellipsoid>, kick<lacking, ShellShape::surface>, \

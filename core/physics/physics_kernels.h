@@ -11,7 +11,7 @@ enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAro
 
 /// The state of a relaxation for a block's cells, [lane] (relax_kernel.h).
 struct Relaxation {
-  const double* maxMove;  // [length] of any vertex in one step
+  const double* maxMove;  // [length] max move of any vertex in one step
   double* alpha;          // [1] α
   double* descents;       // [1] evaluations since the cell last went uphill
   double* strain;         // [1] how often of late the cell went uphill right after it had turned

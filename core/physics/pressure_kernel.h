@@ -4,7 +4,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// The forces of the fluids that a block's cells enclose, and with drag of the medium. pressure ← P.
+/// The forces of the fluids that a block's cells enclose, with the medium's drag if `dragged`. Sets pressure ← P.
 template <bool dragged>
 struct EnclosedFluid {
   MORULA_INLINE EnclosedFluid(const BlockView& b, const KernelParameters& p)
@@ -17,7 +17,7 @@ struct EnclosedFluid {
     }
   }
 
-  /// The spring force with P∇V, and with drag −drag·m·w: in proportion to mass.
+  /// Returns the spring force plus P∇V and, if `dragged`, −drag·m·w, which is in proportion to mass.
   MORULA_INLINE Vec forceWith(int v, int lane, int group) const {
     Vec force = loadVec(forces, v, lane) + sixth[group] * loadVec(gradients, v, lane);
     if constexpr (dragged) force -= resistance[group] * loadVec(predicted, v, lane);
@@ -36,7 +36,7 @@ inline void addPressureForces(const TemplateView& mesh, const BlockView& b, cons
       storeVec(b.acceleration, v, lane, fluid.forceWith(v, lane, group));
 }
 
-/// pressure ← P alone, where the drift has solved for its forces (xpbd_kernel.h).
+/// Sets only pressure ← P, where the drift has solved for its forces (xpbd_kernel.h).
 inline void findPressure(const TemplateView&, const BlockView& b, const KernelParameters& p) {
   for (int lane = 0; lane < b.liveLanes; lane += width)
     store(b.pressure + lane, load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure);

@@ -17,7 +17,7 @@
 namespace morula::MORULA_ISA {
 
 constexpr double steepestTurn = 0.25, turnDecay = 0.99, surelyDownhill = 5,
-                 strainDecay = 1 - 1.0 / 64;  // as published, but α: 0.1 there
+                 strainDecay = 1 - 1.0 / 64;  // as published, except α: 0.1 there
 
 /// velocity ← v½' [PhysicsKernels::relaxVelocities]
 inline void relaxVelocities(const TemplateView& mesh, const BlockView& b, const Relaxation& r) {

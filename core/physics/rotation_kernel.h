@@ -1,10 +1,10 @@
 #pragma once
-// The rotation nearest to a matrix: R that makes tr(Rᵀ M) largest, which for det M > 0 is the one of its polar
-// decomposition M = R S. [Horn 1987]: of a unit quaternion q the trace is qᵀ N q, so the largest eigenvector of a
-// symmetric 4 × 4 matrix N is wanted. That is a proper rotation for mirrored and flat matrices too.
+// The rotation nearest to a matrix: the R that maximises tr(Rᵀ M), which for det M > 0 is the rotation in the polar
+// decomposition M = R S. For a unit quaternion q the trace is qᵀ N q, so q is the largest eigenvector of a symmetric 4
+// × 4 matrix N [Horn 1987]. R is a proper rotation for mirrored and flat matrices, too.
 //
 // Jacobi's method diagonalises N by rotations in one plane after the other, in a fixed order: square roots, no
-// branches, and after so many rounds as here what is off the diagonal is rounding.
+// branches. After the rounds taken here, only rounding is left off the diagonal.
 #include "physics/lane_matrix.h"
 
 namespace morula::MORULA_ISA {
@@ -38,7 +38,7 @@ MORULA_INLINE void rotateJacobi(Diagonalisation& d) {
   }
 }
 
-/// `m` in any scale in which the squares of its numbers neither overflow nor vanish.
+/// Returns the rotation nearest to `m`, in any scale in which the squares of its numbers neither overflow nor vanish.
 MORULA_INLINE Matrix nearestRotation(const Matrix& m) {
   const Lanes a = m.z.y - m.y.z, b = m.x.z - m.z.x, c = m.y.x - m.x.y;
   const Lanes d = m.x.y + m.y.x, e = m.x.z + m.z.x, f = m.y.z + m.z.y, none = 0.0, one = 1.0;

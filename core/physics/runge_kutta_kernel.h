@@ -4,9 +4,9 @@
 //
 //   y₂ = y + ½Δt k₁,   y₃ = y + ½Δt k₂,   y₄ = y + Δt k₃,   y' = y + Δt/6 (k₁ + 2k₂ + 2k₃ + k₄)
 //
-// k₁ stands in velocity and acceleration when a step begins, for the step before has ended with the
-// evaluation at its y'. So drift number s = 1 … 4 finds k_s, takes y_{s+1} or y' and leaves it to be
-// evaluated; the kick only ends the evaluation. What the shell keeps it keeps at each of the four.
+// k₁ stands in velocity and acceleration when a step begins, because the step before has ended with the evaluation at
+// its y'. So drift number s = 1 … 4 finds k_s and leaves y_{s+1} or y' to be evaluated; the kick only ends the
+// evaluation. The shell acts at each of the four.
 #include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {

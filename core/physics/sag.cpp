@@ -14,7 +14,7 @@ double measureFreeScale(const Bodies& b, int slot) {
   if (!(contents > 0)) return 1;
   const double outside = b.parameters.pressure.outside * mesh.volume * scale * scale * scale;
   const double springs = b.parameters.membrane.stiffness * mesh.restSquares * scale * scale / 3;
-  double least = 0.5, most = 2;  // contents less what holds them falls with s
+  double least = 0.5, most = 2;  // the left side minus the right side of the equation in sag.h falls with s
   for (int i = 0; i < 50; ++i) {
     const double s = 0.5 * (least + most);
     (contents > s * (outside * s * s + springs * (s - 1)) ? least : most) = s;
@@ -25,7 +25,7 @@ double measureFreeScale(const Bodies& b, int slot) {
 void setSags(Bodies& b) {
   std::ranges::fill(b.sag, 0);
   if (b.areSpheres()) return;
-  double free = 0;  // [length³] of all cells
+  double free = 0;  // [length³] free volume of all cells
   for (int slot : b.slots) {
     const double scale = b.restScale[slot] * measureFreeScale(b, slot);
     b.sag[slot] = b.meshOf(slot).sag * scale;

@@ -35,7 +35,7 @@ struct Match {
 /// The spin of a needle thinner than about a millionth of its length, about its axis, cannot be determined.
 constexpr double minInertia = single ? 1e-6 : 1e-12;  // determinant over trace³
 
-/// ω of the rigid motion: I ω = angular momentum, or 0 where I has no inverse.
+/// Returns ω of the rigid motion: I ω = angular momentum, or 0 where I has no inverse.
 MORULA_INLINE Vec findSpin(const Matrix& squares, const Vec& angular) {
   const Matrix inertia = inertiaOf(squares);
   const Lanes trace = inertia.x.x + inertia.y.y + inertia.z.z, none = 0.0;
@@ -76,8 +76,8 @@ MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, con
   return m;
 }
 
-/// acceleration ← force, with drag's −drag·m·w. `measured`: volume ← that of the shape at rest under A, where
-/// no ring pass finds the mesh's own.
+/// acceleration ← force, with drag's −drag·m·w. `measured`: volume ← volume of the shape at rest under A, for scenes in
+/// which no ring pass finds the mesh's volume.
 template <bool resisted, bool measured>
 inline void findShapeForces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const Lanes stiffness = p.shapeStiffness, damping = p.shapeDamping, drag = p.drag;

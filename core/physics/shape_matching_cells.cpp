@@ -16,7 +16,7 @@ void chooseShapeForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
   s.finishForces = k.findShapeForces[resisted][!surfaces];
 }
 
-/// The stiffest mode oscillates fastest; where much is damped the softest, in the direction of β, relaxes fastest.
+/// The stiffest mode oscillates fastest. With much damping the softest mode, in the direction of β, relaxes fastest.
 StabilityLimits shapeLimits(const Bodies& b, int) {
   const IntegratorKind& integrator = kindOf(b.parameters.integrator);
   const ShapeMatchingParameters& shape = b.parameters.shapeMatching;

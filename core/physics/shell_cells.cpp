@@ -29,8 +29,8 @@ void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
     s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
 }
 
-/// Limits of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of
-/// the sphere of the cell's volume, and of its breathing.
+/// Returns the limits of an integrator that drag alone keeps stable [stability.h]. `radius` [length]: of the sphere of
+/// the cell's volume. `omega` [1/time]: of its breathing.
 StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double omega) {
   const auto& membrane = b.parameters.membrane;
   const auto oscillator = kindOf(b.parameters.integrator).oscillatorLimit;

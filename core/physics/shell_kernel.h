@@ -13,17 +13,17 @@ struct ShellSlope {
   explicit ShellSlope(const KernelParameters& p)
       : inverseSquare{1 / (p.semiAxes[0] * p.semiAxes[0]), 1 / (p.semiAxes[1] * p.semiAxes[1]),
                       1 / (p.semiAxes[2] * p.semiAxes[2])} {}
-  /// Half the gradient of q; x·slope(x) = q.
+  /// Returns half the gradient of q: x·slope(x) = q.
   MORULA_INLINE Vec operator()(const Vec& x) const {
     return {x.x * inverseSquare[0], x.y * inverseSquare[1], x.z * inverseSquare[2]};
   }
   double inverseSquare[3];
 };
 
-/// The ellipsoid as cells feel it, in each lane with half-axes longer by `more` [length]: shorter by a ball's radius
-/// for its centre, longer by a mesh's sag for its vertices, since the shell holds the surface below them. Exact in a
-/// sphere. For an ellipsoid the parallel surface would be right; this one lies up to 6 % of `more` inside it (half-axes
-/// of ratio two).
+/// The ellipsoid as cells feel it: in each lane the half-axes are longer by `more` [length]. For a ball's centre they
+/// are shorter by its radius; for a mesh's vertices longer by its sag, since the shell holds the surface below them.
+/// Exact in a sphere. For an ellipsoid the parallel surface would be right; this one lies up to 6 % of `more` inside of
+/// that (half-axes of ratio two).
 struct FeltShell {
   FeltShell() = default;
   FeltShell(const KernelParameters& p, Lanes more) {
@@ -63,7 +63,7 @@ MORULA_INLINE void removeOutward(Vec& u, const Vec& slope, Mask where) {
   u = {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)};
 }
 
-/// One vertex after the drift.
+/// Keeps one vertex in the shell, after the drift.
 template <ShellShape shape, class Slope>
 MORULA_INLINE void keepInShell(const Slope& slope, Vec& x, Vec& velocity, Vec& predicted) {
   const Mask outside = dot(x, slope(x)) > Lanes(1.0);
@@ -86,7 +86,7 @@ constexpr double onShellWithin = single ? 1e-6 : 1e-12;
 
 MORULA_INLINE Mask isOnShell(const Vec& x, const Vec& s) { return dot(x, s) > Lanes(1.0 - onShellWithin); }
 
-/// One vertex after the kick.
+/// Lets one vertex slide on the shell, after the kick.
 template <class Slope>
 MORULA_INLINE void slideOnShell(const Slope& slope, const Vec& x, Vec& velocity, Vec& acceleration) {
   const Vec s = slope(x);

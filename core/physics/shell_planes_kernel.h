@@ -1,10 +1,10 @@
 #pragma once
 // The egg shell of a convex mesh: the intersection of the half-spaces n·x ≤ d of its faces. The rules are those of
-// shell_kernel.h: what the drift brings outside is moved to the shell and slides, and the shell bears what presses.
+// shell_kernel.h: a vertex outside is moved to the shell and slides, and the shell bears the forces against it.
 //
 // A vertex outside is moved onto one plane after the other, x −= max(n·x − d, 0) n, a few times over: where planes meet
 // at right angles once is exact, elsewhere the passes converge on the shell. Scaling by 1 / max(n·x/d) then puts it on
-// the shell to rounding, whatever is left. In edges and corners it loses what is outward of each plane that it lies on.
+// the shell to rounding. In edges and corners it loses the outward motion of each plane that it lies on.
 //
 // The centre of a ball feels a shell that is smaller by the ball's radius, as with an ellipsoid. Planes moved inwards
 // by the radius describe this shell exactly.
@@ -13,10 +13,10 @@
 
 namespace morula::MORULA_ISA {
 
-constexpr int shellPasses = 4;    // over the planes, for places
-constexpr int outwardPasses = 2;  // for velocities
+constexpr int shellPasses = 4;    // passes over the planes, for places
+constexpr int outwardPasses = 2;  // passes over the planes, for velocities
 
-/// The planes as vertices, or centres of balls, of the cells from `lane` on feel them.
+/// The planes as vertices, or centres of balls, feel them: those of the cells from `lane` on.
 template <bool balls>
 struct FeltPlanes {
   FeltPlanes(const BlockView& b, const KernelParameters& p, int lane) : planes(p.planes), count(p.planeCount) {
@@ -36,7 +36,7 @@ struct FeltPlanes {
   Lanes radius = 0.0;
 };
 
-/// Removes what is outward of each plane that x lies on.
+/// Removes from u its outward part at each plane that x lies on.
 template <bool balls>
 MORULA_INLINE void removeOutward(Vec& u, const FeltPlanes<balls>& shell, const Vec& x) {
   for (int pass = 0; pass < outwardPasses; ++pass)
@@ -47,7 +47,7 @@ MORULA_INLINE void removeOutward(Vec& u, const FeltPlanes<balls>& shell, const V
     }
 }
 
-/// One vertex after the drift.
+/// Keeps one vertex inside of the planes, after the drift.
 template <bool balls>
 MORULA_INLINE void keepInPlanes(const FeltPlanes<balls>& shell, Vec& x, Vec& velocity, Vec& predicted) {
   Lanes excess = 0.0;
@@ -86,14 +86,14 @@ inline void keepAllInPlanes(const TemplateView& mesh, const BlockView& b, const 
   }
 }
 
-/// A drift without a shell, and then the planes.
+/// Runs a drift without a shell, then keeps the vertices inside of the planes.
 template <auto drift, bool balls = false>
 inline void driftInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   drift(mesh, b, p, dt);
   keepAllInPlanes<balls>(mesh, b, p);
 }
 
-/// A kick without a shell, and then the planes bear what presses against them.
+/// Runs a kick without a shell; then the planes bear the forces against them.
 template <auto kick, bool balls = false>
 inline void kickInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   kick(mesh, b, p, dt);

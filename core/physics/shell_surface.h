@@ -5,11 +5,11 @@
 
 namespace morula {
 
-/// [length] The point below a cell's vertex x that must lie in the shell: where it holds surfaces, in a shell whose
-/// half-axes a are longer by the sag δ, x lies where y_i = x_i a_i/(a_i + δ) lies in the shell itself. Else the vertex.
+/// Returns the point [length] that must lie in the shell for a cell's vertex x. If the shell holds vertices: x. If it
+/// holds surfaces: y_i = x_i a_i/(a_i + δ), which is in the shell where x is in one with half-axes longer by the sag δ.
 Point heldPoint(const Point& x, const ShellParameters& shell, double sag);
 
-/// [length³] What the shell encloses.
+/// Returns the volume [length³] that the shell encloses.
 double measureShellVolume(const ShellParameters& shell);
 
 }  // namespace morula

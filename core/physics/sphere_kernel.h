@@ -1,9 +1,9 @@
 #pragma once
 // The sphere: a cell of one vertex, its centre, with a radius that only growth and division change.
 //
-// No force acts inside it, so one kernel stands where other models have springs, rings and pressure. What the
-// shell is to the vertices of a mesh is to a centre the shell with its half-axes shortened by the sphere's
-// radius: exact in a spherical shell; in an ellipsoid the sphere stands out a little where the shell bends.
+// No force acts inside of a sphere, so one kernel stands where other models have springs, rings and pressure. Its
+// centre feels the shell with half-axes shortened by its radius, as a mesh's vertices feel the shell itself. Exact in a
+// spherical shell; in an ellipsoid the sphere stands out a little where the shell bends.
 #include <numbers>
 
 #include "physics/shell_kernel.h"
@@ -23,12 +23,12 @@ inline void measureSpheres(const TemplateView&, const BlockView& b, const Kernel
   }
 }
 
-/// The shell as the centres of spheres feel it.
+/// Returns the shell as the centres of spheres feel it.
 MORULA_INLINE FeltShell shellOfSpheres(const BlockView& b, const KernelParameters& p, int lane) {
   return FeltShell(p, -p.radius * load(b.restScale + lane));
 }
 
-/// A drift, and then the shell.
+/// Runs a drift, then keeps the centres in the shell.
 template <auto drift>
 inline void driftSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   drift(mesh, b, p, dt);
@@ -42,7 +42,7 @@ inline void driftSpheres(const TemplateView& mesh, const BlockView& b, const Ker
   }
 }
 
-/// A kick, and then the shell bears what presses against it.
+/// Runs a kick; then the shell bears the forces against it.
 template <auto kick>
 inline void kickSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   kick(mesh, b, p, dt);

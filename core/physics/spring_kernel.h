@@ -10,8 +10,8 @@
 
 namespace morula::MORULA_ISA {
 
-/// Prefetches a line of each array of the next block's state: a closed mesh of V vertices has 3V − 6 edges, which
-/// is all but two vertices' lines. The latency of roots and quotients hides it.
+/// Prefetches a line of each array of the next block's state. A closed mesh of V vertices has 3V − 6 edges, so all
+/// lines but two vertices' are prefetched. The latency of roots and quotients hides the cost.
 MORULA_INLINE void prefetchNextBlock(const TemplateView& mesh, const BlockView& b, int edge) {
   constexpr int line = blockLanes * sizeof(Real);
   const std::int64_t from = std::int64_t(3 * mesh.vertexCount + edge) * line;

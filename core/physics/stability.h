@@ -17,31 +17,31 @@ struct StabilityLimits {
 ///                                           least: more where few of the n vertices bear much of the surface
 /// Runge–Kutta: where its amplification reaches 1, for an undamped mode Δt = √8/ω.
 ///
-/// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode is overdamped).
-/// Springs damp only along the edges, so a membrane under tension oscillates undamped across them unless there is
-/// drag: without drag both limits are 0. With it they are those of modes damped by k_d and drag, and by drag
-/// alone for breathing and for oscillations across edges with k_s (1 − L0/L) of the sphere that holds V.
+/// Explicit Euler amplifies undamped modes at any step: its limit is γ/ω² (less where a mode is overdamped). Springs
+/// damp only along the edges, so a membrane under tension oscillates undamped across them unless there is drag: without
+/// drag both limits are 0. With drag they are the limits of modes damped by k_d and drag, and by drag alone for
+/// breathing and for oscillations across edges with k_s (1 − L0/L) of the sphere that holds V.
 ///
-/// XPBD has none: both are infinite.
+/// XPBD has no limits: both are infinite.
 ///
-/// Shape matching: in place of the springs' that of a vertex against a goal that rests, ω² = k, damped by κ +
-/// drag: no mode is stiffer. Linear deformations have (1 − β) k, and the smaller limit of the two counts.
-/// There is no pressure. Spheres have no inner modes: both are infinite.
+/// Shape matching: `spring` is the limit of a vertex against a goal that rests, ω² = k, damped by κ + drag: no mode is
+/// stiffer. Linear deformations have (1 − β) k, and the smaller limit of the two counts. There is no pressure. Spheres
+/// have no inner modes: both limits are infinite.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
 constexpr double usualPairs = 10;
 
-/// [time] Of a penalty contact K, C between vertices of mass m, each pressed by so many pairs with both sides in motion,
-/// ω² = `pairs` K/m: 10 on a freshly cut face, which has twice the usual density of vertices, where the weights of a vertex sum
-/// up to 5:
+/// Returns the limit [time] of a penalty contact K, C between vertices of mass m, each pressed by `pairs` pairs with
+/// both sides in motion: ω² = `pairs` K/m. A freshly cut face, with twice the usual density of vertices, has 10 pairs
+/// where the weights of a vertex sum up to 5:
 ///   K Δt² + 2s C Δt − 4 m/pairs = 0
 /// `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0. XPBD takes contact
 /// forces once per time step: s = 1, whatever its sub-steps.
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag = 0,
                     double pairs = usualPairs);
 
-/// [time] Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
-/// XPBD.
+/// Returns the limit [time] of drag alone, without a spring: 2/(s·drag) except for Runge–Kutta. Infinite without drag,
+/// and with XPBD.
 double dragLimit(Integrator integrator, double drag);
 
 }  // namespace morula

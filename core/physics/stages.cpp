@@ -68,7 +68,7 @@ bool areSound(const BlockView& block) {
   return true;
 }
 
-/// A time step with all its evaluations.
+/// Takes a time step with all its evaluations.
 void stepOnce(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
   advance(stages, bodies, block, timeStep);
   kick(stages, bodies, block, timeStep);

@@ -13,7 +13,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// One vertex: x ← x', velocity ← v½, predicted ← w.
+/// Drifts one vertex: x ← x', velocity ← v½, predicted ← w.
 MORULA_INLINE void driftVertex(Lanes halfStep, Lanes step, const Vec& acceleration, Vec& x, Vec& velocity,
                                Vec& predicted) {
   const Vec impulse = halfStep * acceleration;
@@ -48,11 +48,11 @@ struct InverseMass {
   Real value[blockLanes];
 };
 
-/// How much of a time step the velocity still lacks when the new acceleration is known.
+/// The part of a time step that the velocity still lacks when the new acceleration is known.
 enum class Kick { none, half, whole };
 
-/// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it. The shell
-/// bears what presses against it.
+/// Kicks one vertex: returns the acceleration of a force, and velocity ← v' where the drift has left part of the step.
+/// The shell bears the force against it.
 template <Kick lacking, bool shell, class Slope>
 MORULA_INLINE Vec kickVertex(const Slope& slope, Lanes inverseMass, Lanes step, const Vec& force, const Vec& x,
                              Vec& velocity) {
@@ -62,7 +62,7 @@ MORULA_INLINE Vec kickVertex(const Slope& slope, Lanes inverseMass, Lanes step, 
   return a;
 }
 
-/// Force → acceleration, of all vertices.
+/// Turns force into acceleration, for all vertices.
 template <Kick lacking, ShellShape shape>
 inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   constexpr bool shell = shape != ShellShape::none;

@@ -12,15 +12,15 @@
 //   3. fluid: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
 //      fluid's own pressure there, p = k_p/V' − P_0, is the larger root of
 //        c p² + (V + c P_0) p + P_0 V − k_p = 0, and makes V' > 0 whatever V.
-//      They come last: a sweep over stiff edges that are far from rest may halve a volume.
+//      The fluid comes last: a sweep over stiff edges that are far from rest may halve a volume.
 //   4. angular momentum: with x = x₀ + h v it is Σ m x₀ × v, and an edge that does not point where it did at
 //      x₀ has changed it. A turn ω about the centre takes the change back:
 //        Σ m x₀ × (ω × r) = J ω with J = tr(M) − M, M = Σ m r x₀ᵀ.
 //      Without it spinning cells would slow down, and the order of edges would make resting ones spin.
 //   5. the shell keeps what would leave it.
 //
-// Impulses change v by what they change x/h, so v need not be taken from differences of positions, whose
-// rounding a short step magnifies. All of them are inner: momentum stays.
+// Impulses change v by as much as they change x/h, so v need not be taken from differences of positions, whose rounding
+// a short step magnifies. All impulses are inner: momentum stays.
 #include "physics/lane_matrix.h"
 #include "physics/ring_kernel.h"
 #include "physics/shell_kernel.h"
@@ -33,7 +33,7 @@ struct Spin {
   Vec angular[blockLanes / width];  // Σ (x₀ − origin) × v before the inner forces: angular momentum over m
 };
 
-/// 1.
+/// Step 1: predicts the motion.
 inline void predictMotion(const TemplateView& mesh, const BlockView& b, double kept, double h, Spin& spin) {
   const Lanes share = kept, step = h;
   for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
@@ -50,7 +50,7 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
     }
 }
 
-/// 2.
+/// Step 2: solves the springs.
 template <bool damped, bool weighted>
 inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
   const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
@@ -81,7 +81,7 @@ inline void solveEdges(const TemplateView& mesh, const BlockView& b, const Kerne
   }
 }
 
-/// The larger root of c p² + (V + c P_0) p + P_0 V − k_p = 0, in the form that does not cancel.
+/// Returns the larger root of c p² + (V + c P_0) p + P_0 V − k_p = 0, in the form that does not cancel.
 MORULA_INLINE Lanes implicitPressure(Lanes volume, Lanes c, Lanes constant, Lanes outside) {
   const Lanes b = volume + c * outside, u = volume - c * outside;
   const Lanes root = sqrt(u * u + 4.0 * c * constant);  // = √(b² − 4c (P_0 V − k_p))
@@ -89,7 +89,7 @@ MORULA_INLINE Lanes implicitPressure(Lanes volume, Lanes c, Lanes constant, Lane
   return select(b > Lanes(0.0), alike, opposite);
 }
 
-/// 3.
+/// Step 3: solves the fluid.
 inline void solveFluid(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
   accumulateRings<false>(mesh, b, p);
   Lanes square[blockLanes / width];
@@ -115,16 +115,16 @@ inline void solveFluid(const TemplateView& mesh, const BlockView& b, const Kerne
     }
 }
 
-/// A cell that turns by more in a sub-step keeps what it has: J has no inverse near a quarter of a turn.
+/// A cell that turns by more in a sub-step is not turned back: J has no inverse near a quarter of a turn.
 constexpr double maxTurn = 0.5;  // [rad]
 
-/// The sums over a cell that tell how it has turned.
+/// Sums over a cell from which its turn follows.
 struct Turn {
   Vec angular, x, s;  // Σ s × v, Σ x, Σ s with s = x₀, x from the first vertex each
   Matrix products;    // Σ x sᵀ
 };
 
-/// ω, and in `x` the mean of x.
+/// Returns ω, and leaves the mean of x in t.x.
 MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double h) {
   t.x = Lanes(1 / vertices) * t.x;
   const Vec omega = solve(inertiaOf(t.products - outer(t.x, t.s)), t.angular - angular);
@@ -133,7 +133,7 @@ MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double 
   return {select(sound, omega.x, none), select(sound, omega.y, none), select(sound, omega.z, none)};
 }
 
-/// 4.
+/// Step 4: restores angular momentum.
 inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, double h, const Spin& spin) {
   const Lanes step = h;
   for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
@@ -155,7 +155,7 @@ inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, do
   }
 }
 
-/// 5. predicted ← velocity.
+/// Step 5: the shell. predicted ← velocity.
 template <ShellShape shell>
 inline void endSubstep(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const BlockShell<shell> felt(b, p);
@@ -188,7 +188,7 @@ inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const Kernel
   endSubstep<shell>(mesh, b, p);
 }
 
-/// driftXpbd, with another shell after each sub-step.
+/// Runs driftXpbd, with `keep` as the shell after each sub-step.
 template <bool damped, auto keep>
 inline void driftXpbdIn(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   KernelParameters one = p;

@@ -30,7 +30,7 @@ double workOf(const AdhesionParameters& p, const Ends& one, const Ends& other) {
   return p.strength;
 }
 
-/// [slot]; empty where the seed varies none.
+/// Returns the factor of each slot; empty where the seed varies none.
 std::vector<double> ownFactors(const World& world) {
   const double sd = world.model.variation.adhesion;
   if (sd == 0) return {};

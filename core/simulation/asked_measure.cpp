@@ -37,7 +37,7 @@ std::vector<AskedMeasure> makeList() {
   return list;
 }
 
-/// `hasCells`: a selection stands behind it, so that a row of the organism is not what is meant.
+/// Reads the name of a row. `hasCells`: a selection stands behind the name, so that a row of the organism is not meant.
 AskedMeasure readRow(const std::string& text, bool hasCells, IfSeveral several) {
   std::string row = text;
   std::ranges::replace(row, '-', '_');

@@ -1,10 +1,10 @@
-// The biological step [Nilsson 2008, figure 4.2]: observe, decide, apply. All cells that are due run their
-// cycle on the same instant, into new states; when all have changed, what they want is asked of that instant,
-// and done afterwards. So the order of cells cannot matter, whatever they know of one another.
+// The biological step [Nilsson 2008, figure 4.2]: observe, decide, apply. All cells that are due run their cycle on the
+// same instant, into new states. When all have changed, their wishes are asked of that instant, and carried out
+// afterwards. So the order of cells cannot matter, whatever they know of one another.
 //
-// Cycles that fall within one time step run in the order in which they are due, those due at one time
-// together, and each round sees what the one before has made: so biology goes through the same rounds whether
-// a time step holds one of them or several, and a lineage is that of the same scene without bodies.
+// Cycles that fall within one time step run in the order in which they are due, cycles due at one time together, and
+// each round sees the result of the round before. So biology goes through the same rounds whether a time step holds one
+// of them or several, and the lineage is that of the same scene without bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ std::vector<CellChange> runDueCycles(World& world, double time) {
   }
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::none) continue;
-    // When it was due: rounding to steps does not pile up. A cell that has waited begins anew now.
+    // Keeps when the cycle was due: rounding to steps does not pile up. A cell that has waited begins anew now.
     cells.lastCycle[i] = std::max(time, nextCycleOf(world, i));
     world.lineage.entries[cells.entry[i]].state = next[i];
   }
@@ -40,7 +40,7 @@ std::vector<CellChange> runDueCycles(World& world, double time) {
   return changes;
 }
 
-/// Asks those whose cycle has run what they want.
+/// Asks the cells whose cycle has run for their wishes.
 void decide(World& world, const Observation& now, std::vector<CellChange>& changes) {
   const BiologicalUnit& biology = *world.biology;
   for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -55,7 +55,7 @@ void decide(World& world, const Observation& now, std::vector<CellChange>& chang
   }
 }
 
-/// All cycles that are due at one time. False if no cell wanted one.
+/// Runs all cycles that are due at one time. Returns false if no cell wanted one.
 bool runOneRound(World& world, double time) {
   std::vector<CellChange> changes = runDueCycles(world, time);
   if (std::ranges::all_of(changes, [](CellChange c) { return c == CellChange::none; })) return false;
@@ -66,8 +66,8 @@ bool runOneRound(World& world, double time) {
   return true;
 }
 
-/// [time] When the round after that of `time` is: when the next cycle is due, or for cells that did not want the one
-/// that was due, the clock's time; `time` itself if these are all and have been asked then.
+/// Returns the time of the round after that of `time`: when the next cycle is due. For cells that did not want a due
+/// cycle it is the clock's time. It is `time` itself if only such cells are left and have been asked then.
 double findNextRound(const World& world, double time) {
   double next = INFINITY;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
@@ -78,7 +78,7 @@ double findNextRound(const World& world, double time) {
 }
 
 /// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles
-/// without reaching that number: its cells may have stopped dividing, and then it would never end.
+/// without reaching that number: its cells may have stopped dividing, and then the run would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;

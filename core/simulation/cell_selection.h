@@ -1,5 +1,5 @@
 #pragma once
-// The living cells that a measure is taken of: what stands behind "of" in "shell_share of AAA*".
+// The living cells that a measure is taken of: the text behind "of" in "shell_share of AAA*".
 #include <string>
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// One grammar wherever a measure may be of some cells alone:
+/// A selection, in one grammar wherever a measure may be of some cells alone:
 ///
 ///   AAA            the cell with this path, A and B from the egg on
 ///   AAA*           that cell and all that descend from it
@@ -33,7 +33,7 @@ MORULA_MEMBERS(CellSelection, kind, path, generation, substance)
 inline constexpr const char* selectionAllowed =
     "a path (AAA, or AAA* with all that descend from it), generation N, clones, or a substance (skin, s*)";
 
-/// Reads it. Throws InputError that says what is wrong.
+/// Reads a selection. Throws InputError that says what is wrong.
 CellSelection parseSelection(const std::string& text);
 
 }  // namespace morula

@@ -1,4 +1,4 @@
-// When a run ends with a NumericalError: numbers that are not finite, and finite ones that are impossible.
+// Ends a run with a NumericalError: for numbers that are not finite, and for finite ones that are impossible.
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +37,7 @@ void checkReach(const World& world) {
   const Contacts& c = *world.contacts;
   const Bodies& b = *world.bodies;
   if (!c.listIsValid) return;               // no cell has moved since cells were born
-  const double before = 0.5 * c.list.skin;  // or the list would have been built anew
+  const double before = 0.5 * c.list.skin;  // otherwise the list would have been built anew
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
     const double most = before + c.radius[slot];
@@ -57,7 +57,7 @@ void checkReach(const World& world) {
 
 namespace {
 
-/// Surfaces that are deeper in each other than contacts hold them apart.
+/// Throws if surfaces are deeper in each other than contacts hold them apart.
 void checkDepth(const World& world) {
   const Contacts& c = *world.contacts;
   if (std::ranges::all_of(c.deepest, [](double held) { return held <= deepestHeld; })) return;

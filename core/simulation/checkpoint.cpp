@@ -1,6 +1,6 @@
-// The file around the fields, and which scene it is of; and what must hold of a state before it is taken over: then
-// nothing that follows can read past an end. The hash of the file finds damage; this finds what was written by
-// something else than this program.
+// The file around the fields, with the scene that it is of. A state is checked before it is taken over, so that nothing
+// afterwards can read past an end. The hash of the file finds damage; these checks find files that another program
+// wrote.
 #include "simulation/checkpoint.h"
 
 #include <algorithm>
@@ -84,12 +84,12 @@ void checkScene(FieldReader& in, const Scene& scene) {
     const auto at = std::ranges::find(names, name);
     if (at == names.end() || hashes[at - names.begin()] != hash) differ(name);
   }
-  for (const std::string& name : names)  // what the other scene has besides
+  for (const std::string& name : names)  // parts that only the other scene has
     if (std::ranges::find(parts, name, &ScenePart::name) == parts.end()) differ(name);
   if (!others.empty()) refuse("it is of another scene; this one differs in: " + others);
 }
 
-/// Written so that infinities fail.
+/// False for infinities.
 bool isPositive(double a) { return a > 0 && a < INFINITY; }
 
 void checkClock(const Clock& c, bool hasTimeStep) {
@@ -97,7 +97,7 @@ void checkClock(const Clock& c, bool hasTimeStep) {
   if (hasTimeStep) demand(isPositive(c.timeStep), "the time step");
 }
 
-/// The living cells and their entries belong to each other.
+/// Demands that the living cells and their entries belong to each other.
 void checkCells(const Cells& cells, const std::vector<LineageEntry>& entries) {
   const auto alive = std::ranges::count(entries, Fate::alive, &LineageEntry::fate);
   const auto& path = cells.path;

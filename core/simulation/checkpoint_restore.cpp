@@ -1,4 +1,4 @@
-// Columns back into a world.
+// Puts columns back into a world.
 #include <algorithm>
 #include <limits>
 #include <variant>
@@ -45,7 +45,7 @@ void writeVectors(const Columns& values, const Bodies& b, Reals& array) {
       b.write(array, slot, v, {values[i], values[i + 1], values[i + 2]});
 }
 
-/// How many numbers positions, velocities and the like have. Also that the meshes are the scene's.
+/// Returns how many numbers positions, velocities and the like have. Demands that the meshes are the scene's.
 std::size_t countCoordinates(const Numbers& levels, const Bodies& bodies) {
   std::size_t vertices = 0;
   for (std::uint64_t level : levels) {
@@ -55,7 +55,7 @@ std::size_t countCoordinates(const Numbers& levels, const Bodies& bodies) {
   return 3 * vertices;
 }
 
-/// Cells of these meshes, with no numbers yet.
+/// Makes cells with these meshes, with no numbers yet.
 void makeRoom(Bodies& b, const Numbers& levels) {
   std::vector<Body> cells;
   for (std::uint64_t level : levels) {
@@ -68,7 +68,7 @@ void makeRoom(Bodies& b, const Numbers& levels) {
   setBodies(b, cells);
 }
 
-/// Reads part after part [visitState], each into the place that it has in a world.
+/// Reads part after part [visitState], each into its place in a world.
 class StateReader {
  public:
   StateReader(FieldReader& in, BiologicalUnit& biology, SavedState& read) : in_(in), biology_(biology), read_(read) {}
@@ -83,7 +83,7 @@ class StateReader {
     for (const std::string& text : in_.texts("states")) states_.push_back(biology_.stateOf(text));
     visitFields(cells, [&](const Field& field, auto&& member) {
       const std::size_t rows = read(columnName(table, field), member);
-      demandLength(rows, cells.path.size(), table);  // of paths, which come first
+      demandLength(rows, cells.path.size(), table);  // of the paths, which come first
     });
   }
 

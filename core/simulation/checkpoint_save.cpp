@@ -25,7 +25,7 @@ Columns valuesOf(const Bodies& b, const AlignedVector<double>& perSlot) {
   return values;
 }
 
-/// [cell] The influence radii that the last snapshot holds. [length]
+/// Returns the influence radius [length] of each cell in the last snapshot.
 Columns snapshotRadii(const Contacts& c, const Bodies& b) {
   Columns radii;
   for (int slot : b.slots) {
@@ -94,7 +94,7 @@ class StateWriter {
   }
 
  private:
-  /// A state's place among the descriptions, which all columns of states refer to.
+  /// Returns a state's place among the descriptions, which all columns of states refer to.
   std::uint64_t describe(StateId state) {
     const auto [at, isNew] = places_.try_emplace(state, descriptions_.size());
     if (isNew) descriptions_.push_back(world_.biology->describe(state));

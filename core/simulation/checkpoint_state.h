@@ -16,7 +16,7 @@ using Numbers = std::vector<std::uint64_t>;
 using Columns = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-/// The values that a member of type T has on file; whole numbers, unless told otherwise here.
+/// The values that a member of type T has on file: whole numbers, unless specialised below.
 template <class T>
 struct OnFile {
   using Column = Numbers;
@@ -40,7 +40,7 @@ using ColumnOf = typename OnFile<std::remove_const_t<T>>::Column;
 
 inline std::string columnName(const char* table, const Field& field) { return std::string(table) + "." + field.name; }
 
-/// [10] In the order of the file.
+/// Returns the counters [10] in the order of the file.
 template <IsA<Contacts> T>
 auto countersOf(T& contacts) {
   auto& [searches, pairs, distanceTests, binVisits, rootTests, boxTests, boxesRefitted, treesBuilt] =
@@ -52,12 +52,12 @@ auto countersOf(T& contacts) {
                     &boxesRefitted,     &treesBuilt};
 }
 
-/// The part of contacts that a checkpoint keeps: the list is built anew from the positions that it was built at, and
-/// is then the same.
+/// The part of contacts that a checkpoint keeps. The list is built anew from the positions of its last build, and is
+/// then the same.
 struct SavedContacts {
   // [cell]; radii follow growth at cell cycles only, so they do not follow from the rest scales.
   Columns radius;
-  Columns snapshotRadius;  // in the last snapshot, that measures are taken from
+  Columns snapshotRadius;  // in the last snapshot, which measures are taken from
   Columns reference;       // [cell][vertex][xyz]
   bool listIsValid = false;
   Numbers counters;  // countersOf
@@ -75,11 +75,11 @@ inline void demand(bool holds, const std::string& what) {
 
 void writeState(FieldWriter& out, const World& world);
 
-/// A state with the parts that `world`'s has. Throws InputError for fields that are missing, or cannot be
-/// those of this world's scene.
+/// Reads a state with the same parts as `world`'s. Throws InputError for fields that are missing, or that cannot be of
+/// this world's scene.
 SavedState readState(FieldReader& in, const World& world);
 
-/// Throws InputError for a state that no run of this world's scene can have been in; it is then safe to take over.
+/// Throws InputError for a state that no run of this world's scene can have been in, and that is not safe to take over.
 void checkSavedState(const SavedState& state, const World& world);
 
 /// Puts a checked state into the world.

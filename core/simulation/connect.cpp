@@ -1,5 +1,5 @@
-// Connections that are made and released between neighbours, and their end by distance, tension and age
-// [Nilsson 2008, §4.1.1, §4.4.3].
+// Makes and releases connections between neighbours, and ends them by distance, tension and age [Nilsson 2008, §4.1.1,
+// §4.4.3].
 #include <algorithm>
 #include <tuple>
 
@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// Returns true if one cell holds a substance of one side of the pair, and the other cell one of the other side.
+/// Returns true if one cell holds a substance of one side of the pair, and the other cell one of the pair's other side.
 bool fits(const ConnectedPair& pair, const std::string& one, const std::string& other) {
   return (fitsAny(pair.a, one) && fitsAny(pair.b, other)) || (fitsAny(pair.b, one) && fitsAny(pair.a, other));
 }

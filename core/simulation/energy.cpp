@@ -33,7 +33,7 @@ double membranePower(const Bodies& b, int slot) {
   return b.parameters.membrane.damping * sum;
 }
 
-/// −Σ F·v of what damping and friction add to the forces of contact.
+/// Returns −Σ F·v of the forces that damping and friction add to contact.
 double contactPower(const World& world) {
   if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair) return 0;
   Bodies b = *world.bodies;

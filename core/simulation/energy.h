@@ -1,19 +1,18 @@
 #pragma once
 // The parts of a scene's energy, and its dissipation. A closed scene (contacts by the pair law; no drag, damping,
-// friction, shell, growth or division) keeps the sum of all parts, but for the error of the time step, which is of its
-// second order.
+// friction, shell, growth or division) keeps the sum of all parts, except for the second-order error of the time step.
 #include "simulation/world.h"
 
 namespace morula {
 
-/// [force·length] Of all cells.
+/// The parts of the energy [force·length] of all cells.
 struct Energy {
   double kinetic = 0;      // ½ Σ m v²
   double membrane = 0;     // ½ k_s (l − l₀)² of every edge, times its weight [Nilsson 2008, eq. 4.2]
   double contents = 0;     // k_p (r − 1 − ln r), r = P₀V/k_p: nothing at rest [Nilsson 2008, eq. 4.3]
   double connections = 0;  // k_c |v| [Nilsson 2008, eq. 4.9], or of springs ½ k (d − rest)²
-  double contact = 0;      // what overlaps hold: at least 0 (contacts/pair_law_kernel.h); not told of spheres
-  double adhesion = 0;     // what parting cells would take: at most 0
+  double contact = 0;      // energy of overlaps: at least 0 (contacts/pair_law_kernel.h); not measured for spheres
+  double adhesion = 0;     // minus the work of parting cells: at most 0
 
   double total() const { return kinetic + membrane + contents + connections + contact + adhesion; }
 };
@@ -25,9 +24,9 @@ Energy measureEnergy(const Bodies& bodies);
 /// other than shells with springs, and of spheres in contact, is not included.
 Energy measureEnergy(const World& world);
 
-/// [force·length/time] What drag, the membranes' damping, and the damping and friction of contacts take from the motion
-/// now: with its integral over time the energy of a scene without shell, growth and division is constant. What the
-/// shell takes from cells that hit it is not in it.
+/// Returns the power [force·length/time] that drag, the membranes' damping, and the damping and friction of contacts
+/// take from the motion now. With its integral over time the energy of a scene without shell, growth and division is
+/// constant. It does not include what the shell takes from cells that hit it.
 double measureDissipation(const World& world);
 
 }  // namespace morula

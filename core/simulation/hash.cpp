@@ -1,4 +1,4 @@
-// Field by named field, never over raw memory: where a cell lies in it must not matter.
+// Hashes field by named field, never over raw memory: where a cell lies in memory must not matter.
 #include "simulation/hash.h"
 
 #include <map>
@@ -36,7 +36,7 @@ void add(Hasher& h, StateTexts&, const T& value) {
   h.add(value);
 }
 
-/// A new part of the state does not compile before it is decided here, or in SavedParts, what becomes of it.
+/// Hashes the parts of a state. A new part does not compile until its treatment is decided here or in SavedParts.
 struct PartHasher : SavedParts {
   const World& world;
   StateHashes parts{};

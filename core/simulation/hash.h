@@ -17,7 +17,7 @@ struct CellHash {
   friend bool operator==(const CellHash&, const CellHash&) = default;
 };
 
-/// Equal bits give equal hashes, on every machine; which part differs tells where two runs part.
+/// The hashes of a state. Equal bits give equal hashes, on every machine; which part differs tells where two runs part.
 struct StateHashes {
   Hash whole;  // over all parts
   Hash clock;
@@ -27,9 +27,9 @@ struct StateHashes {
   friend bool operator==(const StateHashes&, const StateHashes&) = default;
 };
 
-/// The hash over all parts, from the parts.
+/// Returns the hash over all parts, from the hashes of the parts.
 Hash hashWhole(const StateHashes& parts);
-/// CHECKs that the state holds nothing that is not a number: that is a failed run, not a hash.
+/// Hashes a state. Throws BugError for a NaN, which is a failed run and not a hash.
 StateHashes hashState(const World& world);
 inline Hash stateHash(const World& world) { return hashState(world).whole; }
 
@@ -44,7 +44,7 @@ struct ChainLink {
 
 /// Returns the hash that a link must have; `before` is empty for the first link.
 Hash hashLink(const std::optional<Hash>& before, std::uint64_t step, const Hash& state);
-/// The next link. Throws as hashState does.
+/// Returns the next link. Throws as hashState does.
 ChainLink nextLink(const std::optional<Hash>& before, const World& world);
 
 }  // namespace morula

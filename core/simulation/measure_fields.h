@@ -5,12 +5,12 @@
 
 namespace morula {
 
-/// Some of the values that were measured of one thing, a column each: those for which `takes` is true, in their order.
+/// The measured values of one thing for which `takes` is true, in their order, a column each.
 template <class Of, class M>
 struct MeasuresIn {
   M& of;  // a Measured<Of>
   bool (*takes)(const Measure<Of>&);
-  /// visit(measure, its place in `of.values`)
+  /// Calls visit(measure, its place in `of.values`).
   void each(auto&& visit) const {
     const auto rows = sampledMeasures<Of>();
     for (std::size_t i = 0; i < rows.size(); ++i)

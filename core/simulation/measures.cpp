@@ -1,4 +1,4 @@
-// How measures are taken. Their rows: measures_world.cpp, measures_cell.cpp, measures_pair.cpp.
+// Takes measures. Their rows: measures_world.cpp, measures_cell.cpp, measures_pair.cpp.
 #include "simulation/measures.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// True if there is what a measure needs.
+/// True if the world has what a measure needs.
 bool has(const Observation& now, Needs needs) {
   const World& world = now.world;
   switch (needs) {
@@ -169,7 +169,7 @@ void takeOfCells(const Observation& now, const std::vector<AskedRow<CellContext>
                  std::vector<TakenMeasure>& taken) {
   if (rows.empty()) return;
   for (int i = 0; i < static_cast<int>(now.world.cells.path.size()); ++i) {
-    const ObservedCell cell(now, i);  // so that only one shape is in memory at a time
+    const ObservedCell cell(now, i);  // made anew, so that only one shape is in memory at a time
     for (const auto& row : rows)
       if (has(row.selected, i)) takeOne<CellContext>(now, row, Scope::cell, cell.path, {}, cell, taken);
   }

@@ -1,7 +1,7 @@
 #pragma once
 // The measures of a World: one row for each measure of the world, of a cell, and of a pair of cells that touch. Columns
-// of the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come from these rows; a
-// new measure is a new row. Measured on demand only: nothing here is computed unless it is asked for.
+// of the database, values of goldens, JSON, a scenario's checks and scenarios/MEASURES.md come from these rows; a new
+// measure is a new row. Measures are taken on demand only: nothing is computed unless it is asked for.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,7 +38,7 @@ struct Measure {
   Taken taken = Taken::withSamples;
   bool isWhole = false;  // a whole number
   bool followsNumber =
-      false;  // it changes with the number of cells, or with how small they are, though all else is alike
+      false;  // changes with the number of cells, or with how small they are, all else alike
   std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
   /// Takes the measure of clones of cells that are `depth` divisions from the egg; null for measures that are not of
   /// clones.
@@ -48,7 +48,7 @@ using WorldMeasure = Measure<Observation>;
 using CellMeasure = Measure<CellContext>;
 using PairMeasure = Measure<Touch>;
 
-/// All rows of one table: `Of` is Observation, CellContext or Touch. Those taken with samples stand first.
+/// Returns all rows of one table: `Of` is Observation, CellContext or Touch. Rows taken with samples stand first.
 template <class Of>
 std::span<const Measure<Of>> measures();
 template <>
@@ -57,10 +57,10 @@ template <>
 std::span<const CellMeasure> measures<CellContext>();
 template <>
 std::span<const PairMeasure> measures<Touch>();
-/// The measures that every sample takes.
+/// Returns the measures that every sample takes.
 template <class Of>
 std::span<const Measure<Of>> sampledMeasures();
-/// The row of this name; a BugError otherwise.
+/// Returns the row of this name. Throws BugError if there is none.
 template <class Of>
 const Measure<Of>& measure(std::string_view name);
 
@@ -72,9 +72,9 @@ class Measured {
 
   std::optional<double>& operator[](std::string_view name) { return values[indexOf(name)]; }
   const std::optional<double>& operator[](std::string_view name) const { return values[indexOf(name)]; }
-  /// A value that has been measured; a BugError otherwise.
+  /// Returns a value that has been measured. Throws BugError if it has not.
   double at(std::string_view name) const;
-  /// [byte] That the values take.
+  /// Returns the size [byte] of the values.
   static std::size_t bytes() { return sampledMeasures<Of>().size() * sizeof(std::optional<double>); }
   friend bool operator==(const Measured&, const Measured&) = default;
 
@@ -112,29 +112,29 @@ struct MeasureOnDemand {
   const char* name;
   Needs needs;
 };
-/// All rows on demand, of all tables.
+/// Returns all rows on demand, of all tables.
 std::vector<MeasureOnDemand> measuresOnDemand();
 
 /// One value of a measure on demand.
 struct TakenMeasure {
   Scope scope;
   std::string name;  // as it was asked for
-  CellPath a, b;     // of a cell: a; of a pair: a < b
+  CellPath a, b;     // cell: a; pair: a < b
   double value;
   friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
 };
-/// The values of the measures on demand of these names [asked_measure.h]: of the world in the order of names, then cell
-/// by cell and pair by pair, by path. What there is not to measure has no value.
+/// Returns the values of the measures on demand with these names [asked_measure.h]: of the world in the order of names,
+/// then cell by cell and pair by pair, by path. A measure with nothing to measure has no value.
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 
 inline WorldMeasures measureWorld(const World& world) { return measureWorld(Observation(world)); }
 inline std::vector<CellMeasures> measureCells(const World& world) { return measureCells(Observation(world)); }
 inline std::vector<ContactMeasures> measureContacts(const World& world) { return measureContacts(Observation(world)); }
 
-/// The surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such
-/// cell lives, or without bodies.
+/// Returns the surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such cell
+/// lives, or without bodies.
 Mesh cellMesh(const World& world, const CellPath& path);
-/// Its vertices alone.
+/// Returns the vertices of cellMesh alone.
 std::vector<Point> cellVertices(const World& world, const CellPath& path);
 
 }  // namespace morula

@@ -16,7 +16,7 @@ using Now = const Observation&;
 
 const Bodies& bodiesOf(Now now) { return *now.world.bodies; }
 
-/// Over all cells with a body.
+/// Sums a quantity over all cells with a body.
 template <class Get>
 double sumOf(Now now, const Get& get) {
   double sum = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The springs of a cell's membrane, one by one, for what is measured of them: kernels have lists of their own.
+// The springs of a cell's membrane, one by one, for measures; kernels have lists of their own.
 #include "physics/bodies.h"
 
 namespace morula {

@@ -39,7 +39,7 @@ std::size_t searchBytes(const TreeSearch& s) {
 // [byte] A lineage entry, its copy in the results, its row in the database, its place in the picture of the tree.
 constexpr double perCellEver = 400;
 
-/// [byte] Of a vertex in storage.
+/// Returns the size [byte] of a vertex in storage.
 double perVertex(const MechanicsScene& m) {
   const double vector = 3 * (m.physics.precision == Precision::binary64 ? 8 : 4);
   double bytes = 3 * vector;                                                     // place, velocity, acceleration
@@ -53,7 +53,7 @@ double perVertex(const MechanicsScene& m) {
 
 double storedVertices(const World& world) { return world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0; }
 
-/// Half a sentence, or "" if there is memory enough.
+/// Returns half a sentence about a lack of memory, or "" if there is enough.
 std::string problemOf(const World& world, double cellsEver, double vertices) {
   const double bytes = predictMemory(world.model, cellsEver, vertices);
   if (bytes <= world.execution.memoryLimit) return "";

@@ -1,6 +1,6 @@
 #pragma once
-// A world at one instant, as those who decide and those who measure see it. The world must not
-// change while it exists. A quantity is measured when it is first asked for, and kept. For one thread at a time.
+// A world at one instant, as policies and measures see it. The world must not change while the observation exists. A
+// quantity is measured on first request, and kept. Only one thread at a time may use it.
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,8 +19,8 @@ class ObservedCell;
 
 class Observation {
  public:
-  /// `time` [time]: when it is for the cells: when the present cell cycles are due, which may lie a little
-  /// before the clock's time. The world must outlive this.
+  /// `time` [time]: the time of the cells, at which the present cell cycles are due. It may lie a little before the
+  /// clock's time. The world must outlive the observation.
   Observation(const World& world, double time);
   explicit Observation(const World& world);
   Observation(const Observation&) = delete;
@@ -30,38 +30,38 @@ class Observation {
   const World& world;
   const double time;
   const Reference* reference = nullptr;  // what some measures compare the world with; null: nothing
-  /// [time] For how long each of contacts() has lasted, which no state holds; empty: not known.
+  /// [time] Duration of each of contacts(), which no state holds; empty: not known.
   std::span<const double> contactDurations;
 
-  /// A living cell by its number; it and what is measured of it are kept as long as this. To look at all cells
-  /// one after the other make an ObservedCell of each: then only one shape is in memory at a time.
+  /// Returns a living cell by its number. The cell and its measures are kept as long as the observation. To look at all
+  /// cells in turn make an ObservedCell of each: then only one shape is in memory at a time.
   const CellContext& cell(int number) const;
 
-  /// Cells that touch, by (a, b); none without contact.
+  /// Returns the cells that touch, by (a, b); none without contact.
   const std::vector<ContactArea>& contacts() const;
   struct Contact {
-    int cell;     // the other one
+    int cell;     // number of the other cell
     double area;  // [length²]
   };
-  /// The contacts of one cell, sorted by the other cell's number.
+  /// Returns the contacts of one cell, sorted by the other cell's number.
   std::span<const Contact> contactsOf(int number) const;
 
-  /// [length³] Of one of the scene's meshes at rest, at rest scale 1.
+  /// Returns the volume [length³] of one of the scene's meshes at rest, at rest scale 1.
   double meshVolume(int meshLevel) const;
-  /// [length] Of the volume of all cells; there are bodies.
+  /// Returns the centre [length] of the volume of all cells. Requires bodies.
   Point organismCentre() const;
-  /// Null if no division made daughters of this cell.
+  /// Returns the division of this cell; null if no division made daughters of it.
   const DivisionRecord* divisionOf(const CellPath& mother) const;
-  /// [length] The mean of a cell's vertices; the world has bodies.
+  /// Returns the mean [length] of a cell's vertices. Requires bodies.
   const Point& centreOf(int number) const;
 
-  /// The cavities between the surfaces of all cells, for a probe with half the radius of a ball with their mean volume.
-  /// Requires bodies.
+  /// Returns the cavities between the surfaces of all cells, for a probe with half the radius of a ball with their mean
+  /// volume. Requires bodies.
   const Cavities& cavities() const;
-  /// [length] The probe's radius.
+  /// Returns the probe's radius [length].
   double probe() const;
 
-  /// How often something was measured, so far.
+  /// How often shapes and contacts have been measured.
   struct Counts {
     int shapes = 0, contacts = 0;
     friend bool operator==(const Counts&, const Counts&) = default;
@@ -76,7 +76,7 @@ class Observation {
   mutable std::vector<int> firstContact_;  // [cell + 1] into contactsByCell_
   mutable std::vector<Contact> contactsByCell_;
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
-  mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
+  mutable std::vector<std::uint32_t> divisionByPath_;  // indices into world.divisions
   mutable std::optional<Point> organismCentre_;
   mutable std::vector<Point> centres_;  // [cell]; empty: not measured
   mutable std::optional<Cavities> cavities_;
@@ -100,7 +100,7 @@ class BodyUnit final : public PhysicalUnit {
   mutable std::optional<BodyShape> shape_;
 };
 
-/// One of an observation's cells.
+/// One of an observation's cells, as policies and measures see it.
 class ObservedCell final : public CellContext {
  public:
   ObservedCell(const Observation& observation, int number);
@@ -123,7 +123,7 @@ class ObservedCell final : public CellContext {
   double size() const override;
   double sizeAtBirth() const override;
 
-  /// Its number among the living, and where its body is, if it has one.
+  /// number: the cell's number among the living. slot: where its body is, if it has one.
   int number() const { return number_; }
   int slot() const { return observation_.world.bodies->slots[number_]; }
 

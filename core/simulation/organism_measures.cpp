@@ -20,7 +20,7 @@ using Value = std::optional<double>;
 
 const std::vector<CellPath>& pathsOf(const Observation& now) { return now.world.cells.path; }
 
-/// [cell] The number of its clone among those that live, by path; −1: none.
+/// Returns for each cell the number of its clone among the living clones, by path; −1: none.
 std::vector<int> cloneNumbers(const Observation& now, int depth) {
   const auto& paths = pathsOf(now);
   std::vector<int> numbers(paths.size(), -1);
@@ -33,7 +33,7 @@ std::vector<int> cloneNumbers(const Observation& now, int depth) {
   return numbers;
 }
 
-/// The numbers of the living cells of each clone.
+/// Returns the numbers of the living cells of each clone.
 std::vector<std::vector<int>> clonesOf(const Observation& now, int depth) {
   std::vector<std::vector<int>> clones;
   const std::vector<int> numbers = cloneNumbers(now, depth);
@@ -192,7 +192,7 @@ std::optional<Lumen> measureLumen(const Observation& now) {
 
 Value measureClonePieces(const Observation& now, int depth) {
   const auto& paths = pathsOf(now);
-  std::vector<int> first(paths.size());  // a cell of its piece, nearer to the piece's first one
+  std::vector<int> first(paths.size());  // a cell of the same piece, nearer to the piece's first one
   std::iota(first.begin(), first.end(), 0);
   const auto find = [&](int cell) {
     while (first[cell] != cell) cell = first[cell] = first[first[cell]];

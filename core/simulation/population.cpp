@@ -54,7 +54,7 @@ struct Heirs {
   bool a, b;
 };
 
-/// `centreOf` knows the cells of this moment, `centreBefore` where these or their mothers were before.
+/// `centreOf` gives centres of cells of this moment, `centreBefore` where these cells or their mothers were before.
 template <class CentreOf, class CentreBefore>
 Heirs heirsOf(ConnectionsOnDivision policy, const CellPath& mother, const CellPath& other, const Cut& cut,
               const CentreOf& centreOf, const CentreBefore& centreBefore) {
@@ -62,7 +62,7 @@ Heirs heirsOf(ConnectionsOnDivision policy, const CellPath& mother, const CellPa
   if (policy == ConnectionsOnDivision::a) return {true, false};
   bool isNearA;
   if (policy == ConnectionsOnDivision::nearest) {
-    // To where the other cell was, which may divide, too: so it cannot matter which of the two comes first.
+    // Goes by where the other cell was: it may divide, too, and the order of the two must not matter.
     const Point there = centreBefore(other);
     isNearA = norm(centreOf(mother.daughter(false)) - there) <= norm(centreOf(mother.daughter(true)) - there);
   } else {
@@ -71,7 +71,7 @@ Heirs heirsOf(ConnectionsOnDivision policy, const CellPath& mother, const CellPa
   return {isNearA, !isNearA};
 }
 
-/// The old ones first, then that of the sisters: so it is the one that ConnectionParameters::most leaves out.
+/// Passes on old connections first, then connects the sisters: ConnectionParameters::most leaves out theirs.
 template <class... Centres>
 void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, double time,
                         const Centres&... centres) {
@@ -89,7 +89,7 @@ void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, 
 struct Population {
   Cells cells;
   std::vector<Body> bodies;
-  std::vector<BirthSize> birthSizes;  // 0 of newborns; empty where no division asks for them
+  std::vector<BirthSize> birthSizes;  // 0 for newborns; empty where no division asks for them
 };
 
 void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth, std::uint32_t entry) {
@@ -118,7 +118,7 @@ void addDaughter(World& world, Population& next, std::size_t mother, bool b) {
   world.lineage.entries.push_back({path, world.clock.time, 0, world.clock.step, 0, Fate::alive, state});
 }
 
-/// `cuts`: of the cells that divide, by path.
+/// Passes on the connections of all mothers. `cuts`: of the cells that divide, by path.
 void inheritAllConnections(World& world, const std::vector<CellChange>& changes, const std::vector<Cut>& cuts,
                            const Population& next) {
   if (!world.connections) return;
@@ -141,7 +141,7 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
       inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf, centreBefore);
 }
 
-/// Sorts in what mothers left to their daughters.
+/// Sorts in the polarities that mothers left to their daughters.
 void keepPolarities(World& world, const std::vector<CellChange>& changes, const std::vector<Cut>& cuts) {
   if (!world.polarities) return;
   std::size_t division = 0;
@@ -152,7 +152,7 @@ void keepPolarities(World& world, const std::vector<CellChange>& changes, const 
   std::ranges::sort(*world.polarities, {}, &PolarityRecord::path);
 }
 
-/// Daughters have no more vertices than their mother.
+/// Throws if the changes need too much memory. Daughters have no more vertices than their mother.
 void requireMemoryFor(const World& world, const std::vector<CellChange>& changes) {
   double cells = double(world.lineage.entries.size());
   double vertices = world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0;
@@ -183,7 +183,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
 
   requireMemoryFor(world, changes);
 
-  // All cuts first: an error leaves the world as it is.
+  // Makes all cuts first: an error leaves the world as it is.
   std::vector<Division> divisions;
   if (world.bodies)
     for (std::size_t i = 0; i < changes.size(); ++i)
@@ -193,7 +193,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
   std::vector<Cut> cuts;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::dies) {
-      closeEntry(world, i, Fate::died);  // it leaves the physics and stays in the lineage
+      closeEntry(world, i, Fate::died);  // the cell leaves the physics and stays in the lineage
     } else if (changes[i] == CellChange::divides) {
       closeEntry(world, i, Fate::divided);
       addDaughter(world, next, i, false);

@@ -1,6 +1,6 @@
 #pragma once
-// Observed or computed elsewhere, for an organism to be compared with: which of its cells touch, and where they lie.
-// Nothing here changes what the cells do.
+// Observations, or results from elsewhere, for an organism to be compared with: which of its cells touch, and where
+// they lie. Nothing in a reference changes what the cells do.
 #include <map>
 #include <set>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace morula {
 
 struct Reference {
-  std::set<std::pair<CellPath, CellPath>> contacts;  // (a, b) with a < b; those of a cell in here are all it has
+  std::set<std::pair<CellPath, CellPath>> contacts;  // (a, b) with a < b; all contacts of every cell that occurs
   std::map<CellPath, Point> positions;               // of centres; any unit of length, any frame
 };
 

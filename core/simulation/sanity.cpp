@@ -22,7 +22,7 @@ constexpr double ballVolume = 4 * std::numbers::pi / 3;  // over the cube of the
 constexpr int linesPerPair = 16;
 constexpr int linesPerCell = 24;  // along each axis
 
-/// The worst value so far and whose it is. What is no number is the worst there can be, and stays it.
+/// The worst value so far and its cell. NaN is the worst value there can be, and stays it.
 struct Worst {
   double value;
   int cell = -1, other = -1;
@@ -48,7 +48,7 @@ bool isFinite(const Bodies& b, int slot) {
   double sum = b.volume[slot];
   for (int v = 0; v < b.vertexCount(slot); ++v) {
     const Point x = b.vertex(slot, v), u = b.read(b.velocity, slot, v);
-    sum += 0 * (x.x + x.y + x.z) + 0 * (u.x + u.y + u.z);  // 0 for what is finite, and no number otherwise
+    sum += 0 * (x.x + x.y + x.z) + 0 * (u.x + u.y + u.z);  // 0 if finite, NaN otherwise
   }
   return std::isfinite(sum);
 }
@@ -60,7 +60,7 @@ double boxVolume(const Box& a, const Box& b) {
   return x > 0 && y > 0 && z > 0 ? x * y * z : 0;
 }
 
-/// [length] How much of a line along `d` both surfaces cover.
+/// Returns how much [length] of a line along `d` both surfaces cover.
 double sharedLength(const Mesh& a, const Mesh& b, const Vector& d) {
   const auto range = [&d](const Mesh& m) {
     double low = INFINITY, high = -INFINITY;
@@ -76,8 +76,8 @@ double sharedLength(const Mesh& a, const Mesh& b, const Vector& d) {
   return std::max(0.0, std::min(aHigh, bHigh) - std::max(aLow, bLow));
 }
 
-/// [length³] The same as boxVolume with boxes that stand along the way from one cell to the other: neighbours
-/// that only touch have little in common there, however they lie.
+/// Returns a volume [length³] as boxVolume does, for boxes that stand along the way from one cell to the other:
+/// neighbours that only touch share little of it, however they lie.
 double turnedBoxVolume(const Mesh& a, const Mesh& b) {
   const Vector way = measureCentroid(b.vertices) - measureCentroid(a.vertices);
   if (!(norm(way) > 0)) return INFINITY;
@@ -87,7 +87,7 @@ double turnedBoxVolume(const Mesh& a, const Mesh& b) {
   return sharedLength(a, b, first) * sharedLength(a, b, second) * sharedLength(a, b, third);
 }
 
-/// [length³] Of two balls: two caps, π (r + R − d)² (d² + 2d (r + R) − 3 (r − R)²)/(12 d).
+/// Returns the volume [length³] that two balls share: two caps, π (r + R − d)² (d² + 2d (r + R) − 3 (r − R)²)/(12 d).
 double sharedBallVolume(double r, double R, double d) {
   const double smaller = std::min(r, R);
   if (d <= std::abs(r - R)) return ballVolume * smaller * smaller * smaller;
@@ -96,13 +96,13 @@ double sharedBallVolume(double r, double R, double d) {
   return ballVolume / 16 * depth * depth * (d * d + 2 * d * (r + R) - 3 * (r - R) * (r - R)) / d;
 }
 
-/// Two cells that may have more than the bound in common.
+/// Two cells that may share more than the bound.
 struct Pair {
-  double share;  // [1] of the smaller one's volume, at most
+  double share;  // [1] max, of the smaller one's volume
   int smaller, larger;
 };
 
-/// Cells are swept along x.
+/// Finds pairs by a sweep along x.
 std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector<double>& volumes) {
   const int count = static_cast<int>(surfaces.size());
   std::vector<Box> boxes;
@@ -141,15 +141,15 @@ Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
   for (int slot : b.slots) volumes.push_back(b.volume[slot]);
   Worst worst{0};
   for (const Pair& pair : findPairs(surfaces, volumes)) {
-    if (pair.share <= worst.value) break;  // no other can have more
+    if (pair.share <= worst.value) break;  // no other pair can have more
     worst.raise(sharedVolume(b, surfaces, pair) / volumes[pair.smaller], pair.smaller, pair.larger);
     if (worst.value > sanity::maxOverlap) break;
   }
   return worst;
 }
 
-/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at its end
-/// on the side with fewer cells. A cell far away from all others leaves one; a long chain of cells does not.
+/// Returns the widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at
+/// its end on the side with fewer cells. A cell far from all others leaves a gap; a long chain of cells does not.
 Worst widestGap(const std::vector<Point>& centres, double radius) {
   Worst worst{0};
   const int count = static_cast<int>(centres.size());
@@ -197,9 +197,9 @@ void addSurfaceMeasures(const World& world, const Observation& now, std::vector<
   all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::maxSelfOverlap));
 }
 
-/// Surfaces that touch hold W per area [contacts/adhesion.h], so that a cell of area A holds at most ½ W A: the other
-/// half is that of its neighbours. The worst cell's energy over this. A surface that is compressed holds more per area,
-/// W (a n)², and less than at rest in all; so A is its area at rest if that is larger.
+/// Returns the worst cell's energy over ½ W A. Surfaces that touch hold W per area [contacts/adhesion.h], so a cell of
+/// area A holds at most ½ W A: its neighbours hold the other half. A compressed surface holds more per area, W (a n)²,
+/// and less than at rest in all; so A is its area at rest if that is larger.
 Worst strongestAdhesion(const World& world, const Observation& now) {
   const Bodies& b = *world.bodies;
   const Contacts& c = *world.contacts;

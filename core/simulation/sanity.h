@@ -1,6 +1,6 @@
 #pragma once
-// The sanity check: bounds on a world with bodies at its end. They are plain and wide, so that a world outside of them
-// is wrong unless the scene is about just that.
+// The sanity check: bounds on a world with bodies at its end. The bounds are plain and wide, so that a world outside of
+// them is wrong unless the scene is about just that.
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,51 +47,51 @@ constexpr double minVolume = 0.1, maxVolume = 10;  // [1] of a cell, over its vo
 constexpr double maxInverted = 0.25;               // [1] share of a cell's surface whose inner side shows outwards
 constexpr double maxFolded = 0.25;                 // [1] of the edges of a surface turn by more than 90°
 constexpr double maxSelfOverlap = 0.0025;          // [1] share of a cell's volume that it covers more than once
-constexpr double maxAdhesion = 2;                  // [1] of the energy that a surface holds that sticks everywhere
-constexpr double maxOverlap = 0.2;                 // [1] share of a cell's volume that one other cell has too
+constexpr double maxAdhesion = 2;                  // [1] of the energy of a surface that sticks everywhere
+constexpr double maxOverlap = 0.2;                 // [1] share of a cell's volume that lies in one other cell too
 constexpr double maxOutermost = 1 + 1e-6;          // [shell radii] vertices are projected onto it, up to rounding
-// [1] Of the shell, by all cells: beyond 1 they share what is there, and contacts that press give way a little: 0.5 %
-// where cells of twice the shell's volume are pressed together (senses/pressed-and-old).
+// [1] Share of the shell that all cells fill. Beyond 1 they share space, and contacts that press give way a little: 0.5
+// % where cells of twice the shell's volume are pressed together (senses/pressed-and-old).
 constexpr double maxFill = 1.02;
 // [radii of the largest cell] of empty space with cells on both sides: no picture shows both
 constexpr double maxGap = 1000;
 
 }  // namespace sanity
 
-/// One quantity, of the cell where it is worst.
+/// One quantity, of the cell for which it is worst.
 struct SanityMeasure {
   SanityKind kind = SanityKind::finite;
-  double value = 0;  // what is no number is outside of every bound
+  double value = 0;  // NaN is outside of every bound
   double least = 0, most = 0;
-  std::optional<CellPath> cell, other;  // `other`: the one that it overlaps
+  std::optional<CellPath> cell, other;  // `other`: the cell that it overlaps
 
   bool holds() const { return value >= least && value <= most; }
 };
 
-/// All quantities that the world has; none without bodies or without cells. Volume first, and what is not
-/// finite alone: a world with numbers that are none is not measured further.
+/// Measures all quantities that the world has; none without bodies or without cells. Volume comes first. A world with
+/// numbers that are not finite is not measured further.
 ///
-/// Overlap is measured by lines through pairs of cells (mesh/overlap.h), up to about 0.01, and only of pairs
-/// whose boxes have more than a fifth of the smaller cell in common, both along the axes and along the way
-/// between the two: what cells have in common lies in both boxes. 0: of no pair. The pair with the most in
-/// common comes first, and the first that is outside of the bound ends it. Spheres have a formula.
+/// Overlap is measured by lines through pairs of cells (mesh/overlap.h), up to about 0.01. Shared space lies in both
+/// cells' boxes, so only pairs are measured whose boxes share more than a fifth of the smaller cell, both along the
+/// axes and along the way between the two. 0: no such pair. The pair with the most in common comes first, and the first
+/// outside of the bound ends the search. Spheres have a formula.
 ///
 /// A cell is tested for passing through itself only if it is not star-shaped about the mean of its vertices, by lines
-/// along all three axes (measureSelfOverlap). Adhesion is that of the pair law, which alone has an energy; the energy
-/// is that of the last snapshot.
+/// along all three axes (measureSelfOverlap). Adhesion is measured for the pair law, which alone has an energy, from
+/// the last snapshot.
 ///
-/// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to
-/// three time steps.
+/// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to three time
+/// steps.
 std::vector<SanityMeasure> measureSanity(const World& world);
 
-/// The measure `overlap` alone; absent with fewer than two cells, or where numbers are not finite.
+/// Returns the measure `overlap` alone; absent with fewer than two cells, or where numbers are not finite.
 std::optional<SanityMeasure> measureCellOverlap(const World& world);
 
-/// A sentence that names the cell, the number and its bound, and the keys that change it, for a measure that does not
-/// hold.
+/// Returns a sentence for a measure that does not hold. It names the cell, the number and its bound, and the keys that
+/// change the number.
 std::string describe(const SanityMeasure& measure, const World& world);
 
-/// The sentences of all measures that do not hold; empty if the world is sane.
+/// Returns the sentences of all measures that do not hold; empty if the world is sane.
 std::string describeInsanity(const World& world);
 
 }  // namespace morula

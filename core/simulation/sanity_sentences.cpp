@@ -1,5 +1,5 @@
-// The sentences about a world that is not sane. They say what was measured and which keys change it, never why it came
-// so.
+// The sentences about a world that is not sane. They name measured values and the keys that change these, never the
+// cause.
 #include "base/error.h"
 #include "base/number_text.h"
 #include "contacts/contacts.h"
@@ -20,7 +20,7 @@ std::string contactAdvice(const MechanicsScene& m) {
          " and radius " + exactText(m.contact->radius) + ": try more of either";
 }
 
-/// The keys that decide how much a surface crumples, those first that the scene has.
+/// Returns the keys that decide how much a surface crumples, the keys that the scene has first.
 std::string surfaceAdvice(const MechanicsScene& m) {
   std::string keys;
   if (m.contact && m.contact->adhesion) keys += "a lower physics.contact.adhesion, ";

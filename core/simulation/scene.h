@@ -20,21 +20,21 @@
 
 namespace morula {
 
-/// [longest cycle] In so much time a number of cells must have come to life that alone ends a run.
+/// [longest cycle] Within this time, a run that only a number of cells ends must reach that number.
 constexpr int maxCyclesForCells = 1000;
 
-/// The run ends at the first of the limits that are given; at least one is.
+/// The limits of a run, which ends at the first one that is given; at least one is.
 struct StopParameters {
   std::optional<std::uint64_t> cycles;  // times cycle.length: when cell cycle number `cycles` has run
   std::optional<double> time;           // [time]
-  std::optional<std::uint64_t> cells;   // as soon as at least so many are alive
+  std::optional<std::uint64_t> cells;   // as soon as at least this many are alive
 };
 MORULA_MEMBERS(StopParameters, cycles, time, cells)
 
 struct MechanicsScene {
   PhysicsParameters physics;
   Mesh mesh;                  // of the egg; encloses the volume of a sphere of physics.cell.radius
-  std::vector<Mesh> coarser;  // that daughters may take if physics.coarsen is given: see makeBodies
+  std::vector<Mesh> coarser;  // meshes that daughters may take if physics.coarsen is given: see makeBodies
   std::optional<ContactParameters> contact;
   DivisionParameters division;
   std::optional<ConnectionParameters> connections;
@@ -48,8 +48,8 @@ struct Scene {
   CycleParameters cycle;
   StopParameters stop;
   std::optional<MechanicsScene> mechanics;  // absent: lineage only
-  std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
-  VariationParameters variation;            // what the seed changes besides
+  std::vector<StartCell> cells;             // cells that live at time 0; none: one egg at the origin
+  VariationParameters variation;            // deviations that the seed decides
   std::vector<SenseParameters> senses;      // by substance, each once
   std::vector<Experiment> experiments;      // what is done to the organism while it grows
 };

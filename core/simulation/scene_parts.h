@@ -11,11 +11,11 @@ struct Scene;
 
 struct ScenePart {
   std::string name;  // as a scenario calls it: dna, physics, …
-  std::string hash;  // of an absent part: ""
+  std::string hash;  // "" for an absent part
 };
 
-/// All that decides how a state goes on, in one order. Neither the scene's name nor when it stops: a state
-/// may be gone on with for longer than was planned.
+/// Returns the hashes of all parts that decide how a state goes on, in one order. The scene's name and its stop are not
+/// among them: a state may go on for longer than was planned.
 std::vector<ScenePart> hashSceneParts(const Scene& scene);
 
 }  // namespace morula

@@ -17,15 +17,15 @@
 namespace morula {
 namespace {
 
-constexpr double maxMove = 0.1;    // [mean edge at rest] of a vertex, in one evaluation
-constexpr double minStrain = 0.1;  // of k_s/R, in p̂
-constexpr double farOff = 10;      // [tolerance] of what no run goes on from
-constexpr double nearRest = 0.01;  // [tolerance] where a sampled settling is held to be at rest
+constexpr double maxMove = 0.1;    // [mean edge at rest] max move of a vertex in one evaluation
+constexpr double minStrain = 0.1;  // [k_s/R] min p̂
+constexpr double farOff = 10;      // [tolerance] a residual above this ends the run
+constexpr double nearRest = 0.01;  // [tolerance] residual at which a sampled settling counts as at rest
 constexpr double inertiaPerStrain = 2, clearlyMore = 1.5;
 constexpr std::uint64_t inertiaEvery = 64;  // evaluations
 using PerSlot = AlignedVector<double>;      // filled up to whole blocks
 
-/// A world on its way down. Gives cells their masses back at its end.
+/// A world on its way to rest. The destructor gives cells their masses back.
 class Descent {
  public:
   explicit Descent(World& world)
@@ -71,7 +71,7 @@ class Descent {
     checkBodies(world_);
   }
 
-  /// r [settle.h] of the last turn.
+  /// Returns r [settle.h] of the last turn.
   double residual() const {
     double left = 0, pressure = 0, vertices = 0;
     for (int slot : bodies_.slots) {
@@ -85,7 +85,7 @@ class Descent {
     return std::sqrt(left / vertices) / (pressure / bodies_.count);
   }
 
-  /// The number of the cell with the largest forces.
+  /// Returns the number of the cell with the largest forces.
   std::size_t restless() const {
     const auto force = [&](int slot) {
       const double mass = bodies_.vertexMass[slot];
@@ -95,8 +95,8 @@ class Descent {
   }
 
  private:
-  /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more
-  /// inertia it would oscillate without end.
+  /// Gives more inertia to a cell that keeps going uphill at once. Such a cell is stiffer than its limits say, where
+  /// its membrane has folded, and would oscillate without end.
   void followStrain(bool anew) {
     for (int slot : bodies_.slots) {
       const double factor = 1 + inertiaPerStrain * strain_[slot];
@@ -106,7 +106,7 @@ class Descent {
     }
   }
 
-  /// [force/length²] p̂ of settle.h
+  /// Returns p̂ [force/length²] of settle.h.
   double scale(int slot, double radius) const {
     const PhysicsParameters& p = bodies_.parameters;
     const double stiffness = !bodies_.areSpheres() ? p.membrane.stiffness
@@ -123,10 +123,10 @@ class Descent {
   World& world_;
   Bodies& bodies_;
   PerSlot masses_, maxMove_, alpha_, descents_, squares_, strain_, factor_;
-  std::vector<double> hardening_;  // [block] [1] that inertia counts with
+  std::vector<double> hardening_;  // [block] [1] hardening that inertia counts with
 };
 
-/// Goes on until r is at most `tolerance`, or so many evaluations have been made.
+/// Relaxes until r is at most `tolerance`, or `most` evaluations have been made.
 void descend(Descent& descent, double tolerance, std::uint64_t most, SettlingRecord& record) {
   while (!(record.residual <= tolerance) && record.evaluations < most) {
     descent.move(record.evaluations % inertiaEvery == 0);
@@ -136,14 +136,14 @@ void descend(Descent& descent, double tolerance, std::uint64_t most, SettlingRec
   }
 }
 
-/// [force·length] Of the world, but for motion.
+/// Returns the world's energy [force·length] without motion.
 double heldEnergy(const World& world) {
   const Energy energy = measureEnergy(world);
   return energy.total() - energy.kinetic;
 }
 
-/// How far from rest the world is: goes there and comes back, to the same bits. Nothing is told where cells fail on the
-/// way.
+/// Settles further, measures how far from rest the world was, and restores the state bit for bit. Records nothing if a
+/// cell fails meanwhile.
 void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
   Bodies& b = *world.bodies;
   const SettleParameters& p = b.parameters.settle;
@@ -163,9 +163,9 @@ void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
   } catch (const NumericalError&) {}
   b = before;
   if (world.contacts) world.contacts->listIsValid = false;
-  evaluateForces(world);  // so that lists are those of before
-  b = before;             // and accelerations are, which have followed changes of inertia
-  if (world.contacts) {   // a shell moves what it holds a little when it holds it once more
+  evaluateForces(world);  // so that lists are as before
+  b = before;             // and accelerations, which have followed changes of inertia
+  if (world.contacts) {   // evaluateForces applies the shell again, which moves vertices slightly
     world.contacts->rows = rows;
     world.contacts->deepest = deepest;
   }
@@ -192,7 +192,7 @@ void settle(World& world) {
   if (p.sample && record.step % *p.sample == 0) measureDistance(world, descent, world.settlings->back());
 }
 
-/// [time] Of what happens next.
+/// Returns the time [time] of the next event.
 double nextEvent(const World& world) {
   const Clock& clock = world.clock;
   const PhysicsParameters& p = world.bodies->parameters;

@@ -17,7 +17,7 @@ StateId stateOf(const StartCell& cell, BiologicalUnit& biology) {
   return biology.stateOf(description);
 }
 
-/// A mother before her daughters, A before B: the order of births.
+/// Founds a mother's cells before her sister's, A before B: in the order of births.
 void found(World& world, const CellPath& path, std::span<const StartCell> cells) {
   if (cells.size() == 1) {
     addFounder(world, path, stateOf(cells[0], *world.biology));

@@ -17,8 +17,8 @@ struct StartCell {
   Point at = {};            // [length] its centre
   Vector velocity = {};     // [length/time] of all its vertices
   double scale = 1;         // its size at rest over the egg's: lengths; the fluid's k_p and mass go with the cube
-  Vector turn = {};         // [degree] of its mesh about this axis, by so much as it is long; before it is stretched
-  Vector stretch{1, 1, 1};  // of its shape along x, y and z; what it is at rest with stays
+  Vector turn = {};         // [degree] turn of its mesh about this axis, by the axis' length; before stretching
+  Vector stretch{1, 1, 1};  // of its shape along x, y and z; its shape at rest stays
   std::optional<double> mass = {};                          // [mass]; absent: the egg's times scale³
   std::optional<std::vector<std::string>> substances = {};  // sorted; absent: what the DNA starts with
 };
@@ -30,7 +30,7 @@ MORULA_MEMBERS(StartCell, at, velocity, scale, turn, stretch, mass, substances)
 /// to another. Throws InputError for a substance that the biology does not know.
 void createFounders(World& world);
 
-/// Their bodies, in the same order; one egg for none.
+/// Returns the start cells' bodies, in the same order; one egg if there are none.
 std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartCell>& cells);
 
 /// Returns the place at which a start cell has a vertex of the egg's mesh.

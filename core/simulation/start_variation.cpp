@@ -19,7 +19,7 @@ StartCell movedWithin(const StartCell& cell, const Vector& by, const MechanicsSc
   const auto outermost = [&](const StartCell& c) { return outermostSquare(c, scene.mesh, *scene.physics.shell); };
   const double bound = std::max(1.0, outermost(cell));
   if (outermost(moved(cell, by)) <= bound) return moved(cell, by);
-  double low = 0, high = 1;  // the share of the way that is inside, and one that is not
+  double low = 0, high = 1;  // shares of the way: one that stays inside, and one that does not
   for (int turn = 0; turn < 50; ++turn) {
     const double middle = 0.5 * (low + high);
     (outermost(moved(cell, middle * by)) <= bound ? low : high) = middle;

@@ -7,13 +7,13 @@
 
 namespace morula {
 
-/// The scene's start cells, or with none and a variation.start the one egg, each displaced by variation.start egg
-/// radii times three normal deviates of its path. A displacement that would lead out of the shell ends where the cell
-/// touches it. The scene has bodies; `paths`: of the cells, in their order.
+/// Returns the scene's start cells, or with none and a variation.start the one egg, each displaced by variation.start
+/// egg radii times three normal deviates of its path. A displacement that would lead out of the shell ends where the
+/// cell touches it. Requires bodies. `paths`: of the cells, in their order.
 std::vector<StartCell> placeStart(const Scene& scene, std::span<const CellPath> paths);
 
-/// [1] (x/a)² + (y/b)² + (z/c)² of the cell's vertex where it is largest, with the shell's semi-axes: at most 1
-/// within. Of a shell that is a mesh, the square of measureReach.
+/// Returns the largest (x/a)² + (y/b)² + (z/c)² [1] of the cell's vertices, with the shell's semi-axes: at most 1
+/// inside. For a shell that is a mesh, the square of measureReach.
 double outermostSquare(const StartCell& cell, const Mesh& egg, const ShellParameters& shell);
 
 }  // namespace morula

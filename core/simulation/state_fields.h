@@ -2,7 +2,7 @@
 // Every field of a world's state, listed once: for its hash (hash.cpp), for checkpoints (checkpoint_save.cpp,
 // checkpoint_restore.cpp) and for the first difference of two states (runner/runs/explain/explain.cpp).
 //
-// Each list takes its struct apart into all of its members: one that is added and not listed does not compile.
+// Each list takes its struct apart into all of its members: a new member that is not listed does not compile.
 #include <concepts>
 #include <span>
 
@@ -11,20 +11,20 @@
 
 namespace morula {
 
-/// Who looks at a field besides checkpoints, which hold all of them.
+/// The users of a field besides checkpoints, which hold all fields.
 enum class Use {
   result,    // hashes and differences
-  compared,  // differences; it follows from hashed fields
-  saved,     // checkpoints alone: it follows from the others, or tells how the state came about
+  compared,  // differences; the field follows from hashed fields
+  saved,     // checkpoints alone: the field follows from the others, or tells how the state came about
 };
 
 struct Field {
-  const char* name;   // in checkpoints, after the table's; a body's also in the hash
-  const char* label;  // in differences, for people
+  const char* name;   // name in checkpoints, after the table's; a body's also in the hash
+  const char* label;  // name in differences, for people
   Use use = Use::result;
 };
 
-/// Numbers of states mean nothing in another run; what counts is their description.
+/// Numbers of states mean nothing in another run; their description counts.
 template <class Numbers>
 struct StateNumbers {
   Numbers& of;  // one StateId, or a vector of them
@@ -135,8 +135,8 @@ void visitFields(T& connection, auto&& visit) {
   visit(Field{"cause", "connection's end"}, cause);
 }
 
-/// Members are columns: [slot], or Reals of a vector per vertex. Which mesh a cell has comes before them; it
-/// stands in the blocks.
+/// Members are columns: [slot], or Reals of a vector per vertex. The cells' meshes come before them, and stand in the
+/// blocks.
 template <IsA<Bodies> T>
 void visitFields(T& bodies, auto&& visit) {
   auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position, velocity,
@@ -151,7 +151,7 @@ void visitFields(T& bodies, auto&& visit) {
   visit(Field{"acceleration", "acceleration"}, acceleration);
 }
 
-/// The fields of one cell, of what Cells hold.
+/// Visits the fields of one cell in Cells.
 void visitCell(const Cells& cells, std::size_t cell, auto&& visit) {
   visitFields(cells, [&](const Field& field, const auto& column) {
     if constexpr (requires { column.of; }) visit(field, StateNumbers{column.of[cell]});
@@ -159,7 +159,7 @@ void visitCell(const Cells& cells, std::size_t cell, auto&& visit) {
   });
 }
 
-/// The fields of one cell's body: numbers, and of vectors a span [vertex][xyz], good for the moment.
+/// Visits the fields of one cell's body: numbers, and vectors as a span [vertex][xyz] that is valid during the visit.
 void visitBody(const Bodies& bodies, int slot, auto&& visit) {
   std::vector<double> vectors;
   visitFields(bodies, [&]<class Member>(const Field& field, const Member& member) {

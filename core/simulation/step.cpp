@@ -20,7 +20,7 @@ bool areIsolated(const World& world) {
          std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
 }
 
-/// False if a cell did not stay sound; the bodies are then as they were.
+/// Returns false if a cell did not stay sound; the bodies are then as they were.
 bool moveIsolated(World& world, std::uint64_t steps) {
   Bodies& b = *world.bodies;
   if (!world.before) world.before.emplace();
@@ -191,7 +191,7 @@ void takeSteps(World& world, std::uint64_t most) {
   if (steps <= 1) return step(world);
   const double before = clock.time;
   if (!moveIsolated(world, steps)) {
-    for (; steps > 0; --steps) step(world);  // one of which says what is wrong
+    for (; steps > 0; --steps) step(world);  // one of these steps says what is wrong
     return;
   }
   clock.time = timeAfter(clock, steps);

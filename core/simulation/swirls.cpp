@@ -9,9 +9,9 @@
 namespace morula {
 namespace {
 
-constexpr double lifetime = 8;  // in time constants
+constexpr double lifetime = 8;  // [time constant] after which a swirl ends
 
-/// The division that a young cell was born in, so one of the last; null: none made it.
+/// Returns the division in which a young cell was born, so one of the last; null: none made it.
 const DivisionRecord* divisionOf(const World& world, const CellPath& mother) {
   for (auto i = world.divisions.rbegin(); i != world.divisions.rend(); ++i)
     if (i->path == mother) return &*i;

@@ -6,11 +6,11 @@
 //
 //   ω(t) = ± (angle/time) e^(−t/time),    ∫ ω dt = ± angle,    + for daughter A, − for B,
 //
-// and its drag takes her vertices along: the acceleration drag · (ω × r), r from the mean of her vertices. In a
-// medium that is thick against 1/time a free cell turns by the angle; one that others hold turns them, too, or turns
-// less. Seen along the axis from behind, a positive angle turns A clockwise and B counter-clockwise; with the axis
-// turned round A is B and the picture the same, so its sign is that of a hand and of no direction. The forces on a
-// cell add up to none.
+// and its drag takes her vertices along: the acceleration drag · (ω × r), r from the mean of her vertices. Where drag
+// is large against 1/time a free cell turns by the angle; a cell that others hold turns them, too, or turns less. Seen
+// along the axis from behind, a positive angle turns A clockwise and B counter-clockwise. With the axis reversed A is B
+// and the picture the same, so the angle's sign is that of a hand and of no direction. The forces on a cell add up to
+// zero.
 #include "base/vec3.h"
 
 namespace morula {
@@ -27,11 +27,11 @@ struct Swirl {
 };
 
 /// Finds the living cells that swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
-/// constants have passed and 1/3000 of the angle is left. Call it whenever the living cells have changed. Without a
-/// rule that has chirality it returns at once.
+/// constants have passed and 1/3000 of the angle is left. Must be called whenever the living cells have changed.
+/// Returns at once if no rule has chirality.
 void findSwirls(World& world);
 
-/// Adds their forces, at the clock's time.
+/// Adds the swirls' forces, at the clock's time.
 void addSwirlForces(World& world);
 
 }  // namespace morula

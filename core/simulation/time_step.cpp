@@ -19,7 +19,7 @@
 namespace morula {
 namespace {
 
-constexpr double margin = 0.8;     // of a stability limit
+constexpr double margin = 0.8;     // share of a stability limit
 constexpr double maxSteps = 1e12;  // more than a week of one small cell
 
 struct Limit {
@@ -39,8 +39,8 @@ double combine(Integrator integrator, const Limit& l) {
   return least / std::sqrt(a * a + b * b + c * c + d * d);
 }
 
-/// [force/length] Of all springs to a cell, with the partners' motion: as many as it has, and those that contacts
-/// may add before the next choice of a time step.
+/// Returns the stiffness [force/length] of all springs to a cell, with the partners' motion. Counts the springs of the
+/// cell with most, and those that contacts may add before the next choice of a time step.
 double connectionStiffness(const World& world) {
   if (!world.connections || !world.connections->parameters.spring) return 0;
   const Connections& c = *world.connections;
@@ -52,7 +52,7 @@ double connectionStiffness(const World& world) {
   return 2 * static_cast<double>(most) * c.parameters.spring->stiffness;
 }
 
-/// [time] Of a cell that springs hold, as a whole.
+/// Returns the limit [time] of a whole cell that springs hold.
 double connectionLimit(const World& world, double stiffness, int slot) {
   const PhysicsParameters& p = world.bodies->parameters;
   if (stiffness == 0) return INFINITY;
@@ -63,14 +63,14 @@ double connectionLimit(const World& world, double stiffness, int slot) {
 }
 
 // [1] Membranes that stick fold, and where one-rings fold normals turn fast. Three and four cells of 42 vertices that
-// collide without any damping and stick with W = 1 change their energy by up to 0.24 % at the step that this gives, and by
-// 0.8 % at twice it. Thirteen that stay together (hard/perpetual) drift by 0.5 % in 100,000 steps of twice it.
+// collide without any damping and stick with W = 1 change their energy by up to 0.24 % at the step from this factor,
+// and by 0.8 % at twice it. Thirteen that stay together (hard/perpetual) drift by 0.5 % in 100,000 steps of twice it.
 constexpr double foldedAdhesion = 350;
 
-// [1] contactLimit counts ten pairs of a vertex; one that has hardened that much beside others is as stiff.
+// [1] contactLimit counts ten pairs of a vertex; one pair that has hardened this much beside others is as stiff.
 constexpr double heldByLimit = 24;
 
-/// [force/length] Of one pair of vertices. A sphere is either pushed or drawn by another: the steeper slope counts.
+/// Returns the stiffness [force/length] of one pair. Spheres either push or draw each other: the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   const double adhesion = adhesionStiffness(c, b);
   if (b.areSpheres()) return std::max(c.parameters.stiffness, adhesion);
@@ -89,23 +89,23 @@ Limit limitOf(const World& world, int cell, int slot, double held, double contac
     return contactLimit(b.parameters.integrator, stiffness, c.damping, b.vertexMass[slot], b.parameters.drag, pairs);
   };
   l.contact = limit(contact, usualPairs);
-  // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move, but those that its other
-  // pairs press on stand still, so these damp it by half.
+  // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move. The vertices that its other
+  // pairs press on stand still, so these pairs damp it by half.
   constexpr double others = 0.5 * usualPairs;
   if (steepness > 0) l.contact = std::min(l.contact, limit(2 * steepness * c.stiffness / others, others));
   return l;
 }
 
-/// [1] By how much contacts that have hardened are stiffer than limits count with anyway.
+/// Returns by how much [1] hardened contacts are stiffer than limits count with anyway.
 double excess(double hardening) { return std::max(1.0, hardening / heldByLimit); }
 
-/// The limits of the cell with the smallest combined one. `steepness`: room for what contacts measure.
+/// Returns the limits of the cell with the smallest combined limit. `steepness`: room for what contacts measure.
 Limit tightestLimit(const World& world, std::vector<double>& steepness, double& combined) {
   Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
   const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
-  // A time step that the scene gives is held against what contacts are before they harden.
+  // A time step that the scene gives is compared with contacts before they harden.
   const bool follows = world.contacts && !b.parameters.timeStep;
   const double hard = follows ? excess(measureHardening(*world.contacts)) : 1;
   const double contact = world.contacts ? contactStiffness(*world.contacts, b, hard) : 0;
@@ -128,21 +128,21 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
                        "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
 }
 
-/// Explicit Euler without drag.
+/// Throws for explicit Euler without drag.
 [[noreturn]] void refuseUndamped(const World& world, int cell) {
   throw NumericalError(world.cells.path[cell].text(), world.clock.step,
                        "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
                        "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
-/// XPBD without pair contact; spheres that nothing touches and nothing drags.
+/// Throws for XPBD without pair contact, and for spheres that nothing touches and nothing drags.
 [[noreturn]] void refuseUnbounded(const World& world) {
   throw NumericalError(world.cells.path[0].text(), world.clock.step,
                        "physics.time_step: auto goes by stability limits, and this scene has none",
                        "give physics.time_step a number");
 }
 
-/// Masses and stiffnesses may be such that no run comes to its end.
+/// Throws if masses and stiffnesses are such that no run comes to its end.
 void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || *end - world.clock.time <= maxSteps * timeStep) return;
@@ -156,7 +156,7 @@ void refuseEndless(const World& world, int cell, double timeStep) {
 
 struct ShortestCycle {
   double length;    // [time]
-  std::string key;  // that gives it
+  std::string key;  // the key that gives it
 };
 
 /// Returns the shortest cycle of all cells that the scene may bring, whatever its seed.
@@ -171,7 +171,7 @@ ShortestCycle shortestCycle(const Scene& scene) {
   return shortest;
 }
 
-/// A longer step would hold two cycles of one cell.
+/// Throws for a step that would hold two cycles of one cell.
 void refuseAboveCycle(const World& world, double timeStep) {
   const ShortestCycle cycle = shortestCycle(world.model);
   if (timeStep <= cycle.length) return;
@@ -195,7 +195,7 @@ void refuseTogether(const World& world) {
       "give less, or 0: each round of events then settles by itself");
 }
 
-/// The run would end behind its stop.
+/// Throws for a step with which the run would end behind its stop.
 void refuseAboveRun(const World& world, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || timeStep <= *end) return;
@@ -206,10 +206,10 @@ void refuseAboveRun(const World& world, double timeStep) {
           ", or give a later stop.time or more stop.cycles");
 }
 
-constexpr double maxCycles = 1e12;  // one after the other; more than a week of a cell without a body
+constexpr double maxCycles = 1e12;  // max cycles in succession; more than a week of a cell without a body
 
 struct Flight {
-  double limit = INFINITY;  // [time] in which it moves by maxFlight
+  double limit = INFINITY;  // [time] in which the cell moves by maxFlight
   int cell = 0;
 };
 
@@ -237,7 +237,7 @@ void refuseFlight(const World& world, double timeStep) {
                            ", or lower what drives it: speeds (cells: velocity)");
 }
 
-/// [time] Of all cells, the smallest limit that they have while no contact is hard or steep.
+/// Returns the smallest limit [time] that cells have while no contact is hard or steep.
 double restingLimit(const World& world) {
   const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world), contact = contactStiffness(*world.contacts, b, 1);
@@ -253,7 +253,7 @@ double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
 }
 
-/// [time] The longest automatic time step: stable, and short enough for the fastest cell. Steps are shortened for speed
+/// Returns the longest automatic time step [time]: stable, and short enough for the fastest cell. Speed shortens steps
 /// by 64 times at most: faster cells move farther than contacts reach in a step, and the run ends (checkReach).
 double automaticLimit(const World& world, double combined) {
   constexpr double minShare = 1.0 / 64;
@@ -306,7 +306,7 @@ void checkCrossing(const World& world) {
   constexpr std::uint64_t between = 4;  // [step] Cells in flight need ten to cross, on meshes of 12 vertices six
   if (!world.bodies || !world.contacts || world.clock.step % between != 0) return;
   if (measureHardening(*world.contacts) <= heldByLimit) return;  // nothing is pressed hard
-  // In flight: so fast that an automatic step follows from the speed, or did until they met; whatever the step is.
+  // Cells in flight are so fast that an automatic step follows from their speed, or did until they met.
   if (shortestFlight(world).limit > 2 * restingLimit(world)) return;
   const auto overlap = measureCellOverlap(world);
   if (!overlap || overlap->holds()) return;
@@ -321,7 +321,7 @@ void followContacts(World& world) {
   if (!world.bodies || !world.contacts || world.bodies->count == 0) return;
   const PhysicsParameters& p = world.bodies->parameters;
   if (p.timeStep || kindOf(p.integrator).solvesForces || kindOf(p.integrator).settles) return;
-  // [step] It need not be longer at once, nor shorter where vertices come to rest at the ends of their reach.
+  // [step] A step need not grow at once, nor shrink where vertices come to rest at the ends of their reach.
   constexpr std::uint64_t between = 64;
   const Clock& clock = world.clock;
   const bool mayGrow = (clock.step - clock.epochStep) % between == 0;

@@ -23,13 +23,13 @@ namespace {
 // still run cycle k.
 constexpr double slack = 1e-9;
 
-/// [time] The latest time at which a cell cycle is due that the run still makes; infinite without a planned end.
+/// Returns the latest time [time] of a cell cycle that the run still makes; infinite without a planned end.
 double lastDue(const Scene& scene) {
   const std::optional<double> end = plannedEnd(scene);
   return end ? *end + slack * scene.cycle.length : INFINITY;
 }
 
-/// Sets to 0 what acts on moving cells only, and so does not change where they come to rest.
+/// Sets parameters to 0 that act on moving cells only, and so do not change where cells come to rest.
 void leaveOutMotion(MechanicsScene& m) {
   m.physics.drag = m.physics.membrane.damping = 0;
   if (m.contact) m.contact->damping = m.contact->friction = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The state of a scene in motion, and how it goes on.
+// The state of a scene in motion, and the functions that take it on.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace morula {
 
 struct Contacts;  // contacts/contacts.h
 
-/// How to compute. Nothing here changes a bit of the result.
+/// Settings of the computation, which change no bit of the result.
 struct Execution {
   Isa isa = bestIsa();
   int threads = 1;
@@ -37,19 +37,19 @@ struct Execution {
 struct Cells {
   std::vector<CellPath> path;
   std::vector<StateId> state;
-  std::vector<double> lastCycle;     // [time] when its last cell cycle was due, or its mother's at its birth
+  std::vector<double> lastCycle;     // [time] when its last cell cycle was due; until its first one, its mother's
   std::vector<double> growth;        // wantsToGrow, as it was at the last cell cycle
-  std::vector<std::uint32_t> entry;  // its place in lineage.entries
+  std::vector<std::uint32_t> entry;  // index in lineage.entries
 };
 
-/// The number of the living cell with this path; −1 if there is none. O(log cells)
+/// Returns the number of the living cell with this path; −1 if there is none. O(log cells)
 int cellNumber(const Cells& cells, const CellPath& path);
 
 struct Clock {
   double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
   std::uint64_t step = 0;  // physical steps; in a lineage-only world, times at which cell cycles ran
-  double timeStep = 0;     // [time] 0 in a lineage-only or quasi-static world: it goes from cycle to cycle
-  double epochTime = 0;    // where the present time step came into force
+  double timeStep = 0;     // [time] 0 in a lineage-only or quasi-static world, which goes from cycle to cycle
+  double epochTime = 0;    // [time] when the present time step came into force
   std::uint64_t epochStep = 0;
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
@@ -59,8 +59,8 @@ struct BodyCopy {
   Reals position, velocity, acceleration;
 };
 
-/// One entry for the start and one for each change; changes happen at divisions and deaths, and at cell
-/// cycles where cells may grow or shrink.
+/// A change of the time step: one entry for the start and one for each change. Changes happen at divisions and deaths,
+/// and at cell cycles where cells may grow or shrink.
 struct TimeStepChange {
   double time = 0;
   std::uint64_t step = 0;
@@ -74,12 +74,12 @@ struct BirthSize {
 
 /// A settling of a quasi-static world (settle.h).
 struct SettlingRecord {
-  double time = 0;  // [time] of the events before it
+  double time = 0;  // [time] of the events before the settling
   std::uint64_t step = 0, cells = 0;
-  std::uint64_t evaluations = 0;  // of the forces
-  double residual = 0;            // [1] r of settle.h, at its end
-  // How far from rest that is [SettleParameters::sample]: what cells lose and how far a vertex goes until r is a
-  // hundredth of the tolerance, or `evaluations` have been made once more
+  std::uint64_t evaluations = 0;  // evaluations of the forces
+  double residual = 0;            // [1] r of settle.h, at the end of the settling
+  // How far from rest the end is [SettleParameters::sample]: the energy that cells lose and the way of a vertex until r
+  // is a hundredth of the tolerance, or `evaluations` have been made once more
   std::optional<double> energyLeft = {};        // [force·length]
   std::optional<double> displacementLeft = {};  // [length]
 };
@@ -108,7 +108,7 @@ struct World {
   std::optional<std::vector<ExperimentRecord>> experiments;  // in the order in which they were done; absent: none
 
   std::optional<BodyCopy> before;            // scratch of takeSteps
-  std::optional<Motility> motility;          // of scenes with it; follows from the rest
+  std::optional<Motility> motility;          // for scenes with motility; follows from the rest
   std::optional<std::vector<Swirl>> swirls;  // follow from the divisions; absent: no rule has chirality
 };
 
@@ -119,26 +119,26 @@ World makeWorld(const Scene& scene, const Execution& execution = {});
 /// Makes a world whose cells are controlled by another biology than the scene's DNA.
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
-/// Goes on by one time step, or in a lineage-only or quasi-static world to the next cell cycle, and does the divisions,
-/// deaths and connections that are due; a quasi-static one settles then. Throws NumericalError when the physics cannot
-/// go on; the world then holds the failed state.
+/// Takes one time step, or in a lineage-only or quasi-static world goes to the next cell cycle, and does the divisions,
+/// deaths and connections that are due; a quasi-static world settles then. Throws NumericalError when the physics
+/// cannot go on; the world then holds the failed state.
 void step(World& world);
 
-/// Goes on by up to `most` steps, but not past a cell cycle or the planned end: the same as so many calls of
-/// step. Isolated cells make all of these steps block by block.
+/// Takes up to `most` steps, but not past a cell cycle or the planned end: the same as that many calls of step.
+/// Isolated cells make all of these steps block by block.
 void takeSteps(World& world, std::uint64_t most);
 
-/// Steps until the clock shows that time [time] or a later one; 1 at least.
+/// Returns the number of steps until the clock shows `time` [time] or later; 1 at least.
 std::uint64_t stepsUntil(const Clock& clock, double time);
 
 /// True once one of the scene's stop conditions holds.
 bool finished(const World& world);
 
-/// True if a part of the scene draws random numbers. Otherwise every seed gives the same result. Whatever
-/// comes to draw some (grep for base/random.h) has its line here.
+/// True if a part of the scene draws random numbers. Otherwise every seed gives the same result. Each part that comes
+/// to draw numbers (grep for base/random.h) has its line in this function.
 bool usesSeed(const Scene& scene);
 
-/// The simulated time at which the run stops, if it is known beforehand (not with stop.cells alone). [time]
+/// Returns the simulated time [time] at which the run stops, if it is known beforehand (not with stop.cells alone).
 std::optional<double> plannedEnd(const Scene& scene);
 
 }  // namespace morula

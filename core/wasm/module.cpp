@@ -1,5 +1,5 @@
-// The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without glue of a tool. The
-// caller writes a text into the module's memory at the address that `place` gives, and reads answers at that of `text`.
+// The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without generated glue. The
+// caller writes a text into the module's memory at the address of `place`, and reads answers at the address of `text`.
 #include "wasm/module.h"
 
 #include <vector>
@@ -16,7 +16,7 @@ std::vector<float> places;
 
 }  // namespace
 
-/// Returns the place at which a page puts a text of so many bytes for `open`.
+/// Returns the place at which a page puts a text of `bytes` bytes for `open`.
 MORULA_EXPORT(place) char* place(std::size_t bytes) {
   given.assign(bytes, '\0');
   return given.data();
@@ -25,14 +25,14 @@ MORULA_EXPORT(place) char* place(std::size_t bytes) {
 MORULA_EXPORT(text) const char* text() { return said.data(); }
 MORULA_EXPORT(textSize) std::size_t textSize() { return said.size(); }
 
-/// Makes the world of the scene that was put in place.
+/// Makes the world of the scene whose text was written at `place`.
 MORULA_EXPORT(open) int open() {
   return outcomeOf([] {
     setFloatingPoint();
     begin(readScene(given, "scene"));
   });
 }
-/// Goes on by up to so many steps, not past the end.
+/// Takes up to `most` steps, not past the end.
 MORULA_EXPORT(run) int run(std::uint32_t most) {
   return outcomeOf([&] {
     const std::uint64_t end = world->clock.step + most;
@@ -44,11 +44,11 @@ MORULA_EXPORT(stepNumber) double stepNumber() { return static_cast<double>(world
 MORULA_EXPORT(timeNow) double timeNow() { return world->clock.time; }
 MORULA_EXPORT(cellCount) std::size_t cellCount() { return world->cells.path.size(); }
 
-/// Says the state's hash.
+/// Answers with the state's hash.
 MORULA_EXPORT(hash) int hash() {
   return outcomeOf([] { said = stateHash(*world).text(); });
 }
-/// Says the next link of the chain of hashes, as databases and goldens keep them.
+/// Answers with the next link of the chain of hashes, as databases and goldens keep them.
 MORULA_EXPORT(nextHash) int nextHash() {
   return outcomeOf([] {
     link = nextLink(link, *world).hash;

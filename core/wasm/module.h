@@ -13,8 +13,8 @@
 namespace morula::module {
 
 inline std::optional<World> world;
-inline std::optional<Hash> link;  // the last one of the chain of hashes
-inline std::string given, said;   // the text that came in last, and the one that goes out
+inline std::optional<Hash> link;  // the last link of the chain of hashes
+inline std::string given, said;   // the last text that came in, and the answer
 
 enum Outcome { good, wrongInput, noPhysics, noMemory, aBug };
 

@@ -1,4 +1,4 @@
-// parallelFor without oneTBB (MORULA_THREADS=OFF): one thread, whatever is asked for, with the same bits.
+// parallelFor without oneTBB (MORULA_THREADS=OFF): always one thread, with the same bits.
 #include "base/parallel.h"
 
 namespace morula {

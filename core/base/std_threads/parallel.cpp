@@ -1,5 +1,5 @@
-// Threads of the standard library in place of oneTBB's (MORULA_THREADS=std), for the thread sanitizer: it sees how
-// these begin and end, and cannot see into oneTBB's library.
+// parallelFor with threads of the standard library instead of oneTBB's (MORULA_THREADS=std), for the thread sanitizer.
+// The sanitizer sees how these threads begin and end, but cannot see into oneTBB's library.
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void parallelFor(int count, int threads, void (*body)(void*, int), void* context
     for (auto i = std::int64_t{count} * part / parts; i < end; ++i) body(context, static_cast<int>(i));
     thisThread = before;
   };
-  std::vector<std::future<void>> others;  // which wait for their ends where they go
+  std::vector<std::future<void>> others;  // their destructors wait for the threads
   for (int part = 1; part < parts; ++part) others.push_back(std::async(std::launch::async, run, part));
   run(0);
   for (auto& other : others) other.get();

@@ -5,15 +5,15 @@
 namespace morula {
 namespace {
 
-/// One direction for all cells that are cut so.
+/// Cuts all cells across one direction.
 struct FixedAxis final : DivisionPolicy {
   explicit FixedAxis(const PlaneChoice& p) : axis(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override { return throughCentre(cell, axis); }
   Vector axis;
 };
 
-/// The new wall meets the one before at right angles [Sachs 1877]: of the directions within the mother's plane, the one
-/// of the cell's largest extent. Cells that no division made are cut across the given axis.
+/// The new wall meets the mother's wall at right angles [Sachs 1877]: its axis is the direction of the cell's largest
+/// extent within the mother's plane. Cells that no division made are cut across the given axis.
 struct AlternatingPlane final : DivisionPolicy {
   explicit AlternatingPlane(const PlaneChoice& p) : first(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override {

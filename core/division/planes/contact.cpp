@@ -1,10 +1,10 @@
-// Planes by a cell's contact with cells that hold a substance; without such a contact as longest.
+// Planes by a cell's contact with cells that hold a substance; cells without such a contact divide as by longest.
 #include "division/planes/directions.h"
 
 namespace morula {
 namespace {
 
-/// `axisFrom`: the axis, by the cell and the direction to its contact.
+/// `axisFrom` computes the axis from the cell and the direction to its contact.
 template <auto axisFrom>
 struct ByContact final : DivisionPolicy {
   explicit ByContact(const PlaneChoice& p) : substance(p.substance) {}
@@ -20,7 +20,7 @@ Vector awayFromContact(const CellContext&, const Vector& contact) { return -cont
 
 }  // namespace
 
-/// Daughter A at the contact: as the spindle of the worm's P2 turns to EMS, and that of EMS to P2.
+/// Daughter A lies at the contact: so the spindle of the worm's P2 turns to EMS, and the spindle of EMS to P2.
 const DivisionPlaneKind towardsPlane{
     .plane = DivisionPlane::towards,
     .name = "towards",
@@ -41,8 +41,8 @@ const DivisionPlaneKind awayFromPlane{
     .make = makeFromChoice<ByContact<awayFromContact>>,
 };
 
-/// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of it, as skin
-/// cells do that stay on what they cover.
+/// The axis lies in the contact's plane, which the division cuts in two: both daughters keep a part of the contact,
+/// like skin cells, which stay on what they cover.
 const DivisionPlaneKind acrossPlane{
     .plane = DivisionPlane::across,
     .name = "across",

@@ -1,7 +1,7 @@
-// A direction that cells have, keep, and hand on: the egg's is given, daughters inherit their mother's. Where it
-// turns to contacts, a cell that is about to divide and touches some cell that holds the substance takes the
-// direction to that contact (or away from it), and its daughters inherit this one: as in the worm, whose P lineage
-// turns its polarity round at P2, where it meets EMS.
+// A direction that cells have, keep, and hand on: the egg's is given, daughters inherit their mother's. With a
+// substance, a cell that is about to divide and touches a cell that holds the substance takes the direction to that
+// contact (or away from it), and its daughters inherit the new direction. So the worm's P lineage turns its polarity
+// round at P2, where P2 meets EMS.
 #include "division/planes/directions.h"
 
 namespace morula {
@@ -21,7 +21,7 @@ struct Polarity final : DivisionPolicy {
     return cut;
   }
   Vector start;
-  std::string substance;  // empty: it never turns
+  std::string substance;  // empty: the direction never turns
   bool turnsAway;
 };
 

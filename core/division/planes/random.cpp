@@ -1,4 +1,4 @@
-// A random direction, evenly from all: the thesis' reference [Nilsson 2008, §4.4.2].
+// A random direction, uniform over all: the thesis' reference [Nilsson 2008, §4.4.2].
 #include "base/random.h"
 
 #include "division/planes/directions.h"
@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// One direction per cell, whatever the order in which cells divide.
+/// Each cell has one direction, whatever the order in which cells divide.
 struct RandomDirection final : DivisionPolicy {
   explicit RandomDirection(std::uint64_t s) : seed(s) {}
   Cut findCut(const CellContext& cell) const override {

@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// One of each two opposite directions, and which are next to each other.
+/// One of each two opposite directions, and the neighbours of each.
 struct Directions {
   std::vector<Vector> all;
   std::vector<std::vector<int>> next;
@@ -25,7 +25,7 @@ Directions makeDirections() {
       place[v] = static_cast<int>(d.all.size());
       d.all.push_back(sphere.vertices[v] / norm(sphere.vertices[v]));
     }
-  // The half of an opposite direction: the nearest one to it, whose mirror image the icosphere has.
+  // Directions of the other half take the place of their opposite, the nearest: the icosphere has mirror images.
   for (std::size_t v = 0; v < sphere.vertices.size(); ++v) {
     if (place[v] >= 0) continue;
     const auto nearer = [&](const Vector& a, const Vector& b) {
@@ -39,8 +39,8 @@ Directions makeDirections() {
   return d;
 }
 
-/// Downhill on the sphere of directions, to the best of eight places around and, where none is better, in
-/// steps half as long.
+/// Goes downhill on the sphere of directions, to the best of eight places around and, where none is better, in steps
+/// half as long.
 Vector refine(const Mesh& mesh, const Point& point, Vector normal, double area) {
   constexpr std::array<std::array<double, 2>, 8> around{
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {0.7, -0.7}, {-0.7, 0.7}, {-0.7, -0.7}}};
@@ -73,7 +73,7 @@ double sectionArea(const Mesh& mesh, const Point& point, const Vector& normal) {
     const std::array<double, 3> h{heightOf(face[0]), heightOf(face[1]), heightOf(face[2])};
     const bool above[3] = {h[0] > 0, h[1] > 0, h[2] > 0};
     if (above[0] == above[1] && above[1] == above[2]) continue;
-    Vector up, down;  // where its rim, followed around, comes through the plane
+    Vector up, down;  // where the face's rim, followed around, comes through the plane
     for (int k = 0; k < 3; ++k) {
       const int l = (k + 1) % 3;
       if (above[k] == above[l]) continue;

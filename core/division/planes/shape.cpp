@@ -10,7 +10,7 @@ struct LongestExtent final : DivisionPolicy {
   Cut findCut(const CellContext& cell) const override { return throughCentre(cell, longestExtent(cell)); }
 };
 
-/// The new wall has the least area of all that pass through the middle [Errera 1886; Besson & Dumais 2011].
+/// The new wall has the least area of all walls through the middle [Errera 1886; Besson & Dumais 2011].
 struct SmallestArea final : DivisionPolicy {
   Cut findCut(const CellContext& cell) const override {
     const BodyShape& shape = cell.physical()->getShape();

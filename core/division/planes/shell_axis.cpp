@@ -1,4 +1,4 @@
-// Along the shell, whatever the cell's shape. Of semi-axes that are equally long x comes before y before z.
+// Planes along the shell, whatever the cell's shape. Of equally long semi-axes x comes before y before z.
 #include "base/error.h"
 #include "division/planes/directions.h"
 

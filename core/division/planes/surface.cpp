@@ -1,5 +1,5 @@
-// Planes by where the organism's surface is: along it both daughters stay as far out as their mother, and a layer of
-// cells stays one; across it one daughter goes in.
+// Planes by the direction of the organism's surface. Along the surface both daughters stay as far out as their mother,
+// and a layer of cells stays one; across it one daughter goes in.
 #include "division/planes/directions.h"
 
 namespace morula {
