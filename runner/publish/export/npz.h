@@ -7,7 +7,7 @@
 namespace morula {
 
 /// Returns the bytes of an .npz. Samples have different numbers of rows: one array holds all rows, those of sample i
-/// from start[i] to start[i + 1]. `cell` is an index in the arrays of cells, `state` in `states`; NaN is an absent value.
+/// from start[i] to start[i + 1]. `cell` is an index in the arrays of cells, `state` in `states`; NaN means absent.
 /// - run_id, scenario (one text each), seed
 /// - cells (n): paths, names, born, ended (NaN: alive), fates, last_states; states: substances
 /// - samples (s): times; cell_start (s + 1), and for each living cell (c): cell, state, centroids (c × 3), and volumes,
