@@ -54,8 +54,8 @@ struct TrialRun {
 /// Runs a new world for about `vertexSteps` steps times vertices. Throws NumericalError as a run would.
 TrialRun tryBeginning(World world, const Life& life, double vertexSteps = 8e6);
 
-/// Predicts the max stable time step [time] after so many divisions: that of an equal part of a free egg, times the
-/// loss that the trial run found per division for real cells, which are uneven and pressed.
+/// Predicts the max stable time step [time] after so many divisions: that of an equal part of a free egg, reduced with
+/// each division as the trial run found for real cells, which are uneven and pressed.
 double predictTimeStepLimit(const TrialRun& trial, int generation);
 
 /// Returns the mean number of vertices of the living cells, which may have different meshes; the egg's if none lives.

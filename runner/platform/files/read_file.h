@@ -9,7 +9,7 @@
 
 namespace morula {
 
-inline constexpr std::uint64_t maxInputBytes = std::uint64_t{64} << 20;  // of a scenario, DNA, a mesh or a golden
+inline constexpr std::uint64_t maxInputBytes = std::uint64_t{64} << 20;  // a scenario, DNA, a mesh, a golden
 
 /// Returns all bytes of a regular file, without waiting. Throws FileError with the path and the reason if the file does
 /// not exist, is not regular, cannot be read, or holds more than `maxBytes`.

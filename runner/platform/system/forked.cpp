@@ -82,7 +82,7 @@ class SignalsWait {
 }  // namespace
 
 Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what) {
-#if !defined(__SANITIZE_THREAD__)  // which has a thread of its own
+#if !defined(__SANITIZE_THREAD__)  // the thread sanitizer has a thread of its own
   MORULA_CHECK(threadsNow() == 1, "others would be missing in the new process, with whatever they hold locked");
 #endif
   Pipe answer = makePipe();

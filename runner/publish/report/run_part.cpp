@@ -171,7 +171,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
 
 /// Gathers the findings of all runs, but good ones; a finding on several runs is told once.
 void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
-  std::vector<std::pair<Finding, std::vector<Words>>> found;  // with the titles of the runs
+  std::vector<std::pair<Finding, std::vector<Words>>> found;  // each finding with the titles of its runs
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
       if (f.kind == Kind::good || f.kind == Kind::note) continue;

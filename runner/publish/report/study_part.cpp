@@ -56,7 +56,7 @@ struct Trouble {
 
 /// Adds findings on runs that failed, are missing or are not sane, one for each condition and reason.
 void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
-  std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // with the seeds of the runs
+  std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // each trouble with the seeds of its runs
   for (const auto& [condition, seed, task] : troubledRuns(r)) {
     const Trouble trouble{condition, task.status, task.reason};
     auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == trouble; });

@@ -1,6 +1,6 @@
 #pragma once
-// The facts of one run on a page: its rows in the database, its scenario and golden, its repetition for the shapes,
-// which few databases keep, and its run in Bullet, whose shapes no database keeps.
+// The facts of one run on a page: its rows in the database, its scenario and golden, and its repetitions in Morula and
+// in Bullet, for the shapes that databases rarely keep.
 #include <memory>
 #include <optional>
 #include <string>

@@ -113,7 +113,7 @@ class Statement {
   std::uint64_t bits(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   /// NULL reads as NaN: see bind(double).
   double real(int column) const;
-  std::string text(int column) const;  // of a text or a BLOB; NULL reads as ""
+  std::string text(int column) const;  // also reads a BLOB; NULL reads as ""
   /// Reads a text of one line, without control characters.
   std::string line(int column) const;
 

@@ -16,9 +16,9 @@ struct KeyChange {
 /// records no parameters.
 std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after);
 
-/// Returns lines for people, each indented by two blanks: the changed keys, the differences of the lineage, the largest
-/// movement at the end of a cell that both have [radii of the egg], and the changes of volume and pressure [per cent],
-/// of the organism and the largest of a cell. "" if none of these differs.
+/// Returns lines for people, each indented by two blanks; "" if there are no differences. They tell the changed keys,
+/// the differences of the lineage, and for cells that both have at the end the largest movement [radii of the egg].
+/// Then follow changes of volume and pressure [per cent]: the organism's, and the largest of a cell.
 std::string changeInWords(const GoldenData& before, const GoldenData& after);
 
 /// A line of changeInWords: a heading of up to eight letters, or none for a further line of the last, and a text.

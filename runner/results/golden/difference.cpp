@@ -43,7 +43,7 @@ std::string inWords(const std::optional<double>& expected, const std::optional<d
   return inWords<std::optional<double>>(expected, actual);
 }
 
-constexpr std::size_t digits = 4;  // of each cell's hash in a line `step_hash`
+constexpr std::size_t digits = 4;  // digits of each cell's hash in a line `step_hash`
 
 /// Returns the cells alive after this step according to the golden's lineage, by lineage path.
 std::vector<CellPath> aliveAt(const GoldenData& golden, std::uint64_t step) {

@@ -131,7 +131,7 @@ struct GoldenRow {
 struct GoldenError {
   static constexpr const char *form = "error quantity time until mesh mesh_until", *check = "stated";
   std::string quantity;             // [accuracy/state_error.h]
-  double time = 0, until = 0;       // of the time step, and of single precision; compared up to this time
+  double time = 0, until = 0;       // error of time step and single precision; last comparison [time]
   std::optional<double> mesh;       // error of the mesh; 0 for spheres; absent: not known
   std::optional<double> meshUntil;  // [time]
   int line = 0;

@@ -36,7 +36,7 @@ void sealRun(Database& db, const std::string& id, bool (*takes)(TablePart) = nul
 /// A time and a step. Records after them have joined the records of a sealed run.
 struct RecordedUntil {
   double time = -1;        // [time] of the last sample
-  std::int64_t step = -1;  // of the last hash
+  std::int64_t step = -1;  // step of the last hash
 };
 /// Adds the rows after `until` to the digests of samples and hashes, without reading rows that were stored earlier.
 void extendSeal(Database& db, const std::string& id, const RecordedUntil& until);

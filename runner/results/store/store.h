@@ -108,10 +108,10 @@ class Store {
   /// fewer leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// Compares the results of a run with those of its repetition, stored in `again` as `idAgain`: all tables of results,
-  /// in the order of the schema, by their keys, and of `run` the columns that the computation decides. Equal means the
-  /// same bits as far as SQLite keeps them (−0.0 is kept as 0.0, NaN as NULL). Left out are `checkpoint`, which a
-  /// finished run does not have, `bullet_sample`, and check results of the kinds golden and bullet, which depend on
-  /// data that is not stored. Throws StoreError.
+  /// in the order of the schema, by their keys. Of `run` it compares the columns that the computation decides. Equal
+  /// means the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, NaN as NULL). Left out are `checkpoint`,
+  /// which a finished run does not have, `bullet_sample`, and check results of the kinds golden and bullet, which
+  /// depend on data that is not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
   /// Returns all tables, in the order of the schema; those in `known` with their purpose. `id`: counts only this run's
   /// rows; "": all rows.
