@@ -1,6 +1,6 @@
 #pragma once
-// morula accuracy: speed against error. One scene, computed in many ways, each held against a reference that
-// has converged by itself.
+// morula accuracy: speed against error. A scene is computed with many settings, each compared with a converged
+// reference.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,58 +14,58 @@
 namespace morula {
 
 struct AccuracyOptions {
-  std::optional<double> until = {};          // [time] compare up to here; absent: up to the horizon of chaos
-  std::vector<Integrator> integrators = {};  // to be compared
-  std::vector<std::uint64_t> levels = {};    // further meshes; the scene's own always takes part
+  std::optional<double> until = {};          // [time] end of the comparison; absent: the horizon of chaos
+  std::vector<Integrator> integrators = {};  // integrators to be compared
+  std::vector<std::uint64_t> levels = {};    // levels of further meshes; the scene's own always takes part
   bool otherPrecision = true, otherLaw = true, cheaperModels = true;
-  bool bullet = false;       // compare with Bullet, where it can compute the scene
-  std::string program = {};  // that is asked: this one's own file
-  int halvings = 4;          // of the longest time step
-  int samples = 16;          // times of comparison, at most
-  int rounds = 3;            // of every run, for the CPU time
-  double budget = 60;        // [s] of CPU time, for the runs on other meshes
-  bool brief = false;        // only the scenario as it is; the reference then is as fine as that asks for
+  bool bullet = false;       // true: compare with Bullet, if Bullet can compute the scene
+  std::string program = {};  // the program that runs Bullet: the running one's file
+  int halvings = 4;          // number of halvings of the longest time step
+  int samples = 16;          // max number of times of comparison
+  int rounds = 3;            // number of repetitions of every run, for its CPU time
+  double budget = 60;        // [s] max CPU time of the runs on other meshes
+  bool brief = false;        // true: only the scenario's own settings, with a reference as fine as these need
   Execution execution = {};
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// The parts of a row's whole error. Absent: not known.
+/// The parts of a row's whole error. An absent part is unknown.
 struct ErrorParts {
-  std::optional<double> time;       // of the time step: against the converged solution on the row's own mesh
-  std::optional<double> mesh;       // of the mesh: against finer ones [MeshError]; spheres have none
-  std::optional<double> precision;  // single against double; of doubles what rounding has grown to
-  std::optional<double> model;      // another contact law, cell model or engine, its time step included
-  /// The sum of what is known; the whole error is no larger if its mesh is known.
+  std::optional<double> time;       // error of the time step: against the converged solution on the row's own mesh
+  std::optional<double> mesh;       // error of the mesh: against finer meshes [MeshError]; spheres have none
+  std::optional<double> precision;  // single against double precision; for doubles the grown rounding
+  std::optional<double> model;      // error of another contact law, cell model or engine, with its time step
+  /// Returns the sum of the known parts; if `mesh` is known it bounds the whole error.
   double sum() const;
 };
 
 struct AccuracyRow : Outcome {
   std::string series, engine = "morula";
-  std::vector<std::string> set;  // makes a scenario of the scene compute so, as --set takes it
-  // Up to `partedAt`, the largest of all times of comparison, against the reference on the scenario's mesh
-  std::optional<double> error;  // the largest of the three in `errors`
+  std::vector<std::string> set;  // changes for --set that give a scenario of the scene this setting
+  // Largest errors before `partedAt`, against the reference on the scenario's mesh
+  std::optional<double> error;  // the largest of centroid, volume and surface in `errors`
   ErrorParts parts;
-  std::optional<DividedElsewhere> cut;  // the first division whose plane is another than the reference's
+  std::optional<DividedElsewhere> cut;  // the first division whose plane differs from the reference's
   StateError errors;
-  double until = 0;                // [time] of the last comparison in them
-  bool touch = false;              // whether cells of the reference do by then
+  double until = 0;                // [time] the last comparison in the errors
+  bool touch = false;              // true: cells of the reference touch by then
   double birthTimes = 0;           // [cycle lengths] largest difference of births
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
-  bool resolved = false;           // whether the reference is ten times as good at least
+  bool resolved = false;           // true: the reference's error is at most a tenth of this one
 };
 
-/// The reference of all rows: the scenario's own mesh in time steps that no longer matter. `witness`: the same
-/// by another integrator, which confirms it.
+/// The reference of all rows: the scenario's own mesh in time steps that no longer matter. `witness`: the same scene by
+/// another integrator, which confirms it.
 struct AccuracyReference {
   Setting setting, witness;
-  LeftError left, witnessLeft;  // by Richardson's estimate; the reference's at least what rounding makes
-  double distance = 0;          // of the two
-  bool agrees = false;          // the two are no farther apart than their estimates allow
+  LeftError left, witnessLeft;  // Richardson's estimates; `left` is at least the effect of rounding
+  double distance = 0;          // distance of reference and witness
+  bool agrees = false;          // true: the distance is within their estimates
 };
 
 struct SeriesOrder {
   std::string series;
-  double theory = 0;  // for a smooth scene
+  double theory = 0;  // the order for a smooth scene
   std::optional<PowerLaw> observed;
 };
 
@@ -73,90 +73,91 @@ struct SpeedAtError {
   double error = 0;
   std::string series;
   double cpuSeconds = 0, forceEvaluations = 0;
-  std::optional<double> speed;  // CPU time of the scenario's own settings at that error over this
+  std::optional<double> speed;  // CPU time of the scenario's own settings at this error, over `cpuSeconds`
 };
 
-/// The least CPU time for an error, of our settings and of Bullet's, where both have it.
+/// The least CPU time for an error, of Morula's settings and of Bullet's, if both reach it.
 struct BulletSpeed {
   double error = 0;
-  std::string ours, bullets;  // series
+  std::string ours, bullets;  // names of the series
   double ourSeconds = 0, bulletSeconds = 0;
-  double bulletMostSeconds = 0;  // of its series that have that error, the slowest
+  double bulletMostSeconds = 0;  // CPU time of the slowest of Bullet's series that reach the error
 };
 
-/// The settings that are as exact as the scenario is and cost the least among those tried.
+/// The cheapest of the tried settings that are as exact as the scenario's own.
 struct Rival {
   std::string series;
   double cpuSeconds = 0;
-  double speed = 0;  // the scenario's CPU time over this
+  double speed = 0;  // the scenario's CPU time over `cpuSeconds`
 };
 
 struct AccuracyReport {
-  std::string scenario, usual;  // the series of the scenario's own settings
-  AccuracyRow own;              // the scenario as it is
-  std::optional<Rival> rival;   // nothing that was tried is as exact, or it has failed
-  MeshError mesh;               // of the scenario's own mesh
-  std::vector<double> times;    // [time] of comparison
-  std::optional<double> end;    // [time] of the scene, where it is planned
+  std::string scenario, usual;  // `usual`: the series of the scenario's own settings
+  AccuracyRow own;              // the row of the scenario's own settings
+  std::optional<Rival> rival;   // absent: no tried setting is as exact, or the own row has failed
+  MeshError mesh;               // error of the scenario's own mesh
+  std::vector<double> times;    // [time] times of comparison
+  std::optional<double> end;    // [time] planned end of the scene; absent: not planned
   std::optional<Horizon> horizon;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
   std::vector<SeriesOrder> orders;
   std::vector<SpeedAtError> speeds;
-  std::vector<BulletSpeed> bulletSpeeds;  // at 1e-1, 1e-2, …
+  std::vector<BulletSpeed> bulletSpeeds;  // at errors of 1e-1, 1e-2, …
   std::vector<std::string> remarks;
 };
 
 /// Throws InputError for a scene that has no error of a time step.
 void refuseWithoutError(const Scenario& scenario);
-/// Throws InputError for such a scene, or one whose own settings cannot run.
+/// Measures errors and costs. Throws InputError for such scenes, or if the scene's own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
-/// How far from rest each settling of a quasi-static scene ends: runs it to its end, and from each settling once more
-/// until the residual is a hundredth of the tolerance (SettlingRecord). Throws InputError for a scene that cannot run
+/// Measures how far from rest each settling of a quasi-static scene ends. It runs the scene to its end, and settles
+/// each time further, to a hundredth of the tolerance (SettlingRecord). Throws InputError for a scene that cannot run
 /// to its end.
 Table measureSettlings(Scenario scenario, const Execution& how);
 
-/// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more
-/// than `target`, by CPU time.
+/// Returns the rows of Morula, or of Bullet, by CPU time, whose error on the scenario's mesh plus the reference's own
+/// is at most `target`.
 std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours = true);
 
-/// Between neighbouring runs of a series, or one that is more exact and not dearer.
+/// Returns the cheapest run as exact as `own`, perhaps interpolated between neighbours of a series.
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows);
 
 std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows);
 
-/// Orders and speeds of rows; those not resolved, parted or failed are left out.
+/// Orders and speeds of rows, without rows that are not resolved, parted or failed.
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);
 std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual);
 
 /// Describes the report for people.
 Document describe(const AccuracyReport& report);
 
-/// "1/128", or as a number; of steps that the scene chooses a share of them.
+/// Returns a time step as "1/128", or as a number; a scene's own choice of steps as a share of them.
 std::string stepText(double timeStep);
 std::string stepText(const Setting& setting);
-/// Every setting, and what its error is made of; below it those that failed with their reasons.
+/// Returns tables of all settings with the parts of their errors, and of the failed settings with their reasons.
 Document settingTables(const AccuracyReport& report);
-/// How fast errors fall with the time step.
+/// Returns the order in which each series' errors fall with the time step.
 Table orderTable(const AccuracyReport& report);
-/// The least CPU time for an error, ours and Bullet's.
+/// Returns the least CPU times for errors, Morula's and Bullet's.
 Table bulletTable(const AccuracyReport& report);
 
-/// Writes a report for other programs. `picture`: its path.
+/// Writes a report for other programs. `picture`: the path of its chart.
 Json toJson(const AccuracyReport& report, const std::string& picture);
 Json toJson(const Setting& setting);
 
-/// Reads a report back as far as people are shown it. Throws for other JSON.
+/// Reads a report back, as far as people see it. Throws for other JSON.
 AccuracyReport accuracyFrom(const Json& json);
-/// All rows for other programs, CSV.
+/// Returns all rows as CSV, for other programs.
 std::string accuracyCsv(const Json& rows);
 
-/// Draws error over CPU time, both on logarithmic scales, one line per series, each point labelled with
-/// its time step; what failed or is not resolved is not drawn. A run in which other cells live from some time
-/// on is a hollow point by itself, with that time.
+/// Draws error over CPU time, both on logarithmic scales: a line for each series, with its time steps as labels. Failed
+/// and unresolved runs are left out. A run in which other cells live from some time on is a separate hollow point, with
+/// that time.
 Drawing drawAccuracy(const AccuracyReport& report);
-/// If Bullet has many series, returns those that are not drawn: others of its own beat them in error and time.
+/// Returns the series of Bullet that are not drawn, if it has many: other series of Bullet's are better in error and
+/// time.
 std::vector<std::string> beatenBullets(const AccuracyReport& report);
 
 }  // namespace morula

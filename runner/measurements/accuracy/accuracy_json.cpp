@@ -1,4 +1,4 @@
-// Accuracy for other programs: as JSON, which pages are made of again, and its rows as CSV.
+// Accuracy for other programs: as JSON, which pages are made from, and its rows as CSV.
 #include <stdexcept>
 
 #include "accuracy/accuracy.h"
@@ -79,7 +79,7 @@ void listFields(T& row, auto&& field) {
   field({"failure"}, NullIf{row.failure.empty(), row.failure});
 }
 
-/// An error that is not known, infinite or not a number, is null.
+/// In JSON an unknown error, infinite or NaN, is null.
 template <IsA<AccuracyReference> T>
 void listFields(T& r, auto&& field) {
   auto& [setting, witness, left, witnessLeft, distance, agrees] = r;
@@ -215,7 +215,7 @@ AccuracyReport accuracyFrom(const Json& json) {
 
 std::string accuracyCsv(const Json& rows) {
   struct Members {
-    std::string of, prefix;  // of: "" for those of the row itself
+    std::string of, prefix;  // of: "" for fields of the row itself
     std::vector<const char*> names;
   };
   Members all[] = {

@@ -16,7 +16,7 @@
 namespace morula {
 namespace {
 
-/// Bullet's bodies as shapes; `world`: the scene at its start, with the same cells.
+/// Returns Bullet's bodies as shapes. `world`: the scene at its start, with the same cells.
 Shapes shapesOf(const World& world, const std::vector<Body>& cells, double time) {
   Shapes shapes{time, {}};
   const Mesh& egg = world.bodies->mesh.mesh;
@@ -43,14 +43,14 @@ BulletRequest requestOf(const World& world, const BulletSetting& setting, const 
   return request;
 }
 
-/// [runTrial] in a process of its own. Cost: CPU time of Bullet's steps alone.
+/// Runs a trial in Bullet like runTrial, in a separate process. Its cost is the CPU time of Bullet's steps alone.
 Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const BulletSearch& search, int rounds) {
   const std::vector<double>& times = search.times;
   const World world = makeWorld(scenario.scene, search.execution);
   const BulletRequest request = requestOf(world, setting, times);
   Trial trial;
   trial.setting = settingOf(scenario, setting.timeStep);
-  // B2's links see places half a step ahead, and B3 is implicit: both are of first order, as this one.
+  // symplecticEuler stands for first order: B2's links see places half a step ahead, and B3 is implicit.
   trial.setting.integrator =
       setting.baseline == Baseline::b1 ? Integrator::velocityVerlet : Integrator::symplecticEuler;
   std::vector<double> seconds;
@@ -58,7 +58,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
     BulletResult result;
     try {
       result = runInBullet(request, search.program);
-    } catch (const std::exception& error) {  // no answer, or none that can be read
+    } catch (const std::exception& error) {  // no answer, or an unreadable one
       trial.failure = error.what();
       break;
     }
@@ -70,7 +70,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
   if (!seconds.empty()) trial.cpuSeconds = median(seconds);
   trial.steps = trial.forceEvaluations = static_cast<std::uint64_t>(request.steps);
   trial.vertexSteps = trial.steps * static_cast<std::uint64_t>(world.bodies->livingVertices);
-  // A world that has blown up stays finite in Bullet, or is no number: neither is a solution.
+  // A world that has diverged stays finite in Bullet or turns into NaN. Neither is a solution.
   for (const Shapes& shapes : trial.shapes)
     for (const ComparedCell& cell : shapes.cells)
       if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())
@@ -82,7 +82,7 @@ bool isSameChoice(const BulletSetting& a, const BulletSetting& b) {
   return a.margin == b.margin && a.iterations == b.iterations;
 }
 
-/// The choices of a baseline that are worth going on with.
+/// Returns the choices of a baseline that deserve shorter steps.
 std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices,
                                        const std::vector<BulletTrial>& trials,
                                        const std::function<std::optional<double>(const Trial&)>& errorOf) {
@@ -97,7 +97,7 @@ std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices
         list.push_back(c);
         break;
       }
-  return list.empty() ? choices : list;  // none has come to the end yet: shorter steps may
+  return list.empty() ? choices : list;  // no choice has reached the end, but shorter steps may
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
         for (const double step : steps)
           if (step >= search.longest) go(choice, step, 1);
       choices = bestChoices(choices, trials, errorOf);
-      // Measured once more, as often as ours.
+      // The best choices are measured again, in as many rounds as Morula's settings.
       std::erase_if(trials, [&](const BulletTrial& t) {
         return std::ranges::any_of(choices, [&](const BulletSetting& c) { return isSameChoice(c, t.setting); });
       });

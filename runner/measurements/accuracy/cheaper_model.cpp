@@ -1,4 +1,4 @@
-// The cheaper cell models, in place of a scene's own.
+// Cheaper cell models as substitutes for a scene's own.
 #include "accuracy/trial.h"
 #include "mesh/measures.h"
 #include "physics/cell_model.h"

@@ -6,10 +6,10 @@
 namespace morula {
 namespace {
 
-/// Written so that NaN is not.
+/// Returns true for positive finite numbers; false for NaN.
 bool isPositive(double a) { return a > 0 && a < INFINITY; }
 
-constexpr double minOrder = 0.25;  // below it nothing converges
+constexpr double minOrder = 0.25;  // below this order nothing converges
 
 }  // namespace
 

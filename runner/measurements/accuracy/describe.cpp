@@ -7,7 +7,7 @@
 namespace morula {
 namespace {
 
-/// A name and what is said of it; "": the same as above.
+/// A table of names and texts; the name "" repeats the one above.
 struct Facts {
   Table table{"What is compared", {}};
   void say(const char* what, const std::string& text) { table.rows.push_back({what, text}); }

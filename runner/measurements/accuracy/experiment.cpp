@@ -1,4 +1,4 @@
-// The experiment: which runs, and what each is held against.
+// The experiment: the choice of the runs and of the references they are compared with.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 namespace morula {
 namespace {
 
-// One unit in the last place may have grown so much up to the last comparison: errors do the same.
+// Max growth of one unit in the last place up to the last comparison; errors grow likewise.
 constexpr double maxAmplification = 1e4;
-constexpr int finer = 3;           // halvings from the finest step plotted to the reference's
-constexpr double resolution = 10;  // times that the reference must be better than what it judges
+constexpr int finer = 3;           // number of halvings from the finest plotted step to the reference's
+constexpr double resolution = 10;  // min ratio of a row's error to the reference's own
 
-/// Multiples of the longest step, evenly up to the end.
+/// Returns multiples of the longest step, evenly spread up to the end.
 std::vector<double> timesUpTo(double end, double longestStep, int samples) {
   const auto steps = static_cast<std::int64_t>(end / longestStep * (1 + 1e-12));
   std::vector<double> times;
@@ -60,7 +60,7 @@ class AccuracyExperiment {
   }
 
  private:
-  /// The time steps, and the times of comparison.
+  /// Chooses the time steps and the times of comparison.
   void choose() {
     options_.tell("looking for the horizon of chaos");
     Horizon h;
@@ -92,8 +92,8 @@ class AccuracyExperiment {
 
   AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->minTimeStep), "as it is"); }
 
-  /// Returns steps as fine as rows ask for. Where the steps are still too long for integrators that only bear stable
-  /// ones, finer; in brief, as fine as the scenario as it is asks for.
+  /// Finds a reference with steps as fine as the rows need. The steps get finer if integrators are unstable with them;
+  /// `brief` makes them only as fine as the scenario's own row needs.
   void findReference() {
     constexpr int most = 6;
     for (int halvings = options_.brief ? 1 : options_.halvings;; ++halvings) {
@@ -113,8 +113,8 @@ class AccuracyExperiment {
     if (options_.bullet) addBullet();
   }
 
-  /// The longest time step that is stable at the start and fits into the times of comparison a whole number
-  /// of times, power of two or not; 0 if there is none.
+  /// Returns the longest time step that is stable at the start and divides the times of comparison, power of two or
+  /// not; 0 if there is none.
   double longestStable(Setting s) const {
     s.timeStep = longest_;
     try {
@@ -124,12 +124,12 @@ class AccuracyExperiment {
       for (const double time : report_.times)
         if (std::abs(time / apart - std::round(time / apart)) > 1e-9) return 0;
       return step;
-    } catch (const InputError&) { return 0; }  // the rows tell why
+    } catch (const InputError&) { return 0; }  // the rows tell the reason
   }
 
   void addSeries(std::vector<Setting>& list, Setting s) const {
-    // Beside Bullet as long ones as Bullet is tried with. There, and with a model that may bear longer steps,
-    // the longest of all: who can take them takes them.
+    // Beside Bullet the steps are as long as Bullet's. With Bullet or another model, the longest stable step is tried,
+    // too.
     if (const double step = options_.bullet || s.model ? longestStable(s) : 0; step > longest_) {
       s.timeStep = step;
       list.push_back(s);
@@ -140,7 +140,7 @@ class AccuracyExperiment {
     }
   }
 
-  /// Returns true if the scene chooses its time steps and may go on with others than those compared.
+  /// Returns true if the scene chooses its time steps and may use others after the comparison.
   bool stepsChange() const {
     const Horizon& h = *report_.horizon;
     if (scenario_.scene.mechanics->physics.timeStep) return false;
@@ -148,13 +148,13 @@ class AccuracyExperiment {
     return h.minTimeStep < h.maxTimeStep || !end || report_.times.back() < *end - longest_;
   }
 
-  /// Shares of the automatic time steps: what later cells need is theirs to say.
+  /// Adds shares of the automatic time steps, which follow later cells.
   void addShares(std::vector<Setting>& list) const {
     Setting s = settingAsItIs(scenario_, report_.horizon->minTimeStep);
     for (int i = 0; i < options_.halvings; ++i, s.timeStep /= 2, s.autoShare /= 2) list.push_back(s);
   }
 
-  /// One thing is varied at a time, beside the time step.
+  /// Returns the settings; each varies one property beside the time step.
   std::vector<Setting> settings() const {
     std::vector<Setting> list;
     addSeries(list, usual_);
@@ -183,7 +183,7 @@ class AccuracyExperiment {
     return list;
   }
 
-  /// XPBD is for shells, and the thesis' contact law for meshes.
+  /// Adds cheaper cell models. XPBD needs shells and the thesis' contact law needs meshes, so these are replaced.
   void addModels(std::vector<Setting>& list) const {
     const MechanicsScene& m = *scenario_.scene.mechanics;
     for (const CellModel model : cheaperThan(m.physics.cell.model)) {
@@ -197,7 +197,7 @@ class AccuracyExperiment {
   }
 
   void addBullet() {
-    Setting verlet = usual_;  // B1 is as stable
+    Setting verlet = usual_;  // B1 is as stable as velocity Verlet
     verlet.integrator = Integrator::velocityVerlet;
     const BulletSearch search{longest_,           longestStable(verlet), options_.halvings, report_.times,
                               options_.execution, options_.rounds,       options_.program};
@@ -216,7 +216,7 @@ class AccuracyExperiment {
     static_cast<Outcome&>(row) = t;
     row.series = series, row.engine = engine, row.set = changesFor(row.setting);
     if (row.failure.empty()) {
-      // The errors that a golden states end before the first event that differs; other rows tell it in their notes.
+      // A golden's errors end before the first division with another plane; other rows tell it in a note.
       const auto other = options_.brief ? findDividedElsewhere(t.divisions, reference_.divisions, anotherPlane)
                                         : std::optional<DividedElsewhere>();
       const double before = other ? other->time : INFINITY;
@@ -231,8 +231,8 @@ class AccuracyExperiment {
     return row;
   }
 
-  /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and on
-  /// to that on the finest mesh.
+  /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and
+  /// from there to the solution on the finest mesh.
   ErrorParts partsOf(const AccuracyRow& row, const Trial& t, double before) const {
     const Setting& s = row.setting;
     ErrorParts parts;
@@ -282,7 +282,7 @@ class AccuracyExperiment {
     addCuts();
   }
 
-  /// Divisions whose plane hangs on rounding: one remark for each mother.
+  /// Adds one remark for each mother whose plane of division depends on rounding.
   void addCuts() {
     std::map<CellPath, std::vector<DividedElsewhere>> cuts;
     const auto see = [&](const std::optional<DividedElsewhere>& cut) {

@@ -13,10 +13,10 @@
 namespace morula {
 namespace {
 
-constexpr int maxShorter = 6;       // times that the time of comparison is halved
-constexpr double rounding = 1e-12;  // an error that is no larger is none
+constexpr int maxShorter = 6;       // max number of halvings of the time of comparison
+constexpr double rounding = 1e-12;  // smaller errors count as none
 
-/// A golden states an error in two digits: it is measured, not a result.
+/// Rounds an error to two digits, since it is measured and no result.
 double twoDigits(double a) { return std::stod(fmt::format("{:.1e}", a)); }
 
 void write(const Scenario& scenario, std::vector<GoldenItem> stated) {
@@ -26,7 +26,7 @@ void write(const Scenario& scenario, std::vector<GoldenItem> stated) {
   acceptGolden(file, golden, {golden.acceptedBy, golden.why});
 }
 
-/// Returns the failure without the figures and the advice that follow it.
+/// Returns a failure without the figures and advice at its end.
 std::string shortly(const std::string& why) { return why.substr(0, std::min(why.find("; "), why.find(", and "))); }
 
 Cell sizeCell(const std::optional<double>& size) { return size ? number(*size, 2) : Cell("not known"); }
@@ -37,7 +37,7 @@ const GoldenError* find(const Golden& golden, const ErrorQuantity& q) {
   return nullptr;
 }
 
-/// "mesh: icosphere 3 takes about 12 s of CPU time"
+/// Returns the reasons for missing errors: "mesh: icosphere 3 takes about 12 s of CPU time".
 std::string whyUnstated(const Golden& golden) {
   std::string text;
   for (const GoldenUnstated* u : all<GoldenUnstated>(golden.stated))
@@ -45,7 +45,7 @@ std::string whyUnstated(const Golden& golden) {
   return text;
 }
 
-/// "" if there is an error to state.
+/// Returns the reason why there is no error to state; "" if there is one.
 std::string whyNoError(const AccuracyReport& report) {
   const AccuracyRow& own = report.own;
   if (!own.failure.empty()) return own.failure;
@@ -58,7 +58,7 @@ std::string whyNoError(const AccuracyReport& report) {
   return "";
 }
 
-/// Why the comparison ended sooner than the times allow.
+/// Returns the reason why the comparison ended before the last time.
 std::string whyShorter(double until, bool parted, const std::string& otherwise) {
   return fmt::format("after {}: {}", numberText(until, 3), parted ? "other cells live" : otherwise);
 }
@@ -71,7 +71,7 @@ std::vector<GoldenItem> statedIn(const AccuracyReport& report) {
   std::vector<GoldenItem> stated;
   for (const ErrorQuantity& q : errorQuantities) {
     if (q.ofPairs && !own.touch && !mesh.touch) continue;
-    if (q.of == &StateError::pressure && mesh.none) continue;  // spheres have none
+    if (q.of == &StateError::pressure && mesh.none) continue;  // spheres have no pressure
     GoldenError e{q.name, twoDigits(own.errors.*q.of), own.until, {}, {}};
     if (mesh.none) e.mesh = 0, e.meshUntil = own.until;
     if (level) e.mesh = twoDigits(level->worst.*q.of), e.meshUntil = mesh.until;
@@ -152,9 +152,9 @@ Document statedErrors(const Golden& golden) {
 
 namespace {
 
-/// A row for each measure of each golden, a column for each of the settings that the scenarios' own are held against.
+/// Returns a table with a row for each measure of each golden, and a column for each compared setting.
 std::string statisticsAsMarkdown(const std::vector<Golden>& goldens) {
-  using Row = std::pair<const Golden*, std::string>;  // and the measure
+  using Row = std::pair<const Golden*, std::string>;  // golden and measure
   std::vector<Row> rows;
   std::set<std::string> settings;
   for (const Golden& golden : goldens)

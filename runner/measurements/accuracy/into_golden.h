@@ -1,17 +1,17 @@
 #pragma once
-// accuracy --into-golden: the error of a scenario as it lies there goes into its golden file, and what golden files
-// state.
+// accuracy --into-golden: writes the error of a scenario's own settings into its golden file, and shows the errors that
+// golden files state.
 #include "accuracy/accuracy.h"
 #include "document/document.h"
 #include "golden/golden.h"
 
 namespace morula {
 
-/// Throws InputError where there is no golden of this very scenario, or none may be written.
+/// Throws InputError if the scenario has no golden of its present meaning, or goldens may not be written.
 void refuseIntoGolden(const Scenario& scenario);
 
-/// Measures up to the latest time up to which there is an error, unless `options` say it, and writes it into the
-/// golden, or why there is none. Throws InputError for a scene without a report, which the golden tells, FileError if
+/// Measures the error up to the latest possible time, unless `options` gives a time. Writes it, or the reason for its
+/// absence, into the golden. Throws InputError for a scene without a report, after writing the reason, and FileError if
 /// the file cannot be written.
 AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options);
 

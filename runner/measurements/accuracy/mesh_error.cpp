@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-/// Where only two levels are there: faces are flat, to second order in their edges.
+/// Order of a mesh's error if only two levels are known: faces are flat, to second order in their edges.
 constexpr double assumedMeshOrder = 2;
 
 double largestPressure(const Shapes& shapes) {
@@ -33,9 +33,9 @@ double pressureDifference(const Shapes& a, const Shapes& b) {
   return largest;
 }
 
-/// The differences of the pairs that touch in either world.
+/// The differences of the pairs of cells that touch in either world.
 struct PairDifference {
-  double area = 0;  // the largest
+  double area = 0;  // the largest difference
   int pairs = 0, inOneAlone = 0;
 };
 
@@ -51,7 +51,7 @@ PairDifference comparePairs(const Shapes& a, const Shapes& b) {
   return d;
 }
 
-/// 0 where both are 0; all of it where the reference has none.
+/// Returns difference / scale; 0 if both are 0, 1 if only the scale is 0.
 double over(double difference, double scale) { return difference == 0 ? 0 : scale == 0 ? 1 : difference / scale; }
 
 }  // namespace
@@ -84,8 +84,8 @@ RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRa
     for (const ErrorQuantity& q : errorQuantities) d.worst.*q.of = std::max(d.worst.*q.of, e.*q.of);
     d.until = b.time;
   }
-  // A pressure passes through 0, and so does an area: over all times their largest is the scale. A pair begins to touch
-  // a moment sooner in one than in the other: the share is of all times.
+  // Pressures and areas pass through 0, so their scale is the largest over all times. A pair may touch a moment sooner
+  // in one run, so its share is over all times.
   d.worst.pressure = over(pressure, pressureScale), d.worst.contactArea = over(area, areaScale);
   d.worst.neighbours = over(inOneAlone, pairs);
   d.touch = pairs > 0;
@@ -130,8 +130,8 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     return error;
   }
   const RunDistance fine = toFinest.back();
-  toFinest.emplace_back();  // the finest is nowhere from itself
-  RunDistance coarse;       // from the third level to the second
+  toFinest.emplace_back();  // the finest has no distance from itself
+  RunDistance coarse;       // distance from the third level to the second
   error.orderIsObserved = solved.size() > 2;
   if (error.orderIsObserved)
     coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius, before);
@@ -144,15 +144,15 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const bool isFinest = i + 1 == solved.size();
     LevelError level{solved[i].level, toFinest[i].worst, toFinest[i].atEnd};
-    // A value that does not converge cannot be extrapolated: the measured distance stands, which is a lower bound. The
-    // finest mesh is taken to be as far off as it moved at last.
+    // A value that does not converge cannot be extrapolated: the measured distance is kept as a lower bound. The error
+    // of the finest mesh is then its last change.
     const auto add = [&](double& to, double coarseToMiddle, double middleToFine) {
       const LeftError l = left(coarseToMiddle, middleToFine);
       if (l.order >= minMeshOrder) to += l.error;
       else if (isFinest) to = std::max(coarseToMiddle, middleToFine);
     };
     for (const ErrorQuantity& q : errorQuantities) {
-      if (q.of == &StateError::neighbours) continue;  // whether a pair touches has no order: the distance stands
+      if (q.of == &StateError::neighbours) continue;  // touching has no order, so its distance is kept
       add(level.worst.*q.of, coarse.worst.*q.of, fine.worst.*q.of);
       add(level.atEnd.*q.of, coarse.atEnd.*q.of, fine.atEnd.*q.of);
     }

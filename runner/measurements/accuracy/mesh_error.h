@@ -1,6 +1,6 @@
 #pragma once
-// How far two runs are apart, and what a mesh costs: the same scene on meshes of several fineness, all with
-// converged time steps.
+// The distance of two runs, and the error of a mesh: the same scene on meshes of several fineness, all with converged
+// time steps.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -11,62 +11,62 @@
 
 namespace morula {
 
-/// Between two runs. Flat faces count in the surfaces.
+/// The distance of two runs. Flat faces count in the surfaces.
 struct RunDistance {
-  StateError worst, atEnd;         // of all times after the start; at the last one compared
-  double atStart = 0;              // [radii of the egg] surfaces at time 0: faces are flat, cells are not
-  double until = 0;                // [time] of the last comparison; 0: there was none
-  bool touch = false;              // whether cells of the reference do
+  StateError worst, atEnd;         // the largest over all times after the start; that at the last comparison
+  double atStart = 0;              // [radii of the egg] distance of surfaces at time 0, from flat faces
+  double until = 0;                // [time] the last comparison; 0: none
+  bool touch = false;              // true: cells of the reference touch
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
-  /// Absent: there was no comparison.
+  /// Returns the largest error; absent without a comparison.
   std::optional<double> error() const;
 };
 
-/// Up to where other cells live, and before that time. The meshes may differ.
+/// Compares runs until other cells live, and before the time `before`. The meshes may differ.
 RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius, double before = INFINITY);
 
-/// [degrees] Axes of one division that are farther apart are two events, and what follows is compared no more.
+/// [degrees] If axes of one division differ by more, they are two events, and the comparison ends.
 inline constexpr double anotherPlane = 10;
 
 /// The scene on one mesh, with converged time steps.
 struct SolvedMesh {
-  std::uint64_t level = 0;  // of the icosphere
+  std::uint64_t level = 0;  // level of the icosphere
   const Trial* trial = nullptr;
 };
 
-/// The error of one mesh: distance to the finest, and by Richardson what is left of the finest's own.
+/// The error of one mesh: its distance to the finest, plus Richardson's estimate of the finest's own error.
 struct LevelError {
   std::uint64_t level = 0;
   StateError worst, atEnd;
 };
 
 struct MeshError {
-  std::string unknown;                  // why it is not known; "": it is
-  std::string limit;                    // why no finer mesh took part; "": as many as help did
-  bool none = false;                    // cells have no mesh: spheres
-  std::vector<LevelError> levels;       // that took part, rising
-  std::uint64_t own = 0;                // level
-  double order = 0;                     // in the length of an edge; 0: it does not converge
-  bool orderIsObserved = false;         // from three levels; else assumed
-  double atStart = 0;                   // [radii of the egg] of it: surfaces at time 0 against the finest's
-  double until = 0;                     // [time] compared so far
-  std::optional<double> partedAt;       // [time] other cells live on another mesh from then on
-  std::optional<DividedElsewhere> cut;  // on another mesh a cell divides across another plane: compared up to before
-  bool touch = false;                   // whether cells do, on the finest
-  double timeError = 0;                 // left in the finer runs
-  double cpuSeconds = 0;                // of all of them
+  std::string unknown;                  // reason for an unknown error; "" if it is known
+  std::string limit;                    // reason why no finer mesh took part; "" if none would help
+  bool none = false;                    // true: cells are spheres without a mesh
+  std::vector<LevelError> levels;       // levels that took part, rising
+  std::uint64_t own = 0;                // level of the scenario's own mesh
+  double order = 0;                     // order in the length of an edge; 0: no convergence
+  bool orderIsObserved = false;         // true: observed on three levels; false: assumed
+  double atStart = 0;                   // [radii of the egg] distance of `own` from the finest at time 0
+  double until = 0;                     // [time] the last comparison
+  std::optional<double> partedAt;       // [time] from then on other cells live on another mesh
+  std::optional<DividedElsewhere> cut;  // the first division with another plane on another mesh ends the comparison
+  bool touch = false;                   // true: cells touch on the finest mesh
+  double timeError = 0;                 // error of the time step in the finer runs
+  double cpuSeconds = 0;                // CPU time of all runs
 
   const LevelError* find(std::uint64_t level) const;
-  /// Returns the error of the scenario's own mesh; absent: not known.
+  /// Returns the error of the scenario's own mesh; absent if unknown.
   std::optional<double> error() const;
-  /// Returns the error of any icosphere, from those that took part; absent: not known.
+  /// Returns the error of any icosphere, from the levels that took part; absent if unknown.
   std::optional<double> errorOf(std::uint64_t level) const;
 };
 
-/// Below it errors hardly fall from mesh to mesh, and nothing is extrapolated.
+/// Min order for an extrapolation: below it errors hardly fall from mesh to mesh.
 inline constexpr double minMeshOrder = 1;
 
-/// From two or three neighbouring levels, rising. Sets levels, order, atStart, until and partedAt.
+/// Estimates the error of a mesh from two or three neighbouring levels, rising. Costs and `limit` are left empty.
 MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius);
 
 }  // namespace morula

@@ -1,4 +1,4 @@
-// The reference over meshes: which levels can be had for the CPU time that is allowed, and in which steps.
+// The reference over meshes: the affordable levels, and their time steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 namespace morula {
 namespace {
 
-constexpr std::uint64_t finestLevel = 4;    // of all icospheres that scenarios take
-constexpr std::uint64_t coarsestLevel = 1;  // twelve vertices are no sphere
-constexpr double share = 0.1;               // of the mesh's error that time steps may add
+constexpr std::uint64_t finestLevel = 4;    // finest icosphere of scenarios
+constexpr std::uint64_t coarsestLevel = 1;  // level 0 has twelve vertices, too few for a sphere
+constexpr double share = 0.1;               // max share of the mesh's error that time steps may add
 constexpr int maxHalvings = 5;
 
-/// Runs on other levels, and what they have cost.
+/// Runs on other levels, and their costs.
 class Study {
  public:
   Study(const AccuracyRuns& runs, const Scenario& scenario, const Trial& own)
       : runs_(runs), scenario_(scenario), own_(own), level_(*runs.usual.level) {
-    // The steps of the scenario's own integrator are too long for others where it bears any.
+    // XPBD bears any step; the steps of its scenarios are too long for other integrators.
     const double usual = runs.usual.timeStep / 2;
     step_ = runs.usual.integrator == Integrator::xpbd ? std::min(usual, 2 * own.setting.timeStep) : usual;
   }
@@ -31,7 +31,7 @@ class Study {
     if (first && limit.empty() && level_ + 2 <= finestLevel) addFinest(limit);
     std::uint64_t finest = level_;
     while (at(finest + 1)) ++finest;
-    // Three neighbouring levels show the order; where there are not enough above, one or two below do.
+    // Three neighbouring levels show the order; coarser ones stand in for missing finer ones.
     for (std::uint64_t l = level_; l-- > coarsestLevel && finest - l <= 2;) addCoarser(l);
     for (const std::uint64_t l : furtherLevels)
       if (!at(l)) addCoarser(l);
@@ -63,14 +63,14 @@ class Study {
     return s;
   }
 
-  /// [s] Of CPU time, from what the reference took for each vertex and evaluation of forces.
+  /// Predicts the CPU time of a run [s], from the reference's time for each vertex and force evaluation.
   double predictSeconds(std::uint64_t level, double timeStep) const {
     const auto vertices = [](std::uint64_t l) { return 10 * std::exp2(2.0 * double(l)) + 2; };
     const double perStep = own_.steps > 0 ? own_.cpuSeconds / double(own_.forceEvaluations) : 0;
     return perStep * (vertices(level) / vertices(level_)) * (runs_.times.back() / timeStep);
   }
 
-  /// In steps of at most that length; shorter where such do not run. Fails also if it is not affordable.
+  /// Solves the scene on a level. `timeStep` is halved while it fails. Fails also if a run is not affordable.
   Trial solve(std::uint64_t level, double& timeStep) {
     Trial t;
     for (int i = 0; i <= maxHalvings; ++i, timeStep /= 2) {
@@ -94,7 +94,7 @@ class Study {
     return compareRuns(a, b, runs_.eggRadius).worst.largest();
   }
 
-  /// One level up, in steps that are halved until halving them changes little beside what the mesh does.
+  /// Adds one finer level, in steps that are halved until they change little beside the mesh's error.
   bool addFiner(std::string& limit) {
     if (level_ + 1 > finestLevel) {
       limit = "there is no finer icosphere";
@@ -103,7 +103,7 @@ class Study {
     double timeStep = step_ / 2;
     Trial coarse = solve(level_ + 1, timeStep);
     fine_ = timeStep;
-    if (!coarse.failure.empty()) {  // compared as far as it came
+    if (!coarse.failure.empty()) {  // it is compared as far as it ran
       limit = coarse.failure;
       const bool came = coarse.shapes.size() > 1;
       if (came) result_.solved[level_ + 1] = std::move(coarse);
@@ -131,7 +131,7 @@ class Study {
     else limit = t.failure;
   }
 
-  /// Cheaper than the reference, so in its steps.
+  /// Adds a level, if affordable, with the reference's steps, halved for each finer level.
   void addCoarser(std::uint64_t level) {
     Setting s = own_.setting;
     s.level = level;

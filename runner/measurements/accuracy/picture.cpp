@@ -10,7 +10,7 @@ namespace {
 
 constexpr Colour meshInk{0xa8, 0xad, 0xb3}, ownInk{0x20, 0x24, 0x28};
 constexpr std::size_t maxPointLabels = 60;
-constexpr std::size_t fewBullets = 4;  // of Bullet's series; of more those that others beat are left out
+constexpr std::size_t fewBullets = 4;  // max number of Bullet's series without omission of beaten ones
 
 /// Returns true if another of Bullet's own series is better in both error and cost, at each point.
 bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
@@ -23,7 +23,7 @@ bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
   });
 }
 
-/// Removes labels if there are very many points: then only the ends of lines have room for words.
+/// Removes labels if there are very many points, so that only the ends of lines have words.
 void thinLabels(Chart& chart) {
   std::size_t points = 0;
   for (const ChartLine& line : chart.lines) points += line.points.size();
@@ -53,7 +53,7 @@ Drawing drawAccuracy(const AccuracyReport& report) {
   chart.xLabel = "CPU time [s]", chart.yLabel = "error on the scenario's mesh [egg radii, relative volume]";
   chart.xScale = Axis::Scale::decades;
   const auto beaten = beatenBullets(report);
-  std::vector<std::string> series;  // in the order of their colours; those beyond the colours are dashed
+  std::vector<std::string> series;  // in the order of their colours; further series are dashed
   Range cost;
   for (const AccuracyRow& row : report.rows) {
     if (!row.error || !(*row.error > 0) || !(row.cpuSeconds > 0) || !row.resolved || !row.failure.empty() ||

@@ -1,4 +1,4 @@
-// The error of a quasi-static scene: how far from rest each of its settlings ends.
+// The error of a quasi-static scene: the distance from rest at the end of each settling.
 #include "accuracy/accuracy.h"
 #include "base/error.h"
 #include "loop/simulate.h"

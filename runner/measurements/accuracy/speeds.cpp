@@ -10,7 +10,7 @@ namespace {
 
 bool counts(const AccuracyRow& row) { return row.error && row.resolved && !row.partedAt; }
 
-/// Rows by series, in the order in which they first come.
+/// Returns the rows by series, in the order of their first rows.
 std::vector<std::vector<const AccuracyRow*>> bySeries(const std::vector<AccuracyRow>& rows) {
   std::vector<std::vector<const AccuracyRow*>> groups;
   for (const AccuracyRow& row : rows) {
@@ -23,13 +23,13 @@ std::vector<std::vector<const AccuracyRow*>> bySeries(const std::vector<Accuracy
 
 std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool seconds) {
   std::vector<WorkPoint> points;
-  // A row that does not count breaks the line: nothing is interpolated across it.
+  // A row that does not count gets error 0, which breaks the line: nothing is interpolated across it.
   for (const AccuracyRow* row : series)
     points.push_back({seconds ? row->cpuSeconds : double(row->forceEvaluations), counts(*row) ? *row->error : 0});
   return points;
 }
 
-/// Between neighbouring runs, or of one that is more exact and not dearer.
+/// Returns the least CPU time for the error: between neighbouring runs, or of a run that is more exact and not dearer.
 std::optional<double> minSeconds(const std::vector<const AccuracyRow*>& series, double error) {
   std::optional<double> least = costAtError(work(series, true), error);
   for (const AccuracyRow* row : series)
@@ -59,7 +59,7 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   const auto offer = [&](const std::string& series, double seconds) {
     if (!best || seconds < best->cpuSeconds) best = {series, seconds, own.cpuSeconds / seconds};
   };
-  if (!own.error || own.partedAt || !(own.cpuSeconds > 0)) return best;  // too short to be timed
+  if (!own.error || own.partedAt || !(own.cpuSeconds > 0)) return best;  // no error, or too short to be timed
   for (const auto& series : bySeries(rows)) {
     const auto seconds = minSeconds(series, *own.error);
     if (seconds && *seconds > 0 && series.front()->engine == "morula") offer(series.front()->series, *seconds);

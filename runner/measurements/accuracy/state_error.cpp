@@ -14,15 +14,15 @@
 namespace morula {
 namespace {
 
-/// Returns the centre of the enclosed volume: tetrahedra from the vertices' mean, each with its centre a quarter of the
-/// way behind its four corners' sum. The vertices' mean where nothing is enclosed.
+/// Returns the centre of the enclosed volume, summed over tetrahedra from the vertices' mean; the centre of each is a
+/// quarter of its corners' sum. Returns the vertices' mean if nothing is enclosed.
 Point volumeCentroid(const Mesh& mesh) {
   const Point origin = measureCentroid(mesh.vertices);
   Vector moment;
   double sixfold = 0;
   for (const Face& f : mesh.faces) {
     const Vector a = mesh.vertices[f[0]] - origin, b = mesh.vertices[f[1]] - origin, c = mesh.vertices[f[2]] - origin;
-    const double part = dot(a, cross(b, c));  // six volumes of a tetrahedron
+    const double part = dot(a, cross(b, c));  // six times the volume of a tetrahedron
     sixfold += part;
     moment += part / 4 * (a + b + c);
   }
@@ -80,7 +80,7 @@ std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRec
   for (const DivisionRecord& there : reference) {  // by time
     const auto here = std::ranges::find(divisions, there.path, &DivisionRecord::path);
     if (here == divisions.end()) continue;
-    // To daughter A: the same plane with the daughters on the other sides is as far as can be.
+    // The axis points to daughter A: the same plane with exchanged daughters is the largest difference.
     const double cosine = std::clamp(dot(here->axis, there.axis), -1.0, 1.0);
     const double angle = std::acos(cosine) * 180 / std::numbers::pi;
     if (angle > least) return DividedElsewhere{there.path, there.time, angle, there.extentRatio};

@@ -96,7 +96,7 @@ Table orderTable(const AccuracyReport& report) {
       {"Settings", [](const Row& o) { return o.series; }},
       {"Observed",
        [](const Row& o) {
-         // Through two points a line goes without a rest.
+         // A line through two points leaves no residual.
          return !o.observed ? "too few errors to fit"
                 : o.observed->points > 2
                     ? numberText(o.observed->slope, 3) + " ± " + numberText(o.observed->slopeError, 2)

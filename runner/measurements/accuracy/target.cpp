@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t finestTried = 4;
 
-/// Returns the command of a setting: the question's own changes, and those that the setting decides.
+/// Returns the command of a setting: the question's changes and the setting's own.
 std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion& question) {
   std::vector<std::string> changes = changesFor(setting);
   bool allowOutside = false;
   try {
     allowOutside = question.read(changes).allowOutside;
-  } catch (const InputError&) { return {}; }  // its row has failed too
+  } catch (const InputError&) { return {}; }  // its row has failed, too
   const auto pathOf = [](const std::string& change) { return change.substr(0, change.find('=')); };
   std::vector<std::string> command{"run", question.file};
   const auto add = [&](const char* option, const std::string& value) {
@@ -77,14 +77,14 @@ class Runner {
   double spent_ = 0;
 };
 
-/// "morula run file --set path=value", words in quotes where a shell needs them.
+/// Returns "morula run file --set path=value", with words in quotes if a shell needs them.
 std::string commandText(const std::vector<std::string>& command) {
   std::string text = "morula";
   for (const std::string& word : command) text += " " + shellWord(word);
   return text;
 }
 
-/// The coarsest that leaves room for what time steps add, also of levels that did not take part.
+/// Returns the coarsest level that leaves room for the error of time steps, including levels that did not take part.
 std::optional<std::uint64_t> levelThatHolds(const MeshError& mesh, double room) {
   for (std::uint64_t level = mesh.own; level <= finestTried; ++level)
     if (const auto error = mesh.errorOf(level); error && *error <= room) return level;

@@ -1,5 +1,5 @@
 #pragma once
-// accuracy --target: the cheapest settings that hold an error, as a command that has been run to its end.
+// accuracy --target: the cheapest settings for an error, as a command that has been run to its end.
 #include <string>
 #include <vector>
 
@@ -8,12 +8,12 @@
 namespace morula {
 
 struct TargetQuestion {
-  double error = 0;              // that settings must hold
+  double error = 0;              // max error of the settings
   std::string file;              // the scenario, as it was given
-  std::vector<std::string> set;  // changes that were asked for: "path=value"
+  std::vector<std::string> set;  // requested changes: "path=value"
   std::string seed;              // "": the scenario's
-  double budget = 120;           // [s] of CPU time, for all runs to the end
-  std::string program, folder;   // that runs, and where its results may lie meanwhile
+  double budget = 120;           // [s] max CPU time of all runs to the end
+  std::string program, folder;   // the program that runs, and the folder for its temporary results
   ReadScenario read;
   std::function<void(const std::string&)> tell;
 };
@@ -22,16 +22,16 @@ struct TargetQuestion {
 struct EndedRun {
   std::vector<std::string> command;  // "run", file, …
   Setting setting;
-  double error = 0;       // on the setting's mesh; of another level estimated for the whole
-  double cpuSeconds = 0;  // of the whole run
+  double error = 0;       // error on the setting's mesh; for another level an estimate of the whole error
+  double cpuSeconds = 0;  // CPU time of the whole run
 };
 
 struct TargetAnswer {
-  std::optional<EndedRun> best;                 // on the scenario's mesh, or a coarser one that still holds the error
-  std::optional<EndedRun> finer;                // where the scenario's mesh alone exceeds the error
+  std::optional<EndedRun> best;                 // on the scenario's mesh, or a coarser one within the error
+  std::optional<EndedRun> finer;                // set if the error of the scenario's mesh alone is too large
   std::optional<std::uint64_t> levelThatHolds;  // the coarsest icosphere whose own error leaves room
-  std::vector<std::string> failures;            // of cheaper ones, one line each
-  bool outOfTime = false;                       // the budget was used up before one had come to its end
+  std::vector<std::string> failures;            // failures of cheaper settings, one line each
+  bool outOfTime = false;                       // true: the budget was used up before a run had ended
 };
 
 TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question);

@@ -1,4 +1,4 @@
-// The reference in time: Runge–Kutta and velocity Verlet, each with Richardson's estimate of what is left.
+// The reference in time: Runge–Kutta and velocity Verlet, each with Richardson's estimate of its remaining error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-/// A run with the finest step, and what is left of its error.
+/// A run with the finest step, and its remaining error.
 struct Converged {
   Trial trial;
   LeftError left;
@@ -60,7 +60,7 @@ Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& h
   r.setting = a.trial.setting, r.witness = b.trial.setting;
   r.left = a.left, r.witnessLeft = b.left;
   r.distance = distance(b.trial, a.trial, runs.eggRadius);
-  // Rounding is an error too; beyond the horizon an estimate that looks good does so by chance.
+  // Rounding is an error, too. Beyond the horizon a small estimate may be chance.
   r.left.error = std::max(r.left.error, horizon.rounding / runs.eggRadius);
   if (horizon.parted && runs.options.until) r.left.error = std::max(r.left.error, r.distance);
   r.agrees = r.distance <= 2 * (r.left.error + r.witnessLeft.error);

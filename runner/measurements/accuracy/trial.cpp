@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by rounding
+constexpr double slack = 1e-9;  // relative tolerance of a time, which sums of steps may miss by rounding
 
 struct TooLong {
   std::string text;
@@ -25,7 +25,7 @@ std::uint64_t evaluationsPerStep(const Setting& s) {
   return static_cast<std::uint64_t>(kindOf(s.integrator).evaluations) * s.substeps.value_or(1);
 }
 
-/// Steps until the time is reached and adds up what that costs.
+/// Steps until the time is reached, and adds up the cost.
 void goTo(World& world, double time, double maxSeconds, Trial& trial, double& seconds) {
   const std::uint64_t perStep = evaluationsPerStep(trial.setting);
   while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {

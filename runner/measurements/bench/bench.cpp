@@ -17,10 +17,10 @@ namespace {
 struct PlannedScene {
   PackedScene packed;
   std::string name;
-  bool whole;  // with everything beside it; else only what this variant of a scene changes
+  bool whole;  // true: all measurements; false: only those that the variant of a scene changes
 };
 
-constexpr int maxBruteForceVertices = 12'000;  // its time grows with the square
+constexpr int maxBruteForceVertices = 12'000;  // max size for the brute-force search, whose time grows with the square
 
 class SceneBench {
  public:
@@ -34,7 +34,7 @@ class SceneBench {
         bulletProgram_(bulletProgram()),
         subject_(packed_, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                  options.tell) {
-    // By the size alone, so that what is counted on the way is the same everywhere.
+    // The number of steps depends on the size alone, so that counts of steps are the same on every machine.
     const double wanted = options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
     steps_ = std::max(4, static_cast<int>(wanted));
   }
@@ -51,7 +51,7 @@ class SceneBench {
           bullets_.emplace_back(baseline, bulletSubject(baseline));
       for (auto& [baseline, bullet] : bullets_) bullet.round();
     }
-    // Rebuilds are counted on the way, and the state must move on for the next round.
+    // Whole steps count rebuilds and move the state on for the next round.
     if (needsSteps()) measureSteps();
   }
 
@@ -63,18 +63,18 @@ class SceneBench {
   }
 
  private:
-  /// One row in the making: its samples, in seconds per vertex and step.
+  /// A row being measured: its samples, in seconds per vertex and step.
   struct Series {
     BenchRow row;
     std::vector<double> samples;
-    std::vector<double> searches;  // step: of the searches that its samples leave out
+    std::vector<double> searches;  // for a step: times of the searches that `samples` leave out
   };
 
   bool wants(Stage stage) const {
     return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
   }
 
-  /// Returns the program that runs Bullet in the scene's precision; "" if Bullet is not asked.
+  /// Returns the program that runs Bullet in the scene's precision; "" if Bullet is not wanted.
   std::string bulletProgram() const {
     if (!options_.bullet) return "";
     return whole_ ? options_.program : packed_.precision == Precision::binary32 ? options_.singleBullet : "";
@@ -156,7 +156,7 @@ class SceneBench {
     scene.mesh = bodies.mesh.mesh;
     scene.physics = bodies.parameters;
     scene.timeStep = subject_.world().clock.timeStep;
-    // The cells have settled. Our world is stirred, so that it has to search for neighbours; Bullet searches in every
+    // The cells have settled. Morula's world is stirred so that it searches for neighbours; Bullet searches in every
     // step.
     scene.cells = settledBodies(packed_, options_.folder, options_.tell);
     return {scene, shareRadius(packed_.cells),
@@ -198,10 +198,10 @@ class SceneBench {
   }
 
   void finish(const Series& s, std::vector<BenchRow>& rows) const {
-    if (s.samples.empty() || !wants(s.row.stage)) return;  // something else needed it
+    if (s.samples.empty() || !wants(s.row.stage)) return;  // the row was only needed for another
     BenchRow row = s.row;
-    // On the wall's clock others show too, and a thread that waits for one that was put aside counts double:
-    // the quickest tells best what it costs.
+    // By wall clock time other processes disturb, and a thread that waits for a suspended one counts double. So the
+    // shortest sample tells the cost best.
     const auto typical = [&](const std::vector<double>& samples) {
       return row.wallClock ? *std::min_element(samples.begin(), samples.end()) : median(samples);
     };
@@ -213,7 +213,7 @@ class SceneBench {
     }
     if (!s.searches.empty()) time += rebuildsPerStep() * typical(s.searches);
     row.nsPerVertexStep = 1e9 * time;
-    const bool knownLimit = row.precision == Precision::binary64;  // the machine's is measured with doubles
+    const bool knownLimit = row.precision == Precision::binary64;  // the machine's limits are measured with doubles
     if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
       row.work = workOf(row.stage);
     const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
@@ -231,13 +231,13 @@ class SceneBench {
   std::vector<Isa> isas_;
   std::string bulletProgram_;
   Subject subject_;
-  int steps_;  // of a round
+  int steps_;  // steps of a round
   std::vector<Series> all_;
   std::vector<std::pair<Baseline, BulletSubject>> bullets_;
 };
 
-/// From packing to the last round, all rows but for their shares of the machine's limits; `meter` is read in
-/// every round. Only one scene is in memory at a time.
+/// Measures a scene, from packing to the last round. Returns all rows, without their shares of the machine's limits.
+/// `meter`: takes a sample in every round. Only one scene is in memory at a time.
 std::vector<BenchRow> measureScene(const PlannedScene& scene, const BenchOptions& options, LimitMeter& meter) {
   SceneBench bench(options, scene);
   for (int i = 0; i < options.rounds; ++i) {

@@ -1,6 +1,5 @@
 #pragma once
-// morula bench: what each stage costs, compared with what the machine could do, what Bullet takes and what the
-// thesis took, all in one run.
+// morula bench: the cost of each stage, compared in one run with the machine's limits, Bullet and the thesis.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -27,20 +26,20 @@ inline constexpr auto choices<Stage> = std::to_array<Choice<Stage>>({
 });
 
 struct BenchOptions {
-  std::vector<int> cells = {};        // of packed scenes
-  std::vector<int> levels{2};         // of the icosphere, for all of `cells`
-  std::vector<int> extraLevels = {};  // for scenes of `extraCells` only
+  std::vector<int> cells = {};        // numbers of cells of packed scenes
+  std::vector<int> levels{2};         // levels of the icosphere, for all of `cells`
+  std::vector<int> extraLevels = {};  // further levels, only for scenes of `extraCells`
   int extraCells = 64;
   std::vector<Isa> isas = {};
   std::vector<int> threads{1};
   std::vector<Stage> stages = {};
-  int rounds = 5;          // measurements of each thing, one after the other in turn
-  double stepsFactor = 1;  // factor of the number of steps in a round; less: shorter rounds
+  int rounds = 5;          // number of measurements of each row, taken in turn
+  double stepsFactor = 1;  // factor for the number of steps in a round
   bool bullet = true;
   int maxBulletCells = 256;
-  std::filesystem::path folder = {};  // where packed scenes are kept; "": nowhere
-  std::string program = {};           // that answers to `engine-worker`
-  std::string singleBullet = {};      // the same by Bullet in single precision; "": none was built
+  std::filesystem::path folder = {};  // folder of stored packed scenes; "": none are stored
+  std::string program = {};           // the program that answers to `engine-worker`
+  std::string singleBullet = {};      // a program with Bullet in single precision; "": none was built
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
@@ -52,32 +51,32 @@ struct BenchRow {
   std::string isa;
   Precision precision = Precision::binary64;
   int threads = 1;
-  bool wallClock = false;                   // else CPU time
-  std::optional<double> processors;         // that were free for a row on several threads
-  std::string search;                       // of rows that search for neighbours
-  double nsPerVertexStep = 0;               // median; by the wall's clock the shortest
+  bool wallClock = false;                   // true: by wall clock time; false: by CPU time
+  std::optional<double> processors;         // number of free processors for a row on several threads
+  std::string search;                       // method of rows that search for neighbours
+  double nsPerVertexStep = 0;               // the median; by wall clock time the shortest
   double spread = 0;                        // half the distance between quartiles, over the median
-  std::optional<Work> work;                 // per vertex and step, where a limit is known
-  std::optional<double> shareOfLimit;       // the least time that the machine would need, over this one
-  std::optional<double> shareOfPeak;        // the same for multiplications and additions alone
-  std::optional<double> shareWithRoots;     // the same with roots and their quotients after those
-  std::optional<double> nsPerVertexSearch;  // rebuild: of one search, however often there is one
-  // Counted, not measured: the same on every machine.
+  std::optional<Work> work;                 // work per vertex and step, if a limit is known
+  std::optional<double> shareOfLimit;       // the machine's least time, over the measured one
+  std::optional<double> shareOfPeak;        // likewise for multiplications and additions alone
+  std::optional<double> shareWithRoots;     // likewise with roots and their quotients after these
+  std::optional<double> nsPerVertexSearch;  // for rebuild: the time of one search
+  // Counts, which are the same on every machine.
   std::optional<double> pairsPerVertexStep, rebuildsPerStep;
-  // For rows of Bullet: all settings that were tried, the fastest first, which is the row's own.
+  // For rows of Bullet: all tried settings; the first is the fastest and gives the row's time.
   std::vector<BulletSettingRow> bulletSettings = {};
 };
 
-/// A bound that the project sets itself, of a ratio within one run.
+/// A bound that the project sets for a ratio within one run.
 struct BenchRatio {
   std::string what;
   double value = 0, bound = 0;
-  bool atLeast = true;         // else at most
-  std::string notJudged = {};  // why
+  bool atLeast = true;         // true: `bound` is a min; false: a max
+  std::string notJudged = {};  // the reason why the ratio is not judged
   bool holds() const { return atLeast ? value >= bound : value <= bound; }
 };
 
-/// [Nilsson 2008, table 5.1]: one update on a PC of 2008, in Java.
+/// A time of the thesis [Nilsson 2008, table 5.1]: one update on a PC of 2008, in Java.
 struct ThesisRow {
   int cells;
   double msPerCell;
@@ -88,23 +87,23 @@ struct BenchReport {
   std::vector<BenchRow> rows;
   MachineLimits machine;
   std::vector<BenchRatio> ratios;
-  std::vector<std::string> remarks;  // what was left out, and why
+  std::vector<std::string> remarks;  // omitted measurements, with reasons
 };
 
 BenchReport runBench(const BenchOptions& options);
 
-/// For people.
+/// Describes a report for people.
 Document describe(const BenchReport& report);
 
-/// Draws time per vertex and step over the number of cells, both on logarithmic scales. One line per
-/// engine and instruction set, for whole steps of packed cells of 162 vertices; the thesis' own times, scaled
-/// so that 8 cells cost as much as ours.
+/// Draws time per vertex and step over the number of cells, both on logarithmic scales. A line for each engine and
+/// instruction set shows whole steps of packed cells of 162 vertices. The thesis' times are scaled so that 8 cells cost
+/// as much as Morula's.
 Drawing drawBench(const BenchReport& report);
 
-/// The project's own bounds, read off a finished table: those whose rows are there.
+/// Returns the project's bounds on ratios whose rows are in the table.
 std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);
 
-/// The row of the packed scene that fits, or null.
+/// Returns the row of the packed scene with these properties, or null.
 const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
                      Stage stage, int cells, int vertices, const std::string& isa, int threads = 1,
                      bool wallClock = false);

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double margins[] = {0.0025, 0.005, 0.01, 0.02};  // [share radii]
 constexpr int maxIterations = 4;
-// Our cells at rest press on each other: Bullet pushes them apart to its own distance, and finds five times
-// as many contacts while it does. After about 40 steps their number stays.
+// Morula's cells at rest press on each other. Bullet pushes them apart to its own distance, and meanwhile finds five
+// times as many contacts. After about 40 steps their number stays.
 constexpr int settlingSteps = 40;
 constexpr int warmUpSteps = 3, timedSteps = 5;
-constexpr std::size_t fastest = 3;  // settings that are timed in every round
+constexpr std::size_t fastest = 3;  // number of settings that are timed in every round
 
-/// Bullet goes on with cells that are crushed, inside out or no number: their time measures nothing.
+/// Returns true if no cell is crushed, inside out or NaN: Bullet continues, but its time means nothing.
 bool areWhole(const BulletScene& scene, const std::vector<Body>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double before = measureVolume(scene.cells[i].position, scene.mesh.faces),

@@ -1,5 +1,5 @@
 #pragma once
-// A packed scene in Bullet under measurement, with all settings that Bullet leaves to its users.
+// Measures a packed scene in Bullet, with all settings that Bullet leaves to its users.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -8,24 +8,24 @@
 
 namespace morula {
 
-/// One of Bullet's settings and what it took.
+/// A setting of Bullet and its time.
 struct BulletSettingRow {
-  double margin = 0;                  // [share radii] of each surface
-  int iterations = 1;                 // of the position solver
-  double nsPerVertexStep = INFINITY;  // median; infinite: the cells did not stay whole
+  double margin = 0;                  // [share radii] margin of each surface
+  int iterations = 1;                 // iterations of the position solver
+  double nsPerVertexStep = INFINITY;  // the median; infinite: cells did not stay whole
   std::vector<double> samples = {};   // [s] per vertex and step
 };
 
 class BulletSubject {
  public:
-  /// [runInBullet]
+  /// A function like runInBullet.
   using Run = std::function<BulletResult(const BulletRequest&)>;
 
-  /// `scene`: the packed cells at rest in our engine. `shareRadius`: what margins are multiples of.
+  /// `scene`: the packed cells at rest in Morula. `shareRadius`: the unit of margins.
   BulletSubject(const BulletScene& scene, double shareRadius, Run run);
 
-  /// The first call lets the packing come to rest in Bullet's own contact, once for each margin, and times
-  /// every setting. Later ones time those that were the fastest.
+  /// Measures one round. The first call lets the packing come to rest in Bullet's own contact, once for each margin,
+  /// and times every setting. Later calls time the fastest settings.
   void round();
 
   /// Returns all settings whose cells stayed whole, by their medians, the fastest first.
@@ -40,7 +40,7 @@ class BulletSubject {
   BulletScene scene_;
   double shareRadius_;
   Run run_;
-  std::vector<std::vector<Body>> settled_;  // for each margin
+  std::vector<std::vector<Body>> settled_;  // cells at rest, for each margin
   std::vector<BulletSettingRow> timings_;
 };
 

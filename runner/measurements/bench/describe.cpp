@@ -29,7 +29,7 @@ Table machine(const MachineLimits& limits) {
   return table;
 }
 
-/// The rows of one scene stand together.
+/// Returns true for rows of one scene.
 bool sameScene(const BenchRow& a, const BenchRow& b) {
   return a.scene == b.scene && a.cells == b.cells && a.vertices == b.vertices;
 }
@@ -50,7 +50,7 @@ std::string labelOf(const BenchRow& row) {
   return row.search.empty() ? label : label + ", " + row.search;
 }
 
-/// Describes Bullet's best settings and the times of its others, or the time of a search.
+/// Describes Bullet's best settings and the times of its other settings, or the time of a search.
 std::string noteOf(const BenchRow& row) {
   if (row.nsPerVertexSearch) return fmt::format("{:.0f} ns/search", *row.nsPerVertexSearch);
   if (row.bulletSettings.empty()) return "";
@@ -71,7 +71,7 @@ std::string heading(const Rows& rows) {
   return text;
 }
 
-/// A stage's times on every instruction set in one row.
+/// Returns a table with a stage's times on every instruction set in one row.
 Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
   Table table{"Times of a scene", {"ns per vertex and step"}};
   for (const std::string& isa : isas) table.columns.insert(table.columns.end(), {isa, "limit"});
@@ -103,7 +103,7 @@ void addScenes(const std::vector<BenchRow>& rows, Document& text) {
   }
 }
 
-/// How either grows with the number of cells, each in units of its own 8 cells.
+/// Adds the growth of times with the number of cells, Morula's and the thesis', each relative to its own 8 cells.
 void addThesis(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
   if (isas.empty()) return;

@@ -14,14 +14,14 @@ const PeakKernels& peakKernels(Isa isa) { return tables[isa]; }
 
 namespace {
 
-// From well within a first level cache to beyond the last. [byte]
+// [byte] sizes from within the first level cache to beyond the last
 constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20, 12u << 20, 24u << 20, 96u << 20};
 constexpr std::size_t largest = sizes[std::size(sizes) - 1];
-constexpr double sampleSeconds = 1e-3;  // [s] of one sample, against the clock's own cost
+constexpr double sampleSeconds = 1e-3;  // [s] min time of one sample, so that the clock's cost does not matter
 
-volatile double sink;  // results go somewhere
+volatile double sink;  // keeps the compiler from dropping results
 
-/// Turns per second of a kernel: as many turns as take long enough.
+/// Returns the turns per second of a kernel, over as many turns as take long enough.
 template <class Kernel>
 double rate(const Kernel& kernel, long turns = 1000) {
   for (;; turns *= 4)

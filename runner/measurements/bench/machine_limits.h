@@ -1,5 +1,5 @@
 #pragma once
-// The machine's own limits, measured in the same run and between the same other measurements.
+// The machine's limits, measured in the same run as the stages and interleaved with them.
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -14,23 +14,23 @@ struct MachineLimits {
     double operations;  // [1/s] multiplications and additions, not fused
     double roots;       // [1/s] pairs of a square root and a division
   };
-  std::map<Isa, Arithmetic> arithmetic;     // by one thread
-  std::map<std::size_t, double> bandwidth;  // [byte/s] by one thread, by the size of what it goes over [byte]
+  std::map<Isa, Arithmetic> arithmetic;     // of one thread
+  std::map<std::size_t, double> bandwidth;  // [byte/s] of one thread, by the size of the data [byte]
 
-  /// The bandwidth for data of a size: that of the smallest measured size that holds them.
+  /// Returns the bandwidth for data of a size: that of the smallest measured size that holds them.
   double bandwidthFor(double bytes) const;
 };
 
-/// How many processors a loop on so many threads is given at this moment, others being busy too: CPU time
-/// over the wall's.
+/// Returns the number of processors that a loop on so many threads gets now, beside other processes: CPU time over wall
+/// clock time.
 double processorsFor(int threads);
 
 class LimitMeter {
  public:
   explicit LimitMeter(std::vector<Isa> isas);
-  /// Measures everything once more: some milliseconds.
+  /// Takes one sample of all limits, which takes some milliseconds.
   void sample();
-  /// The medians so far.
+  /// Returns the medians of all samples.
   MachineLimits limits() const;
 
  private:

@@ -40,7 +40,7 @@ void findForces(OrdinaryCell& cell, const PhysicsParameters& p) {
 
   for (const Face& f : cell.faces) {
     auto &a = vertices[f[0]], &b = vertices[f[1]], &c = vertices[f[2]];
-    // P A/3 along the normal; the product is twice the area vector.
+    // P A/3 along the normal; the cross product is twice the area vector.
     const Vector third = (cell.pressure / 6) * cross(b.position - a.position, c.position - a.position);
     a.force += third;
     b.force += third;

@@ -1,6 +1,6 @@
 #pragma once
-// The inner forces of a cell as most programs write them: an array of vertex structs, a loop over springs and
-// one over faces, one number at a time. It is what our own kernels are compared with, in speed and in tests.
+// The inner forces of a cell as most programs compute them: an array of vertex structs, a loop over springs and one
+// over faces, one number at a time. Morula's kernels are compared with it, in speed and in tests.
 #include <cstdint>
 #include <vector>
 
@@ -22,12 +22,12 @@ struct OrdinaryCell {
   std::vector<Spring> springs;
   std::vector<Face> faces;
   double pressureConstant = 0;
-  double volume = 0, pressure = 0;  // of the last evaluation
+  double volume = 0, pressure = 0;  // at the last evaluation
 };
 
 OrdinaryCell makeOrdinaryCell(const MeshTemplate& mesh, const Body& body);
 
-/// Springs, pressure and drag on every vertex [Nilsson 2008, eq. 4.2 to 4.5].
+/// Computes springs, pressure and drag on every vertex [Nilsson 2008, eq. 4.2 to 4.5].
 void findForces(OrdinaryCell& cell, const PhysicsParameters& physics);
 
 }  // namespace morula

@@ -19,11 +19,11 @@ namespace morula {
 namespace {
 
 constexpr int rounds = 60;
-constexpr double spacing = 1.7;  // [share radii] wanted between centres; 1.81 is the densest that spheres can
+constexpr double spacing = 1.7;  // [share radii] wanted distance of centres; 1.81 is that of the densest packing
 
 double fraction(double a) { return a - std::floor(a); }
 
-/// Points of the recurrence with the steps 1/g, 1/g², 1/g³, g⁴ = g + 1: as even as an endless sequence can be.
+/// Returns points of the recurrence with the steps 1/g, 1/g², 1/g³, g⁴ = g + 1: as even as an endless sequence can be.
 std::vector<Point> spreadPoints(int count, double radius) {
   constexpr double g = 1.2207440846057596;
   std::vector<Point> points;
@@ -35,7 +35,7 @@ std::vector<Point> spreadPoints(int count, double radius) {
   return points;
 }
 
-/// Moves each pair that is too near apart by a quarter of what is missing, all at once. O(count²), once.
+/// Moves each pair of points that are too close apart by a quarter of the missing distance, all at once. O(count²).
 void pushApart(std::vector<Point>& points, double distance, double radius) {
   std::vector<Vector> move(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -77,10 +77,10 @@ void nameByHalving(std::span<Point> points, const CellPath& path, std::vector<Pl
   nameByHalving(points.subspan(half), path.daughter(true), cells);
 }
 
-// How the state comes about; a change needs a new number, so that old files are not taken for it.
+// Version of the packing. A change of it needs a new number, so that old files are not read.
 constexpr int recipe = 2;
-constexpr double startScale = 0.72;  // of the rest radius: spheres that hardly overlap
-constexpr double wantedFill = 0.85;  // of the shell's volume
+constexpr double startScale = 0.72;  // share of the rest radius at which spheres hardly overlap
+constexpr double wantedFill = 0.85;  // share of the shell's volume that the cells fill
 constexpr double slow = 2e-4;        // rms move per step in edges, below which the cells are at rest
 constexpr int minSteps = 200, maxSteps = 20000;
 
@@ -105,7 +105,7 @@ std::vector<CellPath> paths(const std::vector<PlacedCell>& places) {
   return list;
 }
 
-/// Root mean square way of a vertex in one step, in mean rest lengths.
+/// Returns the root mean square movement of a vertex in one step, in mean rest lengths.
 double moveInEdges(const World& world) {
   const WorldMeasures m = measureWorld(world);
   const Bodies& b = *world.bodies;
@@ -123,7 +123,7 @@ std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell
   beginWithBodies(world);
   for (int i = 1; i <= maxSteps; ++i) {
     step(world);
-    // Gas that is pressed together is stiff: as the cells swell the time step may grow.
+    // Compressed gas is stiff: as the cells swell the time step may grow.
     if (i % 256 == 0) beginWithBodies(world);
     if (i % 32 == 0 && i >= minSteps && moveInEdges(world) < slow) break;
   }

@@ -1,9 +1,8 @@
 #pragma once
-// The scenes that the bench times: N cells that fill a spherical shell as after many divisions, without
-// growing them. Parameters: those of scenarios/thesis/elegans-128.yaml, with every cell an N-th of the egg.
-// Bodies are kept between two calls of the program, so that what took minutes is there at once. A cache: where there is
-// no file, or another one than expected, they are made again.
-// They begin spread evenly through a ball, in the order that divisions would give.
+// The scenes of the bench: N cells that fill a spherical shell as if after many divisions, without growing them.
+// Parameters are those of scenarios/thesis/elegans-128.yaml, with every cell an N-th of the egg.
+// The cells begin evenly spread through a ball, in the order of divisions. Settled bodies take minutes, so they are
+// cached in a file, which is made again if it is missing or does not fit.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -23,44 +22,44 @@ struct PlacedCell {
   Point centre;
 };
 
-/// `count` ≥ 1 centres in the unit ball, by path. Without chance: an additive recurrence spreads them
-/// [Roberts 2018], those too near push each other apart, and halving across the longest side of what is left
-/// names them, as division across the longest axis would.
+/// Returns `count` ≥ 1 centres in the unit ball, by path, without chance: an additive recurrence spreads them [Roberts
+/// 2018], and centres too close push each other apart. Repeated halving across the longest side names them, as division
+/// across the longest axis would.
 std::vector<PlacedCell> packBall(int count);
 
-/// [length] of the sphere whose volume is a share 1/count of the unit ball's.
+/// Returns the radius [length] of a sphere with the share 1/count of the unit ball's volume.
 double shareRadius(int count);
 
 struct PackedScene {
   int cells = 64;
-  int level = 2;        // of the icosphere: 1, 2, 3 for 42, 162, 642 vertices
+  int level = 2;        // level of the icosphere: 1, 2, 3 for 42, 162, 642 vertices
   double friction = 0;  // Coulomb's coefficient; elegans-128 has 0.3
-  bool contact = true;  // false: no contact and no shell: each cell for itself
+  bool contact = true;  // false: no contact and no shell, so cells are independent
   Precision precision = Precision::binary64;
 };
 
-/// Returns the scene that makeWorld needs. Its one egg stands for no cell of the packed world.
+/// Returns the scene for makeWorld. Its one egg is no cell of the packed world.
 Scene describe(const PackedScene& packed);
 
-/// A world of the given cells, in which no cell cycle is ever due. Contact forces are not evaluated yet.
+/// Returns a world of the given cells, in which no cell cycle is ever due. Contact forces are not evaluated yet.
 World makeWorldOf(const Scene& scene, const std::vector<CellPath>& paths, const std::vector<Body>& bodies,
                   const Execution& execution);
 
-/// The packed cells at rest in their shell: small spheres that our own engine lets swell and settle, or what
-/// an earlier call has left in `folder` ("": neither looked for nor left). Friction and contact do not count
-/// for it. The same bits in either case. `tell` is called with what takes time.
+/// Returns the packed cells at rest in their shell: small spheres that Morula lets swell and settle, or those stored in
+/// `folder` by an earlier call ("": neither read nor stored). The bits are the same in both cases. Friction and contact
+/// do not matter for them. `tell`: is called before long work.
 std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem::path& folder,
                                 const std::function<void(const std::string&)>& tell);
 
-/// Both together: the scene's world with its settled cells.
+/// Returns the scene's world with its settled cells.
 World makePackedWorld(
     const PackedScene& packed, const Execution& execution = {}, const std::filesystem::path& folder = "",
     const std::function<void(const std::string&)>& tell = [](const std::string&) {});
 
-/// Nothing if there is no such file, if it was written under another key, or if it is damaged.
+/// Reads bodies. Returns nothing if the file is missing, has another key, or is damaged.
 std::optional<std::vector<Body>> readBodies(const std::filesystem::path& file, const Hash& key);
 
-/// Makes the folder too. Throws FileError; no half-written file stays.
+/// Writes bodies, and makes the folder. Throws FileError, and leaves no incomplete file.
 void writeBodies(const std::filesystem::path& file, const Hash& key, const std::vector<Body>& bodies);
 
 }  // namespace morula

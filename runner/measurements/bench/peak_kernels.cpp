@@ -1,4 +1,4 @@
-// Compiled once per instruction set (core/kernels.cmake).
+// This file is compiled once per instruction set (core/kernels.cmake).
 #include "bench/peak_kernels.h"
 
 #include "base/lanes.h"
@@ -14,8 +14,8 @@ using Register = RawLanes;
 MORULA_INLINE Register fill(double a) { return Lanes(a).v; }
 #endif
 
-/// Keeps the compiler from merging, reordering or vectorising over chains: the value stands in a register,
-/// and anything may have happened to it.
+/// Keeps the compiler from merging, reordering or vectorising over chains: the value must be in a register, and may
+/// have changed.
 MORULA_INLINE void touch(Register& a) {
 #if defined(__x86_64__) && MORULA_WIDTH == 8
   asm volatile("" : "+v"(a));
@@ -35,9 +35,9 @@ double sum(Lanes a) {
   return total;
 }
 
-// A multiplication and an addition that depend on each other take six to eight cycles, and two of each can
-// begin per cycle at best: so many chains are needed, and no more fit into 16 registers beside their two
-// constants. Each is a variable of its own, for gcc keeps arrays of registers in memory.
+// A multiplication and an addition that depend on each other take six to eight cycles, and at best two of each begin
+// per cycle. So many chains are needed, and no more fit into 16 registers beside their two constants. Each is a
+// separate variable, since gcc keeps arrays of registers in memory.
 constexpr int chains = 12;
 
 double multiplyAdd(long turns) {

@@ -1,6 +1,6 @@
 #pragma once
-// Peak speeds of the machine, one table per instruction set: nothing but multiplications and additions
-// in registers, or nothing but memory.
+// Kernels for the machine's peak speeds, one table per instruction set: only multiplications and additions in
+// registers, or only memory.
 #include <cstddef>
 
 #include "base/isa.h"
@@ -9,11 +9,11 @@ namespace morula {
 
 struct PeakKernels {
   int operationsPerTurn;  // multiplications and additions of doubles, without fused ones
-  /// Runs `turns` turns and returns a number made of all results, so that none can be left out.
+  /// Runs `turns` turns and returns a number made of all results, so that none is optimised away.
   double (*multiplyAdd)(long turns);
   int rootsPerTurn;  // pairs of one square root and one division
   double (*divideRoot)(long turns);
-  /// a ← b + 2c: 24 bytes per element. `count` a multiple of 8, arrays on cache lines.
+  /// Computes a ← b + 2c: 24 bytes per element. `count`: a multiple of 8. Arrays begin on cache lines.
   void (*triad)(double* a, const double* b, const double* c, std::size_t count);
 };
 

@@ -21,14 +21,14 @@ class BenchTable {
   const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1, bool wall = false) const {
     return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
   }
-  /// By one thread.
+  /// Returns the row of one thread.
   const BenchRow* row(const std::string& scene, const std::string& engine, Stage stage, int cells,
                       const std::string& isa = "") const {
     return find(rows_, scene, engine, stage, cells, cellVertices, isa);
   }
   const std::set<std::string>& isas() const { return isas_; }
   const std::set<int>& cells() const { return cells_; }
-  /// The promises are about AVX2; elsewhere about what there is.
+  /// Returns the instruction set of the bounds: AVX2, or else the last available one.
   std::string reference() const { return isas_.contains("avx2") || isas_.empty() ? "avx2" : *isas_.rbegin(); }
 
  private:

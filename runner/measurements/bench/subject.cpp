@@ -11,12 +11,12 @@
 namespace morula {
 namespace {
 
-constexpr double stageSeconds = 2e-3;    // [s] of one timing of a stage
-constexpr double groupSeconds = 1.5e-4;  // [s] of one timing of whole steps, against the clock's own cost
+constexpr double stageSeconds = 2e-3;    // [s] min duration of one timing of a stage
+constexpr double groupSeconds = 1.5e-4;  // [s] min duration of one timing of whole steps, against the clock's cost
 constexpr int warmUp = 2 * stirEvery;
-constexpr int settlingIn = 4;  // [steps] until pairs are chosen by how fast gaps were seen to change
+constexpr int settlingIn = 4;  // [steps] until pairs are chosen by the observed speed of gaps
 
-/// [s] of one call: as many as take long enough, after one that is not counted.
+/// Returns the time of one call [s], over as many calls as take long enough, after an uncounted one.
 template <class Call>
 double secondsPerCall(ClockKind clock, const Call& call) {
   const double first = timeOf(clock, call);
@@ -114,7 +114,7 @@ double Subject::timeInternal(Isa isa) {
 double Subject::timeIntegration(Isa isa) {
   Bodies& b = *world_.bodies;
   const TemplateView mesh = b.mesh.view();
-  // Kicks turn forces into accelerations: without new forces between them, only zero stays what it is.
+  // Kicks turn forces into accelerations. Without new forces between kicks only zero keeps its value.
   const Reals kept = b.acceleration;
   b.acceleration.assign(b.acceleration.size(), 0);
   const double dt = world_.clock.timeStep;
@@ -130,7 +130,7 @@ double Subject::timeIntegration(Isa isa) {
 double Subject::timeContact(Isa isa) {
   Bodies& b = *world_.bodies;
   Contacts& c = *world_.contacts;
-  // Snapshots from the scratch of whichever block was last: as much work as from the right one, and as hot.
+  // Snapshots come from the last block's scratch, at the cost of the right one, also in the cache.
   return timeBlocks(isa, [&](int i) { takeSnapshot(c, b, b.block(i, 0), i); }) +
          timeBlocks(isa, [&](int i) { addContactForces(c, b, i, world_.clock.timeStep); });
 }
@@ -138,7 +138,7 @@ double Subject::timeContact(Isa isa) {
 Contacts Subject::contactsToSearch(Isa isa, ContactSearch method) const {
   Contacts contacts = contactsWith(isa, {.method = method});
   resetContacts(contacts, *world_.bodies);
-  contacts.rows = world_.contacts->rows;  // where surfaces stand
+  contacts.rows = world_.contacts->rows;  // the positions of surfaces
   return contacts;
 }
 
@@ -165,8 +165,8 @@ StepTime Subject::timeSteps(ClockKind clock, int count, const Each& each, const 
   double total = 0;
   int counted = 0;
   const auto rebuilds = [&] { return world_.contacts ? world_.contacts->rebuilds : 0; };
-  int size = touching() ? 1 : stirEvery;  // cells that need no other take many steps at once
-  double disturbed = NAN;                 // the best guess if every group had a search in it
+  int size = touching() ? 1 : stirEvery;  // independent cells take many steps at once
+  double disturbed = NAN;                 // time of a group with a search, used if all groups have one
   for (int done = 0; done < count;) {
     const auto before = rebuilds();
     const int steps = std::min({size, count - done, stirEvery - done % stirEvery});
@@ -189,7 +189,7 @@ StepTime Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   useIsa(isa, threads);
   const State before = keep();
   const Clock clockBefore = world_.clock;
-  // The state's own list of neighbours waits for its return.
+  // The state's list of neighbours is set aside, and put back afterwards.
   Indirect<Contacts> other;
   if (world_.contacts) {
     other = contactsWith(isa, world_.execution.search);

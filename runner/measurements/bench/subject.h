@@ -1,6 +1,6 @@
 #pragma once
-// One scene under measurement: its stages one by one on a state that stands still, and whole steps on one
-// that goes on. Times are per vertex and step, in seconds.
+// Measures one scene: its stages one by one on a fixed state, and whole steps on a state that moves on. Times are per
+// vertex and step, in seconds.
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -13,23 +13,22 @@
 
 namespace morula {
 
-/// [edges] Root mean square way of a vertex in one step. An organism that divides moves ten times as fast for
-/// a moment and slower for most of a cycle.
+/// [edges] Root mean square movement of a vertex in one step. A dividing organism moves ten times as fast for a moment,
+/// and slower for most of a cycle.
 constexpr double stirredMove = 6e-4;
 constexpr int stirEvery = 32;  // [steps]
 
-/// [s] per vertex: what a whole step took in the mean over groups of steps in which no search for neighbours fell; of
-/// one in which one fell, if there are no others. The mean, since pairs are chosen in some steps only.
+/// The time of a whole step per vertex [s]: the mean over groups of steps without a search for neighbours, or the time
+/// of a group with one if there are no others. The mean is taken since pairs are chosen in some steps only.
 using StepTime = double;
 
 /// Counters of a step, equal on every machine, instruction set and number of threads.
 struct StepCounters {
-  std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: entries of the lists that were gone through
+  std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: visited entries of the lists
 };
 
-/// Keeps a packed world moving, so that it is timed as a living organism and not as a still life.
-/// Gives every cell a push of its own in a random direction, then scales all velocities so that vertices move
-/// by `stirredMove` per step. The same pushes for the same step in every call.
+/// Keeps a packed world moving, so that it is timed like a living organism. Gives every cell a random push, then scales
+/// all velocities so that vertices move by `stirredMove` per step. The same step gets the same pushes in every call.
 void stir(World& world);
 
 class Subject {
@@ -44,16 +43,16 @@ class Subject {
   double timeInternal(Isa isa);
   double timeIntegration(Isa isa);
   double timeContact(Isa isa);
-  /// The world's contacts before their first search.
+  /// Returns the world's contacts before their first search.
   Contacts contactsToSearch(Isa isa, ContactSearch method) const;
-  /// One search for neighbours, whether due or not.
+  /// Times one search for neighbours, due or not.
   double timeRebuild(Isa isa, ContactSearch method, ClockKind clock = ClockKind::cpu, int threads = 1);
-  /// The inner forces as ordinary code computes them.
+  /// Times the inner forces in ordinary code.
   double timeOrdinaryForces();
 
-  /// Whole steps from the present state, which stays.
+  /// Times whole steps from the present state, which is restored.
   StepTime trySteps(Isa isa, int threads, ClockKind clock, int count);
-  /// Whole steps that move the state on, stirred now and then; they count.
+  /// Times whole steps that move the state on, with regular stirring, and adds to the counters.
   StepTime goOn(Isa isa, int count);
   const StepCounters& counters() const { return counters_; }
 
@@ -63,16 +62,15 @@ class Subject {
     AlignedVector<RowMemory> rows;
     AlignedVector<double> farthest;
   };
-  /// Returns contacts with the world's parameters, but empty.
+  /// Returns empty contacts with the world's parameters.
   Contacts contactsWith(Isa isa, const SearchSettings& search) const;
   void useIsa(Isa isa, int threads);
   State keep() const;
   void restore(const State& state);
-  /// [s] per vertex of a call for every block, on a state that stays.
+  /// Times a call for every block, per vertex [s], and restores the state.
   template <class Call>
   double timeBlocks(Isa isa, const Call& call);
-  /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there
-  /// were.
+  /// Times groups of steps. `each` is called after every step, `after` after every group with its number of steps.
   template <class Each, class After>
   StepTime timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 

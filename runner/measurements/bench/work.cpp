@@ -7,7 +7,7 @@ namespace {
 
 constexpr double vectorBytes = 24, rowBytes = 64, indexBytes = 4;
 
-/// Operations per vertex.
+/// The operations of inner forces per vertex.
 struct InternalWork {
   double springs = 0, rings = 0, pressure = 0;
 };
@@ -36,7 +36,7 @@ InternalWork count(const MeshTemplate& mesh, const PhysicsParameters& p) {
 Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& p) {
   const InternalWork work = count(mesh, p);
   const double drag = p.drag > 0 ? 6 : 0;
-  // x in, the force out.
+  // Reads x, writes the force.
   return {work.springs + work.rings + work.pressure + drag, mesh.edgeCount() / double(mesh.vertexCount()),
           2 * vectorBytes, 2 * vectorBytes};
 }
@@ -55,7 +55,7 @@ Work contactWork(double pairs, bool friction) {
   // squares 5 + 2, 1/R² 2, fade 2, v·h 5, push 3, within reach 1, size 2, force and sum 3 + 3; and with
   // friction h² 5, slip 6, its square 5, force 4 + 3.
   const double perPair = 50 + (friction ? 23 : 0);
-  // x and the list's x in, a row out; a row and a list in, the force in and out.
+  // Reads x and the list's x, writes a row; then reads a row and a list, reads and writes the force.
   return {16 + perPair * pairs, 1 + (friction ? 1.5 * pairs : 0), 4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
           3 * vectorBytes + rowBytes + indexBytes * pairs};
 }
@@ -67,14 +67,14 @@ Work integrationWork(bool shell) {
 }
 
 Work stepWork(const Work& internal, const Work* contact, const Work& integration) {
-  // Integration has just brought the memory that internal forces touch.
+  // Integration has just fetched the memory that internal forces use.
   Work all = integration;
   all.operations += internal.operations;
   all.roots += internal.roots;
   if (!contact) return all;
   all.operations += contact->operations;
   all.roots += contact->roots;
-  // x is there already. The second pass ends the step: v and a once more, of which contact counts a.
+  // x has been fetched already. The second pass ends the step: v and a once more, of which contact counts a.
   all.bytes += contact->bytes - vectorBytes + 2 * vectorBytes;
   all.touched += contact->touched - 2 * vectorBytes;
   return all;

@@ -1,8 +1,8 @@
 #pragma once
-// How much there is to do per vertex and step, counted from the formulas and not from any code: what a kernel
-// is measured against. Operations are multiplications, additions and subtractions of doubles; square roots
-// and divisions come extra, as pairs. Bytes are those that must come from memory or go there, once per pass
-// over all cells; what a stage touches in all decides which cache they can come from.
+// The work per vertex and step, counted from the formulas and not from code: the measure of a kernel. Operations are
+// multiplications, additions and subtractions of doubles; square roots and divisions count separately, as pairs. Bytes
+// are those moved from or to memory, once per pass over all cells. All memory that a stage uses decides the cache that
+// holds it.
 #include "bench/machine_limits.h"
 #include "physics/mesh_template.h"
 #include "physics/parameters.h"
@@ -11,21 +11,21 @@ namespace morula {
 
 struct Work {
   double operations = 0, roots = 0, bytes = 0;
-  double touched = 0;  // [byte] per vertex
+  double touched = 0;  // [byte] memory used, per vertex
 };
 
-/// Springs, volume and its gradient, pressure, drag.
+/// Returns the work of springs, volume and its gradient, pressure, drag.
 Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& physics);
-/// Which share of it is for the springs. [1]
+/// Returns the springs' share of internalWork [1].
 double springShare(const MeshTemplate& mesh, const PhysicsParameters& physics);
-/// Snapshots and pair forces; `pairs`: entries in a vertex's list.
+/// Returns the work of snapshots and pair forces. `pairs`: entries in a vertex's list.
 Work contactWork(double pairs, bool friction);
-/// Drift, shell, kick.
+/// Returns the work of drift, shell, kick.
 Work integrationWork(bool shell);
-/// All of them: two passes over memory, or one without contact (null).
+/// Returns the work of a whole step: two passes over memory, or one without contact (null).
 Work stepWork(const Work& internal, const Work* contact, const Work& integration);
 
-/// [s] per vertex and step that the machine needs at least, with all its units busy at once. `vertices`: of all cells.
+/// Returns the machine's least time per vertex and step [s], with all its units busy at once. `vertices`: of all cells.
 double minTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices);
 
 }  // namespace morula

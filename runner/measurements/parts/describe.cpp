@@ -1,4 +1,4 @@
-// The prediction as people and other programs read it.
+// The prediction for people and for other programs.
 #include <fmt/format.h>
 
 #include <optional>
@@ -36,7 +36,7 @@ Table costTable(const Prediction& f) {
   const auto fixed = [](int digits, double scale, const char* unit) {
     return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
   };
-  const auto ofBodies = [&](const char* title) { return f.vertices ? title : ""; };  // only they have vertices
+  const auto ofBodies = [&](const char* title) { return f.vertices ? title : ""; };  // only bodies have vertices
   const std::vector<FieldOf<Row>> fields{
       {{"part", "", "part"}, [](const Row& c) { return c.part.name; }},
       {{"engaged", "", ""}, [](const Row&) { return exact(true); }},

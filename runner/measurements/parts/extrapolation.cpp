@@ -1,4 +1,4 @@
-// From the eras that a trial run came to, to those that it did not.
+// Extrapolates from the eras that a trial run reached to the later ones.
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +12,15 @@
 namespace morula {
 namespace {
 
-/// The share of all surfaces that touches another cell, when N equal cells fill a sphere: all but its own
+/// Returns the share of all surfaces that touches another cell, if N equal cells fill a sphere: all but the sphere's
 /// surface. The cells' surfaces are 1.19 times those of spheres: exact for two halves, near enough for more.
 double touchingShare(double cells) { return cells < 2 ? 0 : 1 - 1 / (1.19 * cubeRoot(cells)); }
 
-/// How eras with contact went that are over, or the last one if none is; at first what the thesis' scenes need.
+/// The contacts in completed eras, or in the last one if none is complete. The defaults are those of the thesis'
+/// scenes.
 struct ContactTrend {
-  double pairs = 6.2;               // of a vertex in a face that touches another cell's
-  double searches = 40, cells = 2;  // of the latest era, and how many lived in it
+  double pairs = 6.2;               // per vertex in a face that touches another cell's
+  double searches = 40, cells = 2;  // searches and number of cells in the latest era
 };
 
 ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
@@ -31,7 +32,7 @@ ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
     const bool over = i + 1 < trial.eras.size() || trial.whole;
     if (era.pairs == 0 || cells < 2 || (!over && found)) continue;
     const double pairs = era.pairs / (era.steps * cells * verticesPerCell(*trial.world.bodies)) / touchingShare(cells);
-    // Freshly cut faces are crowded; the least crowded era is what others come to.
+    // Freshly cut faces are crowded; later eras are like the least crowded one.
     trend = {found ? std::min(trend.pairs, pairs) : pairs, era.searches, cells};
     found = true;
   }
@@ -47,7 +48,7 @@ double idealLimit(const Scene& scene, int generation) {
   for (Point& x : cell.position) x *= scale;
   cell.mass *= share;
   cell.pressureConstant *= share;
-  // Each cut makes `production` times the membrane, for two.
+  // Each cut multiplies the membrane by `areaFactor`, for two cells.
   cell.restScale = std::pow(any.mechanics->physics.membrane.areaFactor / 2, 0.5 * generation);
   World part = makeWorldOf(any, {CellPath{}}, {cell}, {});
   beginWithBodies(part);
@@ -75,7 +76,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
   const auto& fixed = world.bodies->parameters.timeStep;
   std::vector<EraCounts> all = trial.eras;
   all.resize(life.eras.size());
-  // The era that the trial run stands in is not over.
+  // The trial run's last era is incomplete.
   const std::size_t first = trial.whole ? trial.eras.size() : trial.eras.size() - 1;
   int generation = -1;
   double timeStep = world.clock.timeStep, from = world.clock.time, settledUntil = from;
@@ -90,7 +91,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     }
     const double cells = double(era.cells);
     double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
-    if (world.settlings) {  // an era for each settling, but for events that share one
+    if (world.settlings) {  // an era has one settling, or shares that of earlier events
       const bool settles = !trial.whole && era.from >= settledUntil;
       steps = settles ? trial.lastEvaluations : 0;
       if (settles) settledUntil = era.from + world.bodies->parameters.settle.together;
@@ -98,7 +99,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     counts.steps += steps;
     if (!world.contacts || cells < 2) continue;
     counts.pairs += steps * cells * vertices * contact.pairs * touchingShare(cells);
-    // Cells that part are pushed on through the organism: in edges its size goes with the root.
+    // Cells that part push others on through the organism, whose size in edges grows with the cube root.
     const double expected = contact.searches * cubeRoot(cells / contact.cells);
     counts.searches = std::min(std::max(counts.searches, expected), counts.steps);
   }
@@ -118,7 +119,7 @@ MemoryUse extrapolateMemory(const Life& life, const TrialRun& trial) {
   scale(std::ceil(cells / blockLanes) / b.blockCount(), {&m.bodies, &m.snapshots, &m.listRows});
   scale(cells / here, {&m.search});
   if (world.contacts && here < cells) {
-    const double perPair = world.contacts->list.bytesPerNeighbour - 5;  // only while lists are moved
+    const double perPair = world.contacts->list.bytesPerNeighbour - 5;  // 5 bytes are used only while lists are moved
     const double perVertex = measureContactTrend(life, trial).pairs * touchingShare(cells);
     m.listPairs = static_cast<std::size_t>(perPair * perVertex * cells * verticesPerCell(b));
   }

@@ -15,7 +15,7 @@ class PartList {
  public:
   explicit PartList(const Scenario& scenario) : scenario_(scenario) {}
 
-  /// `asks`: keys that ask for it, of which the first that is given is told.
+  /// Adds an engaged part. `asks`: keys that ask for it; the first given one is told.
   void add(const char* name, const std::string& what, Paths asks) { parts.push_back({name, true, what, whyOf(asks)}); }
   /// Adds a part that is engaged; otherwise tells by `needs` what would engage it.
   void add(const char* name, bool engaged, const std::string& what, Paths asks, const std::string& needs) {
@@ -39,7 +39,7 @@ class PartList {
   const Scenario& scenario_;
 };
 
-/// Returns the remark on parts that slow cells: in scenes that settle they do not change where cells rest.
+/// Returns the remark on parts that slow cells: in settling scenes they do not change where cells rest.
 const char* ofMotion(const PhysicsParameters& p) {
   return kindOf(p.integrator).settles ? "without effect on where cells rest" : "";
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the program that a scenario engages, and which of its lines asks for each. A part that none
-// asks for does not exist in the run and costs nothing.
+// The parts of the program that a scenario engages, and the line of the scenario that asks for each. Other parts are
+// not made in the run and cost nothing.
 #include <string>
 #include <vector>
 
@@ -12,8 +12,8 @@ namespace morula {
 struct Part {
   std::string name;
   bool engaged = false;
-  std::string what;  // how it is done: "pair law", "velocity Verlet"; "" if there is but one way
-  // "file:line:column: key", an option, or "default"; of an absent part what would ask for it
+  std::string what;  // the method: "pair law", "velocity Verlet"; "" if there is only one
+  // "file:line:column: key", an option, or "default"; for an absent part its possible request
   std::string why;
 };
 
@@ -21,10 +21,10 @@ struct Part {
 struct RunAsk {
   ContactSearch search = ContactSearch::grid;
   bool pictures = true;
-  std::string golden = {};  // the file that the result is held against; "": none
+  std::string golden = {};  // the file that the result is compared with; "": none
 };
 
-/// All parts there are, in the order of a run, absent ones among them. Names are unique.
+/// Returns all parts, also absent ones, in the order of a run. Names are unique.
 std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask);
 
 }  // namespace morula

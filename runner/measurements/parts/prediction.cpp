@@ -26,9 +26,9 @@ using Costs = std::map<std::string, Cost>;
 struct Sums {
   double cellSteps = 0, laneSteps = 0;  // laneSteps: with unused lanes
   double cellSearches = 0;
-  double changes = 0;  // cells that are there when others are born or die, over all such moments
+  double changes = 0;  // living cells, summed over all moments with births or deaths
   double samples = 0, sampledCells = 0;
-  double surfaces = 0;  // kept in samples
+  double surfaces = 0;  // surfaces in samples
 };
 
 double samplesIn(const Era& era, bool last, double every) {
@@ -51,7 +51,7 @@ Sums addUp(const Life& life, const std::vector<EraCounts>& eras, const Scenario&
     const auto& every = scenario.record.every;
     const auto& meshes = scenario.record.meshes;
     const double kept = meshes ? samplesIn(life.eras[i], last, *meshes) : 0;
-    const double asked = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // start and end
+    const double asked = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // samples at start and end
     const double n = std::max(asked, kept);
     s.surfaces += kept * cells;
     s.samples += n;
@@ -71,20 +71,21 @@ double recordBytes(const Sums& sums, const World& world) {
          sums.surfaces * (sizeof(CellSurface) + 6 * vertices);
 }
 
-/// Without bodies: the genes, and what is written down.
+/// Predicts the costs of a scene without bodies: genes and records.
 void predictLineage(Costs& costs, Prediction& f, const Scenario& scenario, const PredictionOptions& options) {
   const World world = makeWorld(scenario.scene, options.execution);
   const Sums sums = addUp(f.life, {}, scenario, options.execution.isa);
   f.steps = double(f.life.moments);
   costs["biology"].bytes = double(sizeof(LineageEntry)) * double(2 * f.life.divisions + 1) + 36.0 * double(f.cells);
   costs["samples"].bytes = recordBytes(sums, world);
-  // A hash at every moment, over living cells and the mothers of as many.
+  // A hash is taken at every moment, over living cells and as many mothers.
   costs["hashes"].seconds = measureObservation(world).hash * 2 * double(f.life.cellsAsked);
   f.triedWhole = f.life.whole;
   f.triedTime = f.life.eras.back().to;
 }
 
-/// An automatic step is a power of two. Where its limit lies just above one, little makes it half as long.
+/// Adds a remark if the time step may change. An automatic step is a power of two: if its limit is just above one, a
+/// small change halves it.
 void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
   constexpr double near = 1.1;  // limits are predicted to within 10 %
   const auto& fixed = trial.world.bodies->parameters.timeStep;
@@ -120,8 +121,8 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   return costs;
 }
 
-/// How much longer the trial run took than its rates explain: calls and checks take more, and rates that are measured
-/// one by one find less of the world in the cache.
+/// Returns the trial run's time over that explained by its rates. Calls and checks take further time, and separately
+/// measured rates find less of the world in the cache.
 double slowness(const Prediction& f, const TrialRun& trial, const StepRates& rates, const Scenario& scenario, Isa isa) {
   const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(trial.eras.size())}};
   double pairs = 0, explained = 0;
@@ -154,7 +155,7 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   f.vertexSteps = sums.cellSteps * vertices;
 
   const MemoryUse memory = extrapolateMemory(f.life, trial);
-  // Where all cells have died an egg stands in.
+  // If all cells have died an egg is measured instead.
   World egg = makeWorld(scenario.scene, options.execution);
   const StepRates rates = measureRates(world.bodies->count > 0 ? world : egg);
   const double factor = slowness(f, trial, rates, scenario, isa);
@@ -198,7 +199,7 @@ void addShares(Prediction& f) {
 std::optional<Scenario> settledInstead(const Scenario& scenario) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || kindOf(mechanics->physics.integrator).settles) return std::nullopt;
-  const double together = 0.25 * scenario.scene.cycle.length;  // events so close to each other share a settling
+  const double together = 0.25 * scenario.scene.cycle.length;  // [time] events this close share a settling
   return readScenario(scenario.resolved, scenario.file, "",
                       {parseOverride("physics.integrator=fire"), parseOverride("physics.time_step=null"),
                        parseOverride("physics.settle.together=" + exactText(together))},

@@ -14,11 +14,11 @@
 namespace morula {
 namespace {
 
-constexpr double timingSeconds = 1e-3;  // [s] of one timing
-constexpr int timings = 7;              // the quickest counts: others were disturbed
-constexpr int maxTurns = 64;            // [calls] of one timing
+constexpr double timingSeconds = 1e-3;  // [s] min duration of one timing
+constexpr int timings = 7;              // number of timings, of which the shortest counts, as others were disturbed
+constexpr int maxTurns = 64;            // [calls] max number in one timing
 
-/// [s] of one call; `prepare` goes before each timing and does not count.
+/// Returns the shortest time of a call [s]. `prepare`: is called before each timing and does not count.
 template <class Prepare, class Call>
 double quickest(const Prepare& prepare, const Call& call) {
   prepare();
@@ -38,7 +38,7 @@ double vertices(const World& world) { return world.bodies->livingVertices; }
 
 using Change = std::function<void(World&)>;
 
-/// A world with parts taken away for a while, and its state as it was each time.
+/// A world from which parts are taken for a while. Each timing restores its state.
 class Timing {
  public:
   explicit Timing(World& world)
@@ -55,7 +55,7 @@ class Timing {
   Timing(const Timing&) = delete;
   Timing& operator=(const Timing&) = delete;
 
-  /// [s] of one call on the changed world, which begins as it stands each time, for one of its vertices.
+  /// Returns the time of one call [s] per vertex, on the restored and then changed world.
   double of(const Change& change, const Change& call) {
     return quickest(
                [&] {
@@ -84,7 +84,7 @@ class Timing {
 
 void keepAlone(World& w) { w.contacts.reset(), w.connections.reset(); }
 
-/// Drifts and kicks, without the forces that the kicks would take.
+/// Drifts and kicks, without evaluating forces.
 void integrateOnly(World& w) {
   Bodies& b = *w.bodies;
   for (int i = 0; i < b.blockCount(); ++i) {
@@ -94,8 +94,8 @@ void integrateOnly(World& w) {
   }
 }
 
-/// Measures the work of each cell for itself. Springs and pressure share a walk around each vertex; they are told apart
-/// by counting.
+/// Measures the work within each cell. Springs and pressure share a walk around each vertex, so they are separated by
+/// counting.
 void measureOwnStep(World& world, StepRates& rates) {
   Timing timing(world);
   const PhysicsParameters p = world.bodies->parameters;
@@ -121,7 +121,7 @@ void measureOwnStep(World& world, StepRates& rates) {
   PhysicsParameters plain = p;
   plain.membrane.damping = plain.drag = 0;
   const double share = shells ? springShare(world.bodies->mesh, plain) : 0;
-  if (world.bodies->areSpheres()) rates.integration += rest;  // finding the volumes has no part of its own
+  if (world.bodies->areSpheres()) rates.integration += rest;  // finding the volumes counts as integration
   else if (!shells) rates.shapeMatching = rest;
   else rates.springs = share * rest, rates.pressure = (1 - share) * rest;
   if (world.connections)
@@ -129,7 +129,7 @@ void measureOwnStep(World& world, StepRates& rates) {
         timing.of([](World&) {}, [](World& w) { addConnectionForces(*w.connections, w.cells.path, *w.bodies); });
 }
 
-/// Measures the work of touching cells. Snapshots and pairs are told apart by counting.
+/// Measures the work of touching cells. Snapshots and pairs are separated by counting.
 void measureContact(World& world, StepRates& rates) {
   Timing timing(world);
   const Contacts own = *world.contacts;
@@ -145,7 +145,7 @@ void measureContact(World& world, StepRates& rates) {
     w.connections.reset();
   };
   const double alone = timing.ofStep(keepAlone), perVertex = double(own.list.pairs) / vertices(world);
-  const double evaluations = 1 + double(world.stages.furtherDrifts.size());  // of the forces in a step
+  const double evaluations = 1 + double(world.stages.furtherDrifts.size());  // force evaluations in a step
   const double all = timing.ofStep([](World& w) { w.connections.reset(); }) - alone;
   const bool rubs = own.parameters.law != ContactLaw::thesis && own.parameters.friction > 0;
   const double friction = rubs ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
@@ -153,7 +153,7 @@ void measureContact(World& world, StepRates& rates) {
   rates.frictionOfPair = friction / (evaluations * perVertex);
   rates.snapshots = std::max(all - friction, 0.0) * snapshots;
   rates.pair = std::max(all - friction, 0.0) * (1 - snapshots) / (evaluations * perVertex);
-  Contacts other = own;  // with its rows, which lists are built from
+  Contacts other = own;  // a copy with the rows from which lists are built
   rates.search = timing.of([&](World&) { other.listIsValid = false; },
                            [&](World& w) { other.listIsValid = false, refreshList(other, *w.bodies, 1); });
 }
@@ -162,7 +162,7 @@ void measureContact(World& world, StepRates& rates) {
 
 double laneShare(Isa isa, std::uint64_t cells, Precision precision) {
   if (cells == 0) return 1;
-  const int doubles = 1 << static_cast<int>(isa);  // scalar 1, narrow 2, avx2 4, avx512 8
+  const int doubles = 1 << static_cast<int>(isa);  // doubles in a register: scalar 1, narrow 2, avx2 4, avx512 8
   const int lanes = isa == Isa::scalar || precision == Precision::binary64 ? doubles : 2 * doubles;
   const auto width = static_cast<std::uint64_t>(std::min(lanes, blockLanes));
   return double((cells + width - 1) / width * width) / double(cells);
@@ -177,7 +177,7 @@ StepRates measureRates(World& world) {
   if (world.contacts && world.contacts->list.pairs > 0) {
     measureContact(world, rates);
     rates.snapshots /= share;
-  } else if (world.contacts) {  // few and coarse cells are packed in a moment
+  } else if (world.contacts) {  // packing few and coarse cells takes a moment
     World packed = makePackedWorld({.cells = 8,
                                     .level = 1,
                                     .friction = world.contacts->parameters.friction,

@@ -28,7 +28,7 @@ Life predictLife(const Scene& scene, std::uint64_t most) {
   genes.mechanics.reset();
   World world = makeWorld(genes);
   Life life;
-  const int founded = deepest(world.cells);  // start cells have paths, but are no parts of an egg
+  const int founded = deepest(world.cells);  // start cells have paths, but are no divided parts of an egg
   life.eras.push_back({0, 0, world.cells.path.size(), 0});
   life.seconds = timeOf(ClockKind::cpu, [&] {
     while (!finished(world) && (life.whole = life.cellsAsked < most)) {
@@ -42,7 +42,7 @@ Life predictLife(const Scene& scene, std::uint64_t most) {
   });
   life.moments = world.clock.step;
   life.divisions = world.lineage.entries.size() / 2;
-  // With bodies a run goes on between the cell cycles, unless it has stopped for another reason.
+  // With bodies a run continues between cell cycles, unless it has stopped for another reason.
   Era& last = life.eras.back();
   last.to = world.clock.time;
   const bool stopped = !life.whole || last.cells == 0 || (scene.stop.cells && last.cells >= *scene.stop.cells);
@@ -61,7 +61,7 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
     const double seconds = timeOf(ClockKind::cpu, [&] { step(w); });
     run.seconds += seconds;
     if (w.settlings && !w.settlings->empty()) evaluations = double(w.settlings->back().evaluations);
-    // A settling comes after its events, of which it may have several.
+    // A settling follows its events, of which there may be several.
     while (w.settlings && run.eras.size() < life.eras.size() && life.eras[run.eras.size()].from <= w.clock.time)
       run.eras.emplace_back();
     EraCounts& era = run.eras.back();
@@ -71,7 +71,7 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
       era.pairs += double(w.contacts->pairEvaluations - pairs);
     }
     if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) {
-      // Fresh cuts spring apart, and contacts are stiff until they have.
+      // Fresh cuts spring apart, and contacts are stiff until then.
       if (run.generation > 0 && w.clock.step % 64 == 0 && w.bodies->count > 0 && !w.settlings)
         run.timeStepLimit = std::max(run.timeStepLimit, timeStepLimit(w));
       continue;

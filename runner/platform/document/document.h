@@ -1,6 +1,6 @@
 #pragma once
 // Documents on results, as blocks that a terminal, a page, Markdown and other programs each get in their own form.
-// Nothing here is markup: every text may come from anywhere.
+// Blocks hold no markup, so any text may stand in them.
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,7 +12,7 @@ namespace morula {
 
 struct Block;
 
-/// Blocks one below the other.
+/// A document: blocks one below the other.
 struct Document {
   std::vector<Block> blocks;
 
@@ -20,8 +20,8 @@ struct Document {
   Document& add(Kind block);
   Document& add(Document others);
   Document& say(Words words);
-  Document& note(Words words);     // what is worth less ink
-  Document& heading(Words words);  // inside of a section
+  Document& note(Words words);     // adds a sentence in less conspicuous type
+  Document& heading(Words words);  // adds a heading inside of a section
   bool empty() const { return blocks.empty(); }
 };
 
@@ -32,12 +32,12 @@ struct Sentence {
     note,
     heading,
     part
-  };  // first: what is known first of all; part: of a verdict of several parts
+  };  // first: the main statement; part: a sentence of a verdict of several parts
   Words words;
   Kind kind = Kind::plain;
 };
 
-/// A finding, and below it the reason.
+/// A finding, and below it its reasons.
 struct Finding {
   enum class Kind { good, note, warning, bad };
   Kind kind;
@@ -53,7 +53,7 @@ struct PlainList {
   std::vector<Words> list;
 };
 
-/// Lines as they are; a longer text is cut, which is said.
+/// Lines that are shown unchanged. A longer text is cut, with a remark.
 struct Verbatim {
   std::string text;
   std::size_t maxBytes = 200'000;
@@ -61,16 +61,16 @@ struct Verbatim {
 
 /// A picture or a chart.
 struct Picture {
-  enum class Size { usual, wide, large };  // wide: two columns; large: with many words, is not shrunk but scrolled
+  enum class Size { usual, wide, large };  // wide: two columns; large: has many words, so it is scrolled and not shrunk
   std::string type, bytes;                 // "image/png", "image/svg+xml"
-  std::string what;                        // for people who cannot see it
+  std::string what;                        // a description for people who cannot see the picture
   std::string caption;
   Size size = Size::usual;
-  std::string name = {};  // by which Swipe knows it in its section
-  std::string id = {};    // of its element, on a page once
+  std::string name = {};  // the name for Swipe, in its section
+  std::string id = {};    // the id of its element, unique on a page
 };
 
-/// The pictures with these names lie over each other, where programs run.
+/// Two pictures that lie over each other, by their names, where programs run.
 struct Swipe {
   std::string first, second;
   std::string titles;  // "ours | Bullet's"
@@ -86,7 +86,7 @@ struct LineKey {
   std::vector<Line> lines;
 };
 
-/// Files that can be taken along; a page holds them.
+/// Files that a page holds for download.
 struct Downloads {
   struct File {
     std::string name, type, bytes;
@@ -94,17 +94,17 @@ struct Downloads {
   std::vector<File> files;
 };
 
-/// The place of the explorer.
+/// The block that the explorer fills.
 struct ExplorerPlace {};
 
-/// A place, by its id, in which another program of the page builds; where none runs it says `without`.
+/// A block that another program of the page fills, found by its id. Where no programs run the block says `without`.
 struct ProgramPlace {
   std::string id, without;
 };
 
 /// Blocks that belong together.
 struct Group {
-  enum class Kind { pictures, charts, folded };  // folded: until it is asked for by its title
+  enum class Kind { pictures, charts, folded };  // folded: shown on a click on its title
   Kind kind;
   std::string title;
   Document body;
@@ -115,7 +115,7 @@ struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, P
   using variant::variant;
 };
 
-/// A document with a title, the commands that make what it shows again, and the id of its element on a page.
+/// A document with a title, the commands that reproduce its content, and the id of its element on a page.
 struct PageSection {
   std::string id;  // letters, digits and -
   std::string title;
@@ -131,15 +131,15 @@ Document& Document::add(Kind block) {
 
 /// Makes a document of a verdict in one sentence, and of findings.
 Document verdict(Words sentence, std::vector<Finding> findings);
-/// Folded away until it is asked for by its title.
+/// Makes a group that is folded until its title is clicked.
 Group folded(std::string title, Document body);
 
-/// "31 bytes", "2.75 kB", "1.2 MB".
+/// Returns a size in words: "31 bytes", "2.75 kB", "1.2 MB".
 std::string inBytes(std::size_t bytes);
 
 /// Writes a document for a terminal, without pictures and downloads.
 std::string textOf(const Document& document);
-/// HTML, between the tags of a section.
+/// Writes a document as HTML, without the tags of the section around it.
 std::string htmlOf(const Document& document);
 std::string htmlOf(const Words& words);
 

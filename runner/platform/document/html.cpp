@@ -1,4 +1,4 @@
-// Documents as HTML. Every text of theirs passes through `safe`, and through nothing else.
+// Writes documents as HTML. Every text of a document passes through `safe` exactly once.
 #include <fmt/format.h>
 
 #include "document/document.h"
@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// Markup is text, and characters that a reader would not see are made visible.
+/// Returns a text as HTML: markup is shown as text, and invisible characters are made visible.
 std::string safe(std::string_view text) { return htmlText(printable(text)); }
 
 std::string element(const std::string& tag, const std::string& attributes, const std::string& html) {
@@ -38,14 +38,14 @@ std::string htmlOf(const Words::Piece& piece) {
   return text;
 }
 
-/// A hash may be broken anywhere, words may not.
+/// Returns a cell as HTML. A hash may be broken anywhere, words may not.
 std::string cellHtml(const Words& words) {
   const std::string text = words.text();
   const bool isLong = text.find(' ') == text.npos && text.size() > 24;
   return isLong ? element("span", ofClass("long"), htmlOf(words)) : htmlOf(words);
 }
 
-/// The attributes of a table's cell: a number must not be broken into lines.
+/// Returns the attributes of a table's cell: a number must not be broken into lines.
 std::string cellAttributes(const Words& words) {
   constexpr std::size_t longest = 16;
   const std::string text = words.text();

@@ -14,7 +14,7 @@ std::size_t letters(const std::string& s) {
       std::ranges::count_if(s, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// The cells of a line of columns that people see.
+/// Returns the texts of a row's cells in columns that people see.
 std::vector<std::string> seen(const Table& table, const std::vector<Cell>& row) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < row.size(); ++i)

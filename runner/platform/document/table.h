@@ -1,5 +1,5 @@
 #pragma once
-// A table, whatever it becomes: columns of text, HTML, Markdown, CSV [RFC 4180] or JSON.
+// A table in any form: columns of text, HTML, Markdown, CSV [RFC 4180] or JSON.
 #include <concepts>
 #include <functional>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// A cell of a table: exactly, for programs, and as people read it.
+/// A cell of a table: its exact value for programs, and its words for people.
 struct Cell {
   Json value;
   Words words;
@@ -23,15 +23,15 @@ struct Cell {
   Cell(Json exact, Words shown) : value(std::move(exact)), words(std::move(shown)) {}
 };
 
-/// Returns a cell with so many significant digits for people; an absent value is null, and shows as nothing.
+/// Returns a cell with `digits` significant digits for people; an absent value is null and shows as nothing.
 Cell number(const std::optional<double>& value, int digits = 4);
-/// Returns a cell for programs alone.
+/// Returns a cell that only programs see.
 inline Cell exact(Json value) { return {std::move(value), {}}; }
 
 struct Column {
   Words title;            // for people; empty: a column without a heading
-  std::string json, csv;  // its names for programs; "": not among them
-  bool isShown = true;    // to people
+  std::string json, csv;  // its names for programs; "": left out for them
+  bool isShown = true;    // whether people see the column
 
   Column(Words heading) : title(std::move(heading)) {}
   Column(std::string heading) : title(std::move(heading)) {}
@@ -41,12 +41,12 @@ struct Column {
 };
 
 struct Table {
-  std::string caption;          // plain, for people who do not see what stands above it
-  std::vector<Column> columns;  // none: rows of a name and values
+  std::string caption;          // a plain text for people who do not see the words above the table
+  std::vector<Column> columns;  // empty: each row is a name and values
   std::vector<std::vector<Cell>> rows = {};
 };
 
-/// A column of a table whose rows are all of one type: one line declares it, for people and for programs.
+/// A column of a table whose rows are all of one type, declared in one line for people and programs.
 template <class Row>
 struct FieldOf {
   Column column;
@@ -64,16 +64,16 @@ Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& field
   return table;
 }
 
-/// Tables one below the other: the first column says which, the others are joined by their CSV names, the named ones
-/// first.
+/// Joins tables into one. The first column names the table of a row; the others are joined by their CSV names, those in
+/// `first` first.
 Table stacked(const std::vector<std::pair<std::string, Table>>& tables, const std::vector<std::string>& first);
 
-/// Columns two blanks apart and in from the left, numbers at the right; what is not there is "-".
+/// Writes a table as text: columns two blanks apart, indented, numbers right-aligned; an absent value is "-".
 std::string textOf(const Table& table);
 std::string markdownOf(const Table& table);
-/// UTF-8, a line of names; numbers are the shortest that read back as the same, what is null is empty.
+/// Writes a table as CSV in UTF-8, with a line of names. Numbers read back the same; null is empty.
 std::string csvOf(const Table& table, const std::string& lineEnd = "\r\n");
-/// An object a row.
+/// Returns a list with an object for each row.
 Json jsonOf(const Table& table);
 
 }  // namespace morula

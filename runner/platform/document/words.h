@@ -1,6 +1,6 @@
 #pragma once
-// Text with emphasis: a sentence, or what stands in a cell of a table. It may come from anywhere: whatever shows it
-// (html.h, text.h) makes it safe.
+// Text with emphasis: a sentence, or the content of a table's cell. It may have any origin; code that shows it (html.h,
+// text.h) makes it safe.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ class Words {
  public:
   struct Piece {
     Emphasis emphasis;
-    std::string text, hint;  // hint: seen when it is pointed at
+    std::string text, hint;  // hint: shown when the pointer is over the text
     bool operator==(const Piece&) const = default;
   };
 
@@ -37,15 +37,15 @@ class Words {
 inline Words bold(std::string text) { return {std::move(text), Emphasis::bold}; }
 inline Words code(std::string text) { return {std::move(text), Emphasis::code}; }
 inline Words quiet(std::string text) { return {std::move(text), Emphasis::quiet}; }
-/// "✓ holds" or "✗ does not hold".
+/// Returns "✓ holds" or "✗ does not hold".
 Words mark(bool good, const std::string& ifGood, const std::string& ifBad, const std::string& hint = {});
-/// "! Warning" before a sentence.
+/// Returns "! Warning", to precede a sentence.
 Words warning();
 
-/// "1 cell", "2 cells".
+/// Returns "1 cell", "2 cells".
 std::string counted(std::uint64_t count, const std::string& what);
 
-/// "a", "a and b", "a, b and c"; of more than `most` the first ones, and how many more.
+/// Returns "a", "a and b", "a, b and c"; of more than `most` texts the first ones and the number of the others.
 template <class Text>
 Text listed(const std::vector<Text>& texts, std::size_t most = 6) {
   const bool all = texts.size() <= most;

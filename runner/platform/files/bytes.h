@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as bytes, the least significant first, whatever the machine's own order is.
+// Numbers as bytes, the least significant first on every machine.
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -17,16 +17,16 @@ inline void put32(std::string& bytes, std::uint32_t value) { putNumber(bytes, va
 inline void put32(std::string& bytes, std::int32_t value) { putNumber(bytes, static_cast<std::uint32_t>(value)); }
 inline void put64(std::string& bytes, std::uint64_t value) { putNumber(bytes, value); }
 inline void putFloat(std::string& bytes, float value) { putNumber(bytes, std::bit_cast<std::uint32_t>(value)); }
-/// The nearest float.
+/// Adds the nearest float.
 inline void putFloat(std::string& bytes, double value) { putFloat(bytes, static_cast<float>(value)); }
 inline void putDouble(std::string& bytes, double value) { putNumber(bytes, std::bit_cast<std::uint64_t>(value)); }
 
-/// Zeros until the length is a multiple of 4.
+/// Adds zeros until the length is a multiple of 4.
 inline void fillBytes(std::string& bytes) {
   while (bytes.size() % 4 != 0) bytes += '\0';
 }
 
-/// The number that begins at byte `at`.
+/// Returns the number that begins at byte `at`.
 template <class Unsigned>
 Unsigned numberAt(std::string_view bytes, std::size_t at) {
   Unsigned value = 0;

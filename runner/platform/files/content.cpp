@@ -5,7 +5,7 @@
 namespace morula {
 namespace {
 
-/// True if a line of the text begins so.
+/// Returns true if a line of the text begins with `beginning`.
 bool hasLine(std::string_view text, std::string_view beginning) {
   if (text.starts_with(beginning)) return true;
   for (auto at = text.find(beginning); at != text.npos; at = text.find(beginning, at + 1))
@@ -25,7 +25,7 @@ Content contentOf(std::string_view head) {
     if (head.starts_with(report)) return Content::report;
   if (head.starts_with(pageBeginning)) return Content::page;
   if (head.starts_with(sceneBeginning)) return Content::scene;
-  if (hasLine(head, "morula golden ")) return Content::golden;  // also below the marker of a merge
+  if (hasLine(head, "morula golden ")) return Content::golden;  // a golden may begin with the marker of a merge
   if (hasLine(head, "morula:") || hasLine(head, "morula-study:") || head.find("\"morula\":") != head.npos)
     return Content::scenario;
   if (hasLine(head, "START:")) return Content::dna;

@@ -1,5 +1,5 @@
 #pragma once
-// A file descriptor with an owner. Only for files and system.
+// A file descriptor with an owner, for the folders files and system only.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,14 +23,14 @@ class Descriptor {
 
   int number() const { return number_; }
   bool isOpen() const { return number_ >= 0; }
-  /// False if what was written could not be kept.
+  /// Closes the file. Returns false if written data could not be kept.
   bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
 
  private:
   int number_;
 };
 
-/// False, with errno, if not all could be written.
+/// Writes all bytes. Returns false, with errno, if that failed.
 inline bool writeAll(int to, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(to, bytes.data(), bytes.size());
@@ -41,7 +41,7 @@ inline bool writeAll(int to, std::string_view bytes) {
   return true;
 }
 
-/// "a folder", "a pipe", …
+/// Returns the name of a file's type: "a folder", "a pipe", …
 inline const char* typeName(mode_t mode) {
   return S_ISREG(mode)    ? "a regular file"
          : S_ISDIR(mode)  ? "a folder"

@@ -31,14 +31,13 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
 std::mutex knownMutex;
 std::set<fs::path> known;
 
-/// Returns true if this process meets the folder for the first time. Each folder is searched once for drafts of
-/// processes that died.
+/// Returns true on this process's first call for the folder. Each folder is searched once for drafts of dead processes.
 bool isNewHere(const fs::path& folder) {
   const std::lock_guard lock(knownMutex);
   return known.insert(folder).second;
 }
 
-/// The beginning of all names of this process's drafts.
+/// Returns the beginning of the names of this process's drafts.
 std::string ownBeginning() {
   char host[65] = {};
   ::gethostname(host, sizeof host - 1);
@@ -47,7 +46,7 @@ std::string ownBeginning() {
   return std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-";
 }
 
-/// Between its making and its locking a draft looks abandoned: it may be gone once it is locked.
+/// Returns true if the draft exists: until it was locked, another process may have removed it as abandoned.
 bool isThere(int descriptor) {
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
@@ -61,7 +60,7 @@ Draft::Draft(fs::path file) : file_(std::move(file)), descriptor_(-1) {
   do {
     draft_ = draftIn(file_.parent_path());
     descriptor_ = Descriptor(::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
-    if (!descriptor_.isOpen() && errno == EEXIST) continue;  // of a process of this number on another machine
+    if (!descriptor_.isOpen() && errno == EEXIST) continue;  // used by a like-numbered process of another machine
     if (!descriptor_.isOpen()) refuse(file_);
     ::flock(descriptor_.number(), LOCK_EX);
   } while (!descriptor_.isOpen() || !isThere(descriptor_.number()));
@@ -111,7 +110,7 @@ std::size_t removeAbandonedDrafts(const fs::path& folder) {
     const Descriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (!held.isOpen() || ::flock(held.number(), LOCK_EX | LOCK_NB) != 0) continue;
     std::error_code ignored;
-    if (fs::remove_all(file, ignored) > 0) ++removed;  // links in it are removed, not followed
+    if (fs::remove_all(file, ignored) > 0) ++removed;  // links in the folder are removed, not followed
   }
   return removed;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A file that is written under a name of its own and takes its place when it is whole. What a process that dies leaves
-// behind is told from what another one is still writing, on whatever machine, by a lock that the system releases.
+// A file that is written under a temporary name and takes its place when it is complete. A lock, which the system
+// releases, tells drafts of dead processes from those still being written, on whatever machine.
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
@@ -11,17 +11,17 @@ namespace morula {
 
 class Draft {
  public:
-  /// An empty file in the folder of `file`, which must be there. Throws FileError that names `file`.
+  /// Makes an empty file in the folder of `file`, which must exist. Throws FileError that names `file`.
   explicit Draft(std::filesystem::path file);
-  /// Removes it, unless it has taken its place.
+  /// Removes the draft, unless it has taken its place.
   ~Draft();
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
   const std::filesystem::path& path() const { return draft_; }
-  /// Adds to its end. Throws FileError.
+  /// Appends bytes. Throws FileError.
   void write(std::string_view bytes);
-  /// Once all of it is on the disk, it replaces what stands at `file`, in one step. Throws FileError.
+  /// Writes the draft to the disk, then replaces `file` with it in one step. Throws FileError.
   void takePlace();
 
  private:
@@ -30,14 +30,14 @@ class Draft {
   bool placed_ = false;
 };
 
-/// A name in the folder that nothing else uses. Processes of several machines may share the folder.
+/// Returns an unused name in the folder, which processes of several machines may share.
 std::filesystem::path draftIn(const std::filesystem::path& folder);
 
-/// Removes the drafts in the folder, files and folders [ScratchFolder], that no process holds any more. Returns how
-/// many. Does nothing where folders cannot be listed.
+/// Removes the drafts in the folder, files and folders [ScratchFolder], that no process holds any more. Returns their
+/// number. Does nothing if the folder cannot be listed.
 std::size_t removeAbandonedDrafts(const std::filesystem::path& folder);
 
-/// Removes the drafts of this process, for who ends it without destructors.
+/// Removes the drafts of this process, for an end without destructors.
 void removeOwnDrafts();
 
 }  // namespace morula

@@ -21,7 +21,7 @@ namespace {
 fs::file_status statusOf(const fs::path& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
-  // A file where a folder should be on the way: there is nothing behind it.
+  // If a file takes the place of a folder in the path, nothing is behind it.
   if (status.type() == fs::file_type::not_found) return status;
   if (error) refuse(path, "cannot be looked at", error);
   return status;
@@ -34,7 +34,7 @@ fs::path realPath(const fs::path& path) {
   return real.is_absolute() ? real : absolutePath(real);
 }
 
-/// visit(its name) for each entry of the folder. The iterators of std::filesystem end the program where memory ends.
+/// Calls visit(name) for each entry. The iterators of std::filesystem end the program if memory runs out.
 template <class Visit>
 void eachEntry(const fs::path& folder, Visit visit) {
   const auto refuseNow = [&] { refuse(folder, "cannot be listed", {errno, std::generic_category()}); };
@@ -57,7 +57,7 @@ void addFilesBelow(const fs::path& folder, const std::string& extension, std::ve
   });
 }
 
-/// `above`: the real paths of the folders on the way.
+/// Adds all files below the folder. `above`: the real paths of the folders on the way.
 void addEveryFileBelow(const fs::path& folder, std::vector<fs::path>& above, std::vector<fs::path>& files) {
   above.push_back(realPath(folder));
   eachEntry(folder, [&](std::string_view name) {

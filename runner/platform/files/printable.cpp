@@ -10,7 +10,7 @@ bool isHarmful(char32_t c) {
          (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
 }
 
-/// `prefix` and the last `digits` hexadecimal digits of the number.
+/// Returns `prefix` and the last `digits` hexadecimal digits of the number.
 std::string escape(const char* prefix, char32_t number, int digits) {
   std::string text = prefix;
   for (int i = digits - 1; i >= 0; --i) text += "0123456789abcdef"[number >> (4 * i) & 15];
@@ -28,7 +28,7 @@ std::string escapeIn(std::string_view text, bool oneLine) {
     else if (c == '\t') out += oneLine ? "\\t" : "\t";
     else if (c == '\r' && oneLine) out += "\\r";
     else if (!isHarmful(c)) out += text.substr(0, taken);
-    // From DEL on as JSON writes them, so that JSON that has passed through here is still JSON.
+    // From DEL on characters are escaped as in JSON, so that JSON remains JSON.
     else out += c < 0x7F ? escape("\\x", c, 2) : escape("\\u", c, 4);
     text.remove_prefix(taken);
   }
@@ -64,7 +64,7 @@ std::string safeName(std::string_view text, std::string_view fallback) {
     const auto dot = name.rfind('.');
     const std::string extension = dot != name.npos && name.size() - dot <= maxExtension ? name.substr(dot) : "";
     std::size_t end = maxBytes - extension.size();
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // not within a character
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // a character is not cut
     name = name.substr(0, end) + extension;
   }
   return name.empty() ? std::string(fallback) : name;

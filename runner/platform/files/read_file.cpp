@@ -26,8 +26,8 @@ std::string typeProblem(const struct stat& status) {
   return "is " + std::string(typeName(status.st_mode)) + "; needs a file";
 }
 
-/// Opened without waiting. Its type is looked at before, because opening a device may do something, and again
-/// afterwards, because the name may have come to mean another file in between.
+/// Opens a regular file without waiting. Its type is examined before, since opening a device may do something, and
+/// again afterwards, since the name may mean another file by then.
 Descriptor openRegular(const std::filesystem::path& file) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) refuseUnreadable(file);
@@ -38,8 +38,8 @@ Descriptor openRegular(const std::filesystem::path& file) {
   return opened;
 }
 
-/// Hands up to `count` bytes to `take`, in pieces. Not by the announced size: files of /proc announce 0, and others may
-/// grow meanwhile.
+/// Gives up to `count` bytes to `take`, in pieces. The announced size is ignored: files of /proc announce 0, and others
+/// may grow meanwhile.
 void readUpTo(const Descriptor& from, std::uint64_t count, const std::filesystem::path& file,
               const std::function<void(std::string_view)>& take) {
   char piece[1 << 16];
@@ -84,7 +84,7 @@ std::string readHead(const std::filesystem::path& file, std::size_t count) {
 
 void requireRegularFile(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return;  // opening it will say why
+  if (::stat(file.c_str(), &status) != 0) return;  // opening the file will tell the reason
   if (const auto problem = typeProblem(status); !problem.empty()) refuse(file, problem);
 }
 

@@ -22,13 +22,13 @@ FileError cannotBeMade(const fs::path& folder) {
   return FileError("'" + folder.string() + "' cannot be made: " + std::strerror(errno));
 }
 
-/// "a/b" of "a/b/" and "a/./b".
+/// Returns "a/b" for "a/b/" and "a/./b".
 fs::path withoutSlash(const fs::path& folder) {
   const fs::path normal = folder.lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-/// Returns the folder in which a draft of the folder is made.
+/// Makes and returns the parent of `folder`, which must be absent or empty; the draft is made there.
 fs::path parentFor(const fs::path& folder) {
   requireAbsent(folder);
   makeFolder(folder.parent_path());
@@ -42,7 +42,7 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
   do {
     path_ = draftIn(parent);
     if (::mkdir(path_.c_str(), 0777) != 0) {
-      if (errno == EEXIST) continue;  // of a process of this number on another machine
+      if (errno == EEXIST) continue;  // used by a like-numbered process of another machine
       throw cannotBeMade(path_);
     }
     lock_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
@@ -52,13 +52,13 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
       throw error;
     }
     if (lock_.isOpen()) ::flock(lock_.number(), LOCK_EX);
-    // Until it is locked it looks abandoned, and may be gone.
+    // Until the folder is locked it looks abandoned, so another process may have removed it.
   } while (!lock_.isOpen() || !fileExists(path_));
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
-  fs::remove_all(path_, ignored);  // links in it are removed, not followed
+  fs::remove_all(path_, ignored);  // links in the folder are removed, not followed
 }
 
 DraftFolder::DraftFolder(const fs::path& folder) : folder_(withoutSlash(folder)), scratch_(parentFor(folder_)) {}
@@ -66,7 +66,7 @@ DraftFolder::DraftFolder(const fs::path& folder) : folder_(withoutSlash(folder))
 void DraftFolder::takePlace() {
   const bool isThere = fileExists(folder_);
   const fs::path target = isThere ? fs::canonical(folder_) : folder_;
-  // The working directory itself stays: a shell in it would be left in a folder that is gone.
+  // The working directory itself stays, since a shell in it would be left in a deleted folder.
   if (isThere && fs::equivalent(target, currentFolder())) {
     std::vector<fs::path> moved;
     for (const fs::path& name : namesIn(path())) {

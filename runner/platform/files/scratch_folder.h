@@ -1,13 +1,13 @@
 #pragma once
-// A new folder for what is needed for a while; a folder that is there only when it is whole.
+// A temporary folder, and a folder that appears only when it is complete.
 #include <filesystem>
 
 #include "files/descriptor.h"
 
 namespace morula {
 
-/// Made with a name that nothing else has, and removed with all that it then holds, so that no file of the user's can
-/// be in it. What a process that dies leaves behind, the next one in the same parent removes. Throws FileError.
+/// A folder with an unused name, which is removed with its content; no file of the user's can be in it. A folder that a
+/// dead process left is removed by the next process in the same parent. Throws FileError.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::filesystem::path& parent);
@@ -22,13 +22,13 @@ class ScratchFolder {
   Descriptor lock_;
 };
 
-/// Filled at path(), and then in its place in one step, so that a kill or a full disk leaves nothing under its name.
+/// A folder filled at path() that takes its place in one step: a kill or a full disk leaves no part of it.
 class DraftFolder {
  public:
-  /// Throws FileError if there is anything at `folder` but an empty folder.
+  /// Throws FileError if `folder` exists and is not an empty folder.
   explicit DraftFolder(const std::filesystem::path& folder);
   const std::filesystem::path& path() const { return scratch_.path(); }
-  /// Throws FileError.
+  /// Moves the folder to its place. Throws FileError.
   void takePlace();
 
  private:

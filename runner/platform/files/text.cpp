@@ -7,7 +7,7 @@
 namespace morula {
 namespace {
 
-/// Between quotation marks, which are doubled within.
+/// Puts a text between quotation marks; those within are doubled.
 std::string doubled(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -67,7 +67,7 @@ std::string markdownText(std::string_view text) {
 }
 
 std::string markdownCode(std::string_view text) {
-  std::size_t longest = 0, run = 0;  // of backticks
+  std::size_t longest = 0, run = 0;  // [backticks] the longest run and the present run
   for (const char c : text) run = c == '`' ? run + 1 : 0, longest = std::max(longest, run);
   const std::string fence(longest + 1, '`'), blank = longest ? " " : "";
   return fence + blank + std::string(text) + blank + fence;
@@ -90,7 +90,7 @@ std::string shellWord(std::string_view text) {
 
 std::string yamlText(std::string_view text) {
   const bool beginsAsWord = isMadeOf(text.substr(0, 1), "") && text[0] >= 'A';
-  // A text with one of these marks is none of YAML's words for true, false and null.
+  // YAML's words for true, false and null hold none of these marks.
   if (beginsAsWord && isMadeOf(text, "-_./") && text.find_first_of("-_./") != text.npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text)

@@ -1,16 +1,16 @@
 #pragma once
-// Texts split and joined, and texts of any content written for CSV, SQL, shells and YAML, from which the same text is
-// read back. HTML: reports/page/page.h.
+// Splits and joins texts, and writes texts of any content for CSV, SQL, shells and YAML so that they read back
+// unchanged. HTML: reports/page/page.h.
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace morula {
 
-/// "a, b, c", or "a, b or c" with " or " before the last one.
+/// Returns "a, b, c", or "a, b or c" if `last` is " or ".
 std::string join(const std::vector<std::string>& words, const std::string& last = ", ");
 
-/// The texts between separators, empty ones too; but nothing for a separator at the end.
+/// Returns the texts between separators, including empty ones, but none after a separator at the end.
 std::vector<std::string> partsOf(std::string_view text, char separator);
 /// Splits a text into lines, without their line feeds.
 std::vector<std::string> linesOf(std::string_view text);
@@ -21,24 +21,23 @@ std::vector<std::string> wordsOf(std::string_view line);
 /// Returns true if the text is not empty and holds only letters and digits of ASCII and the characters of `others`.
 bool isMadeOf(std::string_view text, std::string_view others);
 
-/// Writes a text as a cell of a Markdown table, which a bar would end.
+/// Escapes the bars in a text, which would end a cell of a Markdown table.
 std::string markdownCell(std::string text);
-/// A text of unknown origin in Markdown: what would begin HTML, a link or an image stands for itself.
+/// Writes a text of unknown origin in Markdown. Characters that would begin HTML, a link or an image are escaped.
 std::string markdownText(std::string_view text);
-/// A text of unknown origin as code in Markdown: `text`, with more backticks around it where it has some.
+/// Writes a text of unknown origin as code in Markdown: `text`, between more backticks than it holds in a row.
 std::string markdownCode(std::string_view text);
 
-/// A field of comma-separated values, by RFC 4180: in quotes where it needs them, and an empty text as "", which is not
-/// a missing one.
+/// Writes a field of CSV by RFC 4180, in quotes if needed. An empty text is "", which differs from a missing one.
 std::string csvField(std::string_view text);
 
-/// The name of a table or a column in SQL.
+/// Quotes the name of a table or a column for SQL.
 std::string sqlName(std::string_view name);
 
-/// A word of a POSIX shell. Not for its comments, which a line end in the word would end: put `oneLine` there.
+/// Writes a text as a word of a POSIX shell. For a comment of the shell, which a line end ends, use `oneLine`.
 std::string shellWord(std::string_view text);
 
-/// A scalar of YAML that is this text, in quotes unless it is made of harmless letters. Without zero bytes.
+/// Writes a text as a scalar of YAML, in quotes unless all letters are harmless. The text must hold no zero bytes.
 std::string yamlText(std::string_view text);
 
 }  // namespace morula

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
   throw FileError("'" + file.string() + "' cannot be written: " + why);
 }
 
-/// The type of what stands there, without following a link; nothing if there is nothing.
+/// Returns the type of `file` itself, without following a link; nothing if it does not exist.
 std::optional<mode_t> typeOf(const fs::path& file) {
   struct stat status {};
   if (::lstat(file.c_str(), &status) == 0) return status.st_mode;
@@ -29,13 +29,13 @@ std::optional<mode_t> typeOf(const fs::path& file) {
   refuseToWrite(file, std::strerror(errno));
 }
 
-/// Throws unless what stands there is a regular file that may be written.
+/// Throws unless `mode` is of a regular file, and the file may be written.
 void requireWritable(const fs::path& file, mode_t mode) {
   if (!S_ISREG(mode)) refuseToWrite(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
   if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, std::strerror(errno));
 }
 
-/// Moves the bytes to their place in one step.
+/// Writes the bytes to a draft that replaces the file in one step.
 void replace(const fs::path& file, std::string_view bytes) {
   Draft draft(file);
   draft.write(bytes);

@@ -23,14 +23,14 @@ std::string ChildEnd::text() const {
 }
 
 ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& options) {
-  std::vector<char*> words;  // before the fork: after it only what is safe in a signal handler may be called
+  std::vector<char*> words;  // made before the fork: allocating is not safe after it
   for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   Pipe question = makePipe(), answer = makePipe();
   const pid_t process = ::fork();
   if (process < 0) throw processError("cannot be started");
   if (process == 0) {
-    if (options.cpuSeconds > 0) setLimit(RLIMIT_CPU, static_cast<rlim_t>(options.cpuSeconds));  // then SIGXCPU
+    if (options.cpuSeconds > 0) setLimit(RLIMIT_CPU, static_cast<rlim_t>(options.cpuSeconds));  // SIGXCPU beyond it
     if (options.silent) ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     ::dup2(question.read.number(), STDIN_FILENO);
     ::dup2(answer.write.number(), STDOUT_FILENO);
@@ -41,20 +41,20 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
   question.read.close();
   answer.write.close();
   std::thread sender([&] {
-    // A child that ends early must not end us by SIGPIPE: blocked in this thread, the write just fails.
+    // If a child ends early, SIGPIPE must not end this process: it is blocked in this thread, so the write just fails.
     sigset_t pipes;
     sigemptyset(&pipes);
     sigaddset(&pipes, SIGPIPE);
     pthread_sigmask(SIG_BLOCK, &pipes, nullptr);
-    writeAll(question.write.number(), options.input);  // all or as much as it takes: its exit code says why
+    writeAll(question.write.number(), options.input);  // a failure shows in the child's exit code
     question.write.close();
   });
   std::string said;
-  std::exception_ptr noMemory;  // for what it says
+  std::exception_ptr noMemory;  // the error of reading the answer
   try {
     said = readToEnd(answer.read);
   } catch (...) { noMemory = std::current_exception(); }
-  answer.read.close();  // a child that says more ends by that, and does not keep the sender waiting
+  answer.read.close();  // ends a child that writes more, so that the sender does not wait
   sender.join();
   ChildEnd end{waitFor(process), std::move(said)};
   if (noMemory) std::rethrow_exception(noMemory);

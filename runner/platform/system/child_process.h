@@ -1,6 +1,5 @@
 #pragma once
-// Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its
-// stdout.
+// Runs another program, or this one again, in a separate process: a text on its stdin, its answer on its stdout.
 #include <string>
 #include <vector>
 
@@ -9,27 +8,27 @@
 namespace morula {
 
 struct ChildOptions {
-  std::string input = {};  // for its stdin, which then ends
-  int cpuSeconds = 0;      // after so much CPU time the kernel ends it: what loops for ever does not stop us
-  bool silent = false;     // its stderr goes nowhere; otherwise to ours
-  bool errorsToo = false;  // what it writes to stderr is part of what it said
+  std::string input = {};  // the whole text for its stdin
+  int cpuSeconds = 0;      // max CPU time [s], after which the kernel ends the process; 0: no limit
+  bool silent = false;     // true: its stderr is dropped; false: it goes to this process's stderr
+  bool errorsToo = false;  // true: its stderr is part of `said`
 };
 
 struct ChildEnd : ProcessEnd {
-  std::string said;  // all that it wrote, also if it did not end well
+  std::string said;  // the whole output, also of a process that failed
 
-  bool well() const;         // it ended by itself, with code 0
-  bool notStarted() const;   // there is no such program, or none that can be run: code 127, as in a shell
-  bool outOfTime() const;    // its CPU time was used up
+  bool well() const;         // true if the process ended by itself, with code 0
+  bool notStarted() const;   // true if the program does not exist or cannot run: code 127, as in a shell
+  bool outOfTime() const;    // true if its CPU time was used up
   int code() const;          // its exit code, or 128 + the signal that ended it
   std::string text() const;  // "ended with code 3", "was ended by signal 9"
 };
 
-/// Starts command[0], looked for in PATH if its name holds no slash, with the other words as its arguments,
-/// and waits for its end. Throws FileError if no process can be made.
+/// Starts command[0], searched in PATH if its name holds no slash, with the other words as its arguments. Waits for its
+/// end. Throws FileError if no process can be made.
 ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& options = {});
 
-/// The running program's own file.
+/// Returns the file of the running program.
 std::string ownProgram();
 
 }  // namespace morula

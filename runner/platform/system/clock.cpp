@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// The value below which the share lies, between neighbours in proportion.
+/// Returns the value below which the share lies, interpolated linearly between neighbours.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);

@@ -1,14 +1,14 @@
 #pragma once
-// Clocks. On a machine that others use too, only the time that threads were given says what it costs; and
-// of several measurements of one thing the middle one counts: what disturbed some of them does not.
+// Clocks. On a shared machine only the CPU time of threads tells the cost. Of several measurements the median counts,
+// since disturbances of some of them do not change it.
 #include <ctime>
 #include <vector>
 
 namespace morula {
 
 enum class ClockKind {
-  cpu,      // of this thread alone
-  process,  // of all threads together
+  cpu,      // CPU time of this thread alone
+  process,  // CPU time of all threads together
   wall,
 };
 
@@ -21,7 +21,7 @@ inline double seconds(ClockKind kind) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// [s] that a call takes.
+/// Returns the time that a call takes [s].
 template <class Call>
 double timeOf(ClockKind kind, const Call& call) {
   const double before = seconds(kind);
@@ -29,10 +29,10 @@ double timeOf(ClockKind kind, const Call& call) {
   return seconds(kind) - before;
 }
 
-/// NaN of nothing.
+/// Returns the median; NaN for no values.
 double median(std::vector<double> values);
 
-/// Half the distance between the quartiles, over the median: how far measurements lay apart. [1]
+/// Returns the spread of measurements [1]: half the distance between the quartiles, over the median.
 double spread(std::vector<double> values);
 
 }  // namespace morula

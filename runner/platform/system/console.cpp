@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-/// True if stderr is a terminal on which lines can be rewritten.
+/// Returns true if stderr is a terminal on which lines can be rewritten.
 bool isTerminal() {
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 && kind && std::string(kind) != "dumb";
@@ -25,7 +25,7 @@ std::string red(const std::string& text) {
   return isTerminal() && !(plain && *plain) ? "\x1b[31m" + text + "\x1b[0m" : text;
 }
 
-/// A message, in which no word of others is longer than a screen's line or two: what it says must be seen.
+/// Returns a message with very long words cut, so that a user's text cannot hide the rest.
 std::string message(const std::string& text) {
   constexpr std::size_t most = 400, shown = 100;
   std::string all;
@@ -34,7 +34,7 @@ std::string message(const std::string& text) {
     std::size_t length = end - at;
     if (length > most) {
       length = shown;
-      while ((text[at + length] & 0xC0) == 0x80) --length;  // a letter is not cut
+      while ((text[at + length] & 0xC0) == 0x80) --length;  // a character is not cut
     }
     all += text.substr(at, length);
     if (length < end - at) all += "… (" + std::to_string(end - at) + " bytes)";
@@ -73,7 +73,7 @@ void flushOutput() {
 }
 
 void reserveStandardStreams() {
-  // Opened for reading only: a write to a closed output must fail, not vanish.
+  // Opened for reading only, so that a write to a closed output fails.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != stream)
       throw FileError("/dev/null cannot be opened in place of a closed standard stream");

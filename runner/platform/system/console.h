@@ -1,6 +1,6 @@
 #pragma once
-// Output: data on stdout, messages on stderr. Only console.cpp writes to either. Every text passes through
-// `printable`, because texts hold names, paths and messages that come from the files of others.
+// Output: data on stdout, messages on stderr. Only console.cpp writes to either. Every text passes through `printable`,
+// because texts hold names, paths and messages from other people's files.
 #include <chrono>
 #include <iosfwd>
 #include <string>
@@ -10,32 +10,32 @@
 
 namespace morula {
 
-/// Data for people or programs, on stdout.
+/// Prints data for people or programs, on stdout.
 void print(const std::string& text);
-/// Bytes for another program, on stdout, as they are.
+/// Prints bytes for another program, unchanged, on stdout.
 void printBytes(const std::string& bytes);
-/// One JSON object on stdout, with "morula": 1 in front.
+/// Prints one JSON object on stdout, with "morula": 1 in front.
 void printJson(const Json& members);
 
-/// A remark on stderr; not said when `quiet`.
+/// Prints a remark on stderr; nothing when `quiet`.
 void tell(const std::string& text, bool quiet);
-/// "morula: …" on stderr.
+/// Prints "morula: …" on stderr.
 void tellError(const std::string& text);
-/// Lines that begin with "file:line:column:", as editors and other programs read them.
+/// Prints lines that begin with "file:line:column:", as editors and other programs read them.
 void tellInputError(const std::string& text);
 
-/// Prints warnings on what may not be meant: "warning: file:line:column: …"; nothing when `quiet`.
+/// Prints warnings on input that is probably a mistake: "warning: file:line:column: …"; nothing when `quiet`.
 void tellWarnings(const std::vector<std::string>& lines, bool quiet);
 
-/// The streams by which a worker that this program has started reads its question and writes its answer.
+/// The streams from which a worker started by this program reads its question, and to which it writes its answer.
 std::istream& questionStream();
 std::ostream& answerStream();
-/// Throws FileError unless all that was printed has arrived: a full disk is no success.
+/// Flushes stdout. Throws FileError if output was lost: a full disk is no success.
 void flushOutput();
-/// Makes sure that files which are opened later do not become standard input, output or error, where those are closed.
+/// Opens the standard streams that are closed, so that files opened later do not take their numbers.
 void reserveStandardStreams();
 
-/// How far something has come: a line that is rewritten on a terminal, otherwise a line every 30 seconds.
+/// A progress line: rewritten on a terminal, otherwise a new line every 30 seconds.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -43,12 +43,12 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Returns true if it is time to show something, by the clock.
+  /// Returns true if, by the clock, progress should be shown again.
   bool isDue() const;
   void show(const std::string& text);
-  /// Removes what `show` left on a terminal.
+  /// Removes the line of `show` from a terminal.
   void clear();
-  /// "  [====    ]  42 %" of a share from 0 to 1; the bar only on a terminal.
+  /// Returns "  [====    ]  42 %" for a share from 0 to 1; the bar only on a terminal.
   std::string bar(double share) const;
 
  private:
@@ -57,7 +57,7 @@ class ProgressLine {
   Clock::time_point next_;
 };
 
-/// [s] "0:42", "1:05:00".
+/// Returns a duration [s] as "0:42", "1:05:00".
 std::string formatDuration(double seconds);
 
 }  // namespace morula

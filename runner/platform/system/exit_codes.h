@@ -7,10 +7,10 @@ enum ExitCode : int {
   differs = 1,     // a check differs
   usage = 2,       // the command line is wrong
   input = 3,       // a scenario or other input is wrong
-  numerical = 4,   // the physics could not go on
-  incomplete = 5,  // a study whose runs are not all there
+  numerical = 4,   // the physics failed
+  incomplete = 5,  // a study lacks runs
   file = 6,        // a file or database cannot be read or written
-  bug = 70,        // ours
+  bug = 70,        // an error of this program
   signalled = 128  // + the signal's number: 130, 143
 };
 

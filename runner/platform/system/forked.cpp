@@ -18,9 +18,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxText = 16384;  // a quarter of what a pipe takes without a reader
+constexpr std::size_t maxText = 16384;  // a quarter of the capacity of a pipe without a reader
 
-/// [byte] Of address space that this process has.
+/// Returns the size of the address space of this process [byte].
 std::uint64_t addressSpace() {
   std::uint64_t pages = 0;
   const std::string all = readHead("/proc/self/statm", 128);
@@ -32,7 +32,7 @@ std::uint64_t addressSpace() {
 int threadsNow() {
   const std::string stat = readHead("/proc/self/stat", 1024);
   const std::vector<std::string> words =
-      wordsOf(std::string_view(stat).substr(stat.rfind(')') + 1));  // behind its name
+      wordsOf(std::string_view(stat).substr(stat.rfind(')') + 1));  // the fields behind the name
   int threads = 1;
   if (words.size() > 17)
     std::from_chars(words[17].data(), words[17].data() + words[17].size(), threads);  // the 20th field
@@ -40,7 +40,7 @@ int threadsNow() {
 }
 
 void limit(const ForkedLimits& limits) {
-  setLimit(RLIMIT_CORE, 0);  // what SIGXCPU ends is no mistake to look into
+  setLimit(RLIMIT_CORE, 0);  // an end by SIGXCPU is no mistake, so no core is kept
   if (limits.cpuSeconds) {
     std::signal(SIGXCPU, SIG_DFL);
     setLimit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(*limits.cpuSeconds)));
@@ -48,7 +48,7 @@ void limit(const ForkedLimits& limits) {
   if (limits.memory) setLimit(RLIMIT_AS, addressSpace() + *limits.memory);
 }
 
-/// Signals wait while this lives, or until `let`.
+/// Blocks signals while it lives, or until `let`.
 class SignalsWait {
  public:
   SignalsWait() {
@@ -68,9 +68,9 @@ class SignalsWait {
 [[noreturn]] void work(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what, pid_t parent,
                        int answerTo, SignalsWait& signals) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(128 + SIGKILL);  // it died before
+  if (::getppid() != parent) ::_exit(128 + SIGKILL);  // the parent has died already
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    std::signal(signal, SIG_DFL);  // whatever its parent does at them
+    std::signal(signal, SIG_DFL);  // the parent's handlers do not apply
   signals.let();
   limit(limits);
   const ForkedAnswer answer = what();
@@ -82,12 +82,12 @@ class SignalsWait {
 }  // namespace
 
 Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what) {
-#if !defined(__SANITIZE_THREAD__)  // which has a thread of its own
+#if !defined(__SANITIZE_THREAD__)  // the thread sanitizer has a thread of its own
   MORULA_CHECK(threadsNow() == 1, "others would be missing in the new process, with whatever they hold locked");
 #endif
   Pipe answer = makePipe();
   const pid_t parent = ::getpid();
-  // A signal to the new process must not meet the handlers of this one, which would take it for its own.
+  // Signals are blocked: one sent to the new process must not meet the handlers of this process.
   SignalsWait signals;
   process_ = ::fork();
   if (process_ == 0) work(limits, what, parent, answer.write.number(), signals);

@@ -1,6 +1,6 @@
 #pragma once
-// A part of this program's work in a process of its own, made by fork: whatever it does to its memory, and however it
-// ends, the others go on. To be made while the process has one thread only.
+// A part of this program's work in a separate process, made by fork. Damage to its memory, or its end, does not affect
+// the others. Fork while the process has only one thread.
 #include <sys/types.h>
 
 #include <cstdint>
@@ -14,9 +14,9 @@
 namespace morula {
 
 struct ForkedLimits {
-  std::optional<double> cpuSeconds = {};  // [s] of CPU time, in whole seconds upwards: then SIGXCPU ends it
+  std::optional<double> cpuSeconds = {};  // [s] max CPU time, rounded up to whole seconds; then SIGXCPU
   std::optional<std::uint64_t> memory =
-      {};  // [byte] of address space beyond this process's: then there is no more memory
+      {};  // [byte] max address space beyond this process's; beyond it allocations fail
 };
 
 /// The answer of a forked process: an exit code, and a text of at most 16 KiB for the process that began it.
@@ -27,23 +27,23 @@ struct ForkedAnswer {
 
 struct ForkedEnd {
   ForkedAnswer answer;
-  int signal = 0;               // that ended it; 0: it ended by itself
+  int signal = 0;               // the signal that ended it; 0: it ended by itself
   double cpuSeconds = 0;        // [s]
-  std::uint64_t maxMemory = 0;  // [byte] resident, what it shares with this process among it
+  std::uint64_t maxMemory = 0;  // [byte] resident, including memory shared with this process
 };
 
 class Forked {
  public:
-  /// Begins `work`, which must not throw, print or return to its callers by other ways. If this process dies, so does
+  /// Begins `work`, which must not throw, print or leave by other ways than its return. If this process dies, so does
   /// the new one. Throws FileError if no process can be made.
   Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& work);
-  /// Ends it at once, if it still runs.
+  /// Ends the process at once, if it still runs.
   ~Forked();
   Forked(Forked&& other) noexcept;
   Forked(const Forked&) = delete;
   Forked& operator=(const Forked&) = delete;
 
-  /// Waits for its end.
+  /// Waits for the end of the process.
   ForkedEnd wait();
   void stop(int signal);
 
@@ -53,14 +53,14 @@ class Forked {
   Descriptor answer_{-1};  // a pipe that ends with the process
 };
 
-/// Waits until one of the processes has something to say or has ended, a signal has come, or so much time [s] has
-/// passed. Waits for processes and returns the places of those that have ended.
+/// Waits until one of the processes has an answer or has ended, a signal has come, or `seconds` [s] have passed.
+/// Returns the places of the processes that have ended, which have then been waited for.
 std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds);
 
-/// In such a process: memory is not limited any more, so that what has been computed can be written.
+/// Removes the memory limit in a forked process, so that computed results can be written.
 void liftMemoryLimit();
 
-/// "SIGSEGV", …; "signal 40" for others.
+/// Returns the name of a signal: "SIGSEGV", …; "signal 40" for others.
 std::string signalName(int signal);
 
 }  // namespace morula

@@ -6,8 +6,8 @@
 namespace morula {
 namespace {
 
-/// Reads with plumbing commands, not with `git show` or `git log`: a repository of a stranger may name programs that
-/// they would start (text conversion, file system monitor, signatures, remotes that fetch what is missing).
+/// Asks git by plumbing commands and not by `git show` or `git log`. In a stranger's repository these could start
+/// programs that it names (text conversion, file system monitor, signatures, remotes that fetch missing objects).
 ChildEnd askGit(const std::filesystem::path& file, const std::vector<std::string>& question) {
   const std::string folder = absolutePath(file).parent_path().string();
   std::vector<std::string> command{"git", "-c", "core.fsmonitor=false", "-c", "protocol.allow=never", "-C", folder};

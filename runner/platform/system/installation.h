@@ -1,20 +1,20 @@
 #pragma once
-// The place of this program: its build folder, or an installation, in which nothing may be written.
+// The place of this program: its build folder, or an installation, in which it may not write.
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace morula {
 
-/// "explorer/explorer.js", which the program brings along beside itself or, installed, in share/morula; absent where it
-/// was not built.
+/// Returns the path of a file like "explorer/explorer.js", which lies beside the program or, installed, in
+/// share/morula; absent if it was not built.
 std::optional<std::filesystem::path> sharedFile(const std::string& name);
 
-/// share/morula of the installation that the program belongs to; absent in a build folder.
+/// Returns share/morula of the program's installation; absent in a build folder.
 std::optional<std::filesystem::path> installation();
 
-/// Returns the words by which people start the program: the name by which its start script in the sources was called,
-/// such as "./morula" (the script says so in MORULA_CALLED_AS), else "morula".
+/// Returns the name by which people start the program: that of its start script in the sources, such as "./morula"
+/// (which the script gives in MORULA_CALLED_AS), else "morula".
 std::string programWord();
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// JSON: nlohmann_json, with members in the order in which they were added. What programs may have been given by
-// strangers is read by parseJson or tryParseJson.
+// JSON: nlohmann_json, with members in the order in which they were added. JSON that may come from strangers is read by
+// parseJson or tryParseJson.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -10,10 +10,10 @@ namespace morula {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws Json::exception where `text` is no JSON, or nested more than 32 deep as YAML may not be either: what writes,
-/// copies or shows JSON calls itself for each level.
+/// Reads JSON. Throws Json::exception if `text` is no JSON or, like YAML, nested over 32 deep, since code that writes,
+/// copies or shows JSON recurses for each level.
 Json parseJson(std::string_view text);
-/// Null where parseJson throws.
+/// Reads JSON; returns null if parseJson throws.
 Json tryParseJson(std::string_view text);
 
 template <class T>
@@ -23,7 +23,7 @@ Json orNull(const std::optional<T>& value) {
 
 enum class JsonCharacters { unicode, ascii };
 
-/// JSON as text, on one line or with that indent. What is not UTF-8 in it, which JSON cannot hold, becomes U+FFFD.
+/// Writes JSON on one line, or with `indent`. Bytes that are not UTF-8, which JSON cannot hold, become U+FFFD.
 std::string jsonText(const Json& json, int indent = -1, JsonCharacters characters = JsonCharacters::unicode);
 
 }  // namespace morula

@@ -1,8 +1,8 @@
 #pragma once
 // Records [base/record.h] as JSON: an object with a member for each field.
 //
-// Vectors in space are lists of three numbers, and a list of them is one flat list x, y, z, x, …; a number that is not
-// finite is null, and NaN again. What is read is what was written: anything else is a Json::exception.
+// Vectors in space are lists of three numbers; a list of vectors is one flat list x, y, z, x, … A number that is not
+// finite is written as null and read as NaN. Any JSON that was not so written is a Json::exception.
 #include <limits>
 #include <vector>
 
@@ -15,7 +15,7 @@
 
 namespace morula {
 
-/// A whole number of that type; throws Json::exception for anything else, also where it does not fit.
+/// Returns a whole number of this type. Throws Json::exception for anything else, and for a number that does not fit.
 template <std::integral Whole>
 Whole wholeFrom(const Json& json) {
   const auto refuse = [] {
@@ -129,7 +129,7 @@ void readRecord(const Json& json, T& record) {
   });
 }
 
-/// Throws Json::exception for anything that toJson did not write.
+/// Reads a record. Throws Json::exception for anything that toJson did not write.
 template <Record T>
 T fromJson(const Json& json) {
   T record{};

@@ -12,7 +12,7 @@ void note(int signal) { received = signal; }
 void handle(void (*handler)(int)) {
   struct sigaction action = {};
   action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;  // once: the second signal has its usual effect
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;  // handled once: a second signal has its usual effect
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

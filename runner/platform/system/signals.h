@@ -1,9 +1,9 @@
 #pragma once
-// Ctrl-C and kill end a run cleanly: it is stored as killed. A second signal ends the program at once.
+// Ctrl-C and kill end a run cleanly: the run is stored as killed. A second signal ends the program at once.
 
 namespace morula {
 
-/// While one lives, SIGINT and SIGTERM are noted instead of ending the program.
+/// An object during whose life SIGINT and SIGTERM are noted instead of ending the program.
 class SignalWatch {
  public:
   SignalWatch();
@@ -11,11 +11,11 @@ class SignalWatch {
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
 
-  /// The signal that has come, or 0.
+  /// Returns the signal that has come, or 0.
   static int caught();
 };
 
-/// A signal has come while runs were made that leave nothing behind.
+/// The exception for a signal during runs that leave nothing behind.
 struct Interrupted {
   int signal;
 };

@@ -20,13 +20,13 @@ namespace {
 
 constexpr double share = 0.9;
 
-/// Infinite where it is none.
+/// Reads a number; infinite if the text is none.
 double numberFrom(const std::string& text) {
   double number = 0;
   return std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc() ? number : INFINITY;
 }
 
-/// [byte] What stands behind the line's name in /proc/meminfo; infinite if it does not say.
+/// Returns the available memory of the machine [byte], from /proc/meminfo; infinite if it is not given.
 double freeOfMachine() {
   for (const std::string& line : linesOf(readHead("/proc/meminfo", 65536)))
     if (const auto words = wordsOf(line); words.size() > 1 && words[0] == "MemAvailable:")
@@ -34,10 +34,10 @@ double freeOfMachine() {
   return INFINITY;
 }
 
-/// [byte] The only number in a file of the control groups; infinite if it is "max", or not there.
+/// Returns the only number in a file of the control groups [byte]; infinite if it is "max" or the file does not exist.
 double numberIn(const std::string& file) { return numberFrom(readHead(file, 64)); }
 
-/// [byte] What the group at `path` and all groups that it is in leave, by the names of their two files.
+/// Returns the free memory of the group at `path` and all above it [byte]. `limit`, `use`: names of a group's files.
 double freeBelow(const std::string& root, std::string path, const char* limit, const char* use) {
   double free = INFINITY;
   for (;;) {
@@ -49,7 +49,7 @@ double freeBelow(const std::string& root, std::string path, const char* limit, c
   }
 }
 
-/// [byte] What the control groups of this process leave: those of version 2, and the memory groups of version 1. A
+/// Returns the free memory of this process's control groups [byte]: of version 2, and memory groups of version 1. A
 /// container may show its own group as the root.
 double freeOfGroups() {
   const std::string root = "/sys/fs/cgroup";
@@ -77,7 +77,7 @@ std::terminate_handler otherwise = nullptr;
   } catch (const std::bad_alloc&) {
     constexpr std::string_view text = "morula: out of memory; the program ends\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
-    std::set_terminate([] { ::_exit(endCode); });  // that may find no memory either
+    std::set_terminate([] { ::_exit(endCode); });  // removeOwnDrafts may lack memory, too
     try {
       removeOwnDrafts();
     } catch (...) {}

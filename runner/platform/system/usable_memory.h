@@ -1,22 +1,22 @@
 #pragma once
-// How much memory a run may take on this machine.
+// The memory that a run may take on this machine.
 
 #include <cstdint>
 
 namespace morula {
 
-/// [byte] Nine tenths of what this machine, or the group of processes that this one is in, has free: what is
-/// not known does not limit.
+/// Returns nine tenths of the free memory of this machine, or of this process's control group [byte]. An unknown amount
+/// counts as infinite.
 double usableMemory();
 
-/// [byte] The most that this process has had resident so far.
+/// Returns the max resident memory of this process so far [byte].
 std::uint64_t peakMemory();
 
-/// From now on, where memory ends in code that cannot throw, as libraries' destructors, the process says so and ends at
-/// once with this code: what it was writing is a draft, or a transaction that is undone.
+/// Sets the exit code for a lack of memory in code that cannot throw, as libraries' destructors. The process then says
+/// so and ends at once; unfinished writes are drafts, or transactions that are undone.
 void endOutOfMemoryWith(int code);
 
-/// The end of a message about memory that was not to be had.
+/// The end of a message about memory that could not be had.
 inline constexpr const char* outOfMemoryRemedy =
     "stop earlier, take fewer cells or a coarser physics.mesh, or give a --memory-limit below what is free";
 

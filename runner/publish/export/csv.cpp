@@ -28,8 +28,8 @@ bool holdsPaths(const std::string& column) {
   return column == "path" || column == "parent" || column == "a" || column == "b";
 }
 
-/// The rows of a table. Paths are written as csvPath gives them. Seeds from 2⁶³ on, which SQLite's signed integers hold
-/// as negative ones, become what they are.
+/// Returns a table's rows as CSV. Paths are written as csvPath gives them. Seeds from 2⁶³ on, which SQLite's signed
+/// integers hold as negative numbers, are restored.
 std::string plainTable(Store& store, const std::string& table, const std::string& id,
                        const std::vector<std::string>& columns) {
   CsvTable csv(columns);
@@ -45,10 +45,10 @@ std::string plainTable(Store& store, const std::string& table, const std::string
   return csv.text();
 }
 
-/// One row a time and cell or pair, and a column a measure: what the table `measure` has in a row each.
+/// Returns the table `measure` with a row for each time and cell or pair, and a column for each measure.
 std::optional<std::string> wideMeasures(Store& store, const std::string& scope, const std::string& id) {
   const auto text = [](const TableValue& v) { return std::get<std::string>(v); };
-  enum Column { run, time, scopeOf, name, a, b, value };  // of `measure`
+  enum Column { run, time, scopeOf, name, a, b, value };  // columns of the table `measure`
   std::set<std::string> names;
   store.eachRow("measure", id, [&](const TableRow& r) {
     if (text(r[scopeOf]) == scope) names.insert(text(r[name]));
@@ -61,7 +61,7 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
   columns.insert(columns.end(), names.begin(), names.end());
   CsvTable csv(columns);
 
-  std::pair<std::string, double> now;  // run and time of the rows that are gathered
+  std::pair<std::string, double> now;  // run and time of the rows being gathered
   std::map<std::pair<std::string, std::string>, std::map<std::string, double>> rows;
   const auto write = [&] {
     for (const auto& [cells, values] : rows) {
@@ -76,7 +76,7 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
     }
     rows.clear();
   };
-  store.eachRow("measure", id, [&](const TableRow& r) {  // by run, time, scope and name
+  store.eachRow("measure", id, [&](const TableRow& r) {  // rows come by run, time, scope and name
     if (text(r[scopeOf]) != scope || !std::holds_alternative<double>(r[value])) return;
     const std::pair when(text(r[run]), std::get<double>(r[time]));
     if (when != now) write();
@@ -110,7 +110,7 @@ std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std
   for (const SqlTable* t : allTables()) {
     if (!*t->info.csv || !isWanted(t->info.csv)) continue;
     const auto columns = store.columns(
-        t->info.name);  // none where the file has no such table; without rows, too, so that a script finds it
+        t->info.name);  // an existing table is written even without rows, for scripts
     if (!columns.empty()) tables.push_back({t->info.csv, plainTable(store, t->info.name, id, columns)});
   }
   for (const auto& [file, scope] : ofScopes)

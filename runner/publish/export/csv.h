@@ -1,9 +1,8 @@
 #pragma once
-// Tables as comma-separated values, by RFC 4180: UTF-8, lines end in CR LF, a header line, quotes where a text needs
-// them. A missing value (NULL, not a number) is an empty field; an empty text is "". A cell's path is `egg` where it is
-// empty, so that programs that do not tell "" from an empty field read the egg, and not a missing value. Numbers are
-// the shortest that read back as the same. And the tables of a database for spreadsheets and statistics: runs, cells,
-// samples, …, each as one file.
+// Tables as comma-separated values, by RFC 4180: UTF-8, lines that end in CR LF, a header line, quotes where needed. A
+// missing value (NULL, NaN) is an empty field; an empty text is "". The egg's empty path is written as `egg`, for
+// programs that take "" for a missing value. Numbers are the shortest that read back the same. A database's tables, for
+// spreadsheets and statistics, are one file each: runs, cells, samples, …
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@
 
 namespace morula {
 
-/// A cell's path as tables for other programs have it: "egg" in place of the empty one.
+/// Returns a cell's path for other programs: "egg" instead of the empty path.
 std::string csvPath(const std::string& path);
 
 class CsvTable {
@@ -30,13 +29,12 @@ struct NamedTable {
   std::string text;
 };
 
-/// All names that csvTables knows, in their order.
+/// Returns all names that csvTables knows, in their order.
 std::vector<std::string> csvTableNames();
 
-/// The tables, each with run_id in front where rows are of a run; of the run `id` alone, or with "" of all. `only`:
-/// this one; "": all that the database has. Measures on demand are a table for each of world, cell and pair, with a
-/// column for each measure; a study's conditions, replicates, tasks and results are there where the database is of a
-/// study.
+/// Returns the tables, with run_id in front where rows belong to a run. `id`: only this run; "": all runs. `only`: only
+/// this table; "": all tables of the database. Measures on demand are a table each for world, cell and pair, with a
+/// column for each measure. A study's database also gives conditions, replicates, tasks and results.
 std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std::string& only = "");
 
 }  // namespace morula

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A row for each cell that ever was: cell (from 0, by path), path, name, born, ended, fate, state.
+/// Returns a row for each cell that ever lived: cell (from 0, by path), path, name, born, ended, fate, state.
 std::string cellTable(const ExportedRun& run) {
   CsvTable csv({"cell", "path", "name", "born", "ended", "fate", "state"});
   std::int64_t number = 0;
@@ -41,7 +41,7 @@ std::string cellTable(const ExportedRun& run) {
   return csv.text();
 }
 
-/// A row for each state: state (from 0), substances, colour (#rrggbb).
+/// Returns a row for each state: state (from 0), substances, colour (#rrggbb).
 std::string stateTable(const ExportedRun& run) {
   CsvTable csv({"state", "substances", "colour"});
   for (std::size_t i = 0; i < run.states.size(); ++i) {
@@ -61,13 +61,13 @@ struct NewFile {
 using Files = std::vector<NewFile>;
 using OneTime = std::string (*)(const ExportedRun&, const Sample&);
 
-/// To which the numbers of cells and states in the other files refer.
+/// Adds the tables to which the numbers of cells and states in the other files refer.
 void addTables(const ExportedRun& run, const fs::path& path, Files& files) {
   files.push_back({path / "cells.csv", cellTable(run)});
   files.push_back({path / "states.csv", stateTable(run)});
 }
 
-/// `path` is a folder: a file a sample, and when each is.
+/// Returns a file for each sample, in the folder `path`, and a table of their times.
 Files series(const ExportedRun& run, const fs::path& path, const char* ending, OneTime write) {
   Files files;
   CsvTable times({"file", "time"});
@@ -98,13 +98,13 @@ Files oneOrSeries(const ExportedRun& run, const fs::path& path, const char* endi
   return {{path, write(run, run.results.samples.back())}};
 }
 
-/// A format of which each run has files of its own.
+/// A format with separate files for each run.
 struct Format {
   const char* name;
   const char* what;
-  const char* ending;  // of its file; "": a folder
+  const char* ending;  // ending of its file; "": a folder
   Wanted wanted;
-  bool mayBeSeries;  // a folder with a file a time, where the name has not the ending
+  bool mayBeSeries;  // true: a name without the ending is a folder with a file for each time
   Files (*files)(const ExportedRun&, const fs::path&, const ExportRequest&);
 };
 
@@ -136,11 +136,11 @@ std::vector<std::string> formatNames() {
   return names;
 }
 
-/// The destination of files: a folder, which is there only when all files are, or the one file itself.
+/// The destination of files: a single file, or a folder that appears when all files are complete.
 class Destination {
  public:
   Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) { requireAbsent(output); }
-  /// The files' paths begin with `output`. Returns them.
+  /// Writes files, whose paths begin with `output`, and returns their paths.
   std::vector<fs::path> write(const Files& files) {
     if (isFolder_ && !draft_) draft_.emplace(output_);
     std::vector<fs::path> names;
@@ -187,7 +187,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   if (request.noComments) throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
-  if (id.empty()) store.requireAllIntact();  // also rows that belong to no run; each run is then known to be intact
+  if (id.empty()) store.requireAllIntact();  // also finds rows that belong to no run; checks each run
   for (const StoredRun& run : store.runs())
     if (id.empty() || run.id == id) requireWholeRecord(store, run), requireToShow(store, run);
   requireIntactStudy(store.file());
@@ -198,7 +198,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   return all;
 }
 
-/// Why a run cannot be exported among others; "" if it can.
+/// Returns the reason why a run cannot be exported among others; "" if it can.
 std::string whyNot(const StoredRun& run, const Format& format) {
   if (run.status == RunStatus::running) return "has not finished";
   if (run.status != RunStatus::done && format.wanted == Wanted::surfaces)

@@ -12,10 +12,10 @@
 namespace morula {
 namespace {
 
-// glTF's numbers for what it calls component types and targets.
+// glTF's numbers of component types and targets
 constexpr int asFloat = 5126, asUint16 = 5123, asUint32 = 5125, ofVertices = 34962, ofCorners = 34963;
 
-/// The sum of the faces about a vertex, each with its area, as a unit vector.
+/// Returns for each vertex the unit normal of its faces, weighted by their areas.
 std::vector<Vector> smoothNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces) {
   std::vector<Vector> normals(vertices.size());
   const auto at = [&](std::int32_t i) { return vertices[static_cast<std::size_t>(i)]; };
@@ -40,13 +40,13 @@ class GltfWriter {
     document_["scenes"].push_back({{"name", run.run.record.scenario + ", time " + exactText(sample.world.time)},
                                    {"nodes", {root}},
                                    {"extras", {{"run_id", run.run.id}, {"time", sample.world.time}}}});
-    if (!bytes_.empty()) document_["buffers"].push_back({{"byteLength", bytes_.size()}});  // none may be empty
+    if (!bytes_.empty()) document_["buffers"].push_back({{"byteLength", bytes_.size()}});  // glTF has no empty buffers
   }
 
   std::string file() const {
     std::string json = jsonText(document_);
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();  // the second chunk with its header
+    const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();  // size of the second chunk with its header
     std::string file;
     put32(file, std::uint32_t{0x46546C67});  // "glTF"
     put32(file, std::uint32_t{2});
@@ -61,13 +61,13 @@ class GltfWriter {
   }
 
  private:
-  /// Bytes as an accessor; returns its number.
+  /// Adds bytes as an accessor and returns its number.
   std::size_t add(const std::string& bytes, int target, Json accessor) {
     document_["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}, {"target", target}});
     bytes_ += bytes;
     bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
-    // Lengths are 32 bits; what goes before the bytes is far below the rest.
+    // Lengths have 32 bits; the file's part before the bytes is far smaller than the rest of the range.
     if (bytes_.size() > 4'000'000'000)
       throw FileError("glTF: more than 4 GB of surfaces, which one .glb cannot hold; use --format vtk or ply");
     accessor["bufferView"] = document_["bufferViews"].size() - 1;
@@ -94,7 +94,7 @@ class GltfWriter {
 
   std::size_t cornersOf(const MeshFaces& mesh) {
     if (const auto found = corners_.find(mesh.mesh); found != corners_.end()) return found->second;
-    const bool isShort = mesh.vertices <= 65535;  // 65535 itself is no index: it may end a strip
+    const bool isShort = mesh.vertices <= 65535;  // 65535 itself is no index, since it may end a strip
     std::string bytes;
     for (const Face& face : mesh.faces)
       for (const std::int32_t corner : face) {
@@ -154,8 +154,8 @@ class GltfWriter {
   const Sample& sample_;
   Json document_;
   std::string bytes_;
-  std::map<int, std::size_t> corners_;            // accessor by mesh
-  std::map<std::string, std::size_t> materials_;  // by substances
+  std::map<int, std::size_t> corners_;            // accessor of each mesh
+  std::map<std::string, std::size_t> materials_;  // material of each text of substances
 };
 
 }  // namespace

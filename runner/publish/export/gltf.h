@@ -6,9 +6,9 @@
 
 namespace morula {
 
-/// A mesh and a node for each cell, called by its name or else its path; `extras` of the node: path, state, volume. A
-/// material for each state. A root node holds the cells and turns them from z upwards to y upwards, as glTF demands.
-/// Positions and smooth normals in single precision; cells with the same mesh share their faces.
+/// Returns the file: a mesh and a node for each cell, called by its name or else its path, and a material for each
+/// state. `extras` of a node hold path, state and volume. A root node turns the cells from z upwards to y upwards, as
+/// glTF demands. Positions and smooth normals have single precision; cells with the same mesh share their faces.
 std::string glbFile(const ExportedRun& run, const Sample& sample);
 
 }  // namespace morula

@@ -11,7 +11,7 @@ bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
 }
 
-/// A '_' without quotes would be read as a blank.
+/// Returns a label, in quotes if needed: a '_' without quotes would be read as a blank.
 std::string label(std::string_view text) {
   bool plain = !text.empty();
   for (const char c : text) plain = plain && isPlain(c);
@@ -33,7 +33,7 @@ class NewickWriter {
  public:
   NewickWriter(const ExportedRun& run, bool comments) : run_(run), comments_(comments) {}
 
-  /// The cell with all that descend from it. No deeper than CellPath::maxDepth.
+  /// Returns the tree of the cell and all its descendants, up to depth CellPath::maxDepth.
   std::string subtree(const LineageEntry& cell) const {
     std::string text;
     if (cell.path.depth() < CellPath::maxDepth)

@@ -23,13 +23,14 @@ namespace {
 
 class NpzWriter {
  public:
-  /// Doubles, or integers of 64 or 32 bits; the values fill the last axis first. Without a shape they have one axis.
+  /// Adds an array of doubles, or of 64- or 32-bit integers; the last axis is filled first, the only one without
+  /// `shape`.
   template <class Number>
   void add(const std::string& name, const std::vector<Number>& values, std::vector<std::size_t> shape = {});
-  /// One axis, UTF-32 (<U…).
+  /// Adds an array of texts with one axis, in UTF-32 (<U…).
   void add(const std::string& name, const std::vector<std::string>& texts);
 
-  /// Throws FileError for more than 4 GB, which such a zip cannot hold.
+  /// Returns the file's bytes. Throws FileError for more than 4 GB, the limit of such a zip.
   std::string file() const;
 
  private:
@@ -38,7 +39,7 @@ class NpzWriter {
   std::vector<std::pair<std::string, std::string>> files_;  // name, bytes
 };
 
-constexpr std::uint32_t replacement = 0xfffd;  // of what is no character
+constexpr std::uint32_t replacement = 0xfffd;  // in place of invalid characters
 
 std::vector<std::uint32_t> codePoints(std::string_view text) {
   std::vector<std::uint32_t> points;
@@ -54,11 +55,11 @@ std::string shapeText(const std::vector<std::size_t>& shape) {
   std::string text = "(";
   for (const std::size_t n : shape) text += std::to_string(n) + ", ";
   if (shape.size() > 1) text.resize(text.size() - 2);
-  else text.resize(text.size() - 1);  // (3,)
+  else text.resize(text.size() - 1);  // a shape of one axis ends in a comma: (3,)
   return text + ")";
 }
 
-/// The checksum of zip files: CRC-32 with the polynomial 0xedb88320.
+/// Returns the checksum of zip files: CRC-32 with the polynomial 0xedb88320.
 std::uint32_t crc32Of(const std::string& bytes) {
   static const auto table = [] {
     std::array<std::uint32_t, 256> t{};
@@ -110,9 +111,9 @@ void NpzWriter::addArray(const std::string& name, const std::string& type, const
 
 std::string NpzWriter::file() const {
   constexpr std::uint16_t version = 20,
-                          day = 1 << 5 | 1;  // zip 2.0; 1980-01-01: the same run, the same bytes
+                          day = 1 << 5 | 1;  // zip 2.0; a fixed date, so that the same run gives the same bytes
   const auto common = [&](std::string& out, const std::string& name, const std::string& bytes) {
-    put16(out, version), put16(out, 0), put16(out, 0);  // no flags; stored as it is
+    put16(out, version), put16(out, 0), put16(out, 0);  // no flags, no compression
     put16(out, 0), put16(out, day);
     put32(out, crc32Of(bytes));
     put32(out, static_cast<std::uint32_t>(bytes.size())), put32(out, static_cast<std::uint32_t>(bytes.size()));
@@ -190,7 +191,7 @@ void addSamples(NpzWriter& out, const ExportedRun& run) {
   out.add("state", states);
   out.add("centroids", centroids, {cells.size(), 3});
   for (std::size_t k = 0; k < measures.size(); ++k)
-    if (const std::string_view name = measures[k].name; name.size() > 1)  // x, y and z stand there
+    if (const std::string_view name = measures[k].name; name.size() > 1)  // x, y and z are in `centroids`
       out.add(plural(name), values[k]);
 }
 

@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// Binary, little-endian. A vertex: x, y, z (float), red, green, blue (uchar) of its cell's state, cell (int:
-/// formats.cpp); a face: three vertices, counter-clockwise seen from outside. Cells stand one after the other, by path.
+/// Returns a binary, little-endian file. A vertex: x, y, z (float), red, green, blue (uchar) of its cell's state, cell
+/// (int: formats.cpp). A face: three vertices, counter-clockwise seen from outside. Cells follow each other by path.
 std::string plyFile(const ExportedRun& run, const Sample& sample);
 
 }  // namespace morula

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Licences of the SPDX list (https://spdx.org/licenses) under which results are published. The newest of a family
-/// stands first.
+/// Licences of the SPDX list (https://spdx.org/licenses) under which results are published; the newest of a family
+/// comes first.
 const std::vector<std::string> identifiers{"CC0-1.0",
                                            "CC-BY-4.0",
                                            "CC-BY-SA-4.0",
@@ -58,7 +58,7 @@ const std::vector<std::string> identifiers{"CC0-1.0",
                                            "AGPL-3.0-or-later",
                                            "AGPL-3.0-only"};
 
-/// "CC-BY" or "CC-BY-4" of CC-BY-4.0: the name without its version, or with half of it.
+/// Returns true if `word` is a beginning of an identifier: "CC-BY" or "CC-BY-4" of CC-BY-4.0.
 bool begins(const std::string& identifier, const std::string& word) {
   return identifier.size() > word.size() && equalButForCase(identifier.substr(0, word.size()), word) &&
          (identifier[word.size()] == '-' || identifier[word.size()] == '.');
@@ -76,7 +76,7 @@ const std::string action = "#run", instrument = "#morula", agentName = "#agent";
 
 Json reference(const std::string& id) { return {{"@id", id}}; }
 
-/// A path as a relative URI: what is no letter, digit or one of -._~/ is written as %XX.
+/// Returns a path as a relative URI: any byte but letters, digits and -._~/ is written as %XX.
 std::string uri(const std::string& path) {
   std::string text;
   for (const unsigned char c : path) {
@@ -107,7 +107,7 @@ void put(const CrateFile& file, const fs::path& folder) {
   writeNewFile(target, file.source.empty() ? file.content : readFile(file.source, maxCopied));
 }
 
-/// "dna/a-2.dna" for the second "dna/a.dna".
+/// Makes the paths of files distinct: the second "dna/a.dna" becomes "dna/a-2.dna".
 void giveEachItsPath(std::vector<CrateFile>& files) {
   std::set<std::string> taken;
   for (CrateFile& file : files) {
@@ -125,7 +125,7 @@ class Graph {
     entities_.push_back(entity);
     return reference(entity.at("@id").get<std::string>());
   }
-  /// A named value: one number or text that is in no file.
+  /// Adds a named value: one number or text that is in no file.
   Json addValue(const std::string& kind, const std::string& name, const std::string& value) {
     std::string id = "#" + kind + "-" + name;
     std::replace(id.begin(), id.end(), ' ', '-');

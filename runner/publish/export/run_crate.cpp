@@ -31,13 +31,13 @@ CrateFile crateFile(const SourceText& d) {
                      : d.role == "names"     ? "The names of cells that the scenario names"
                      : d.role == "reference" ? "What the scenario compares the organism with"
                                              : "The scenario as it was read";
-  // Role and path come from the database, which may be a stranger's.
+  // Role and path come from the database, which may be a stranger's, so they are made safe.
   const std::string role = safeName(d.role, "document");
   return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content};
 }
 
-/// The golden file that the run is held against, if it is here: below the current folder, for the database says where
-/// the scenario was, and must not reach other files.
+/// Adds the run's golden file, if it lies below the current folder. The database names the scenario's place, and must
+/// not reach other files.
 void addGolden(std::vector<CrateFile>& files) {
   for (const CrateFile& file : files) {
     if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
@@ -49,8 +49,8 @@ void addGolden(std::vector<CrateFile>& files) {
   }
 }
 
-/// Adds the pictures that `morula run` draws. The database does not know their place: they lie beside it, unless it
-/// holds other runs, too.
+/// Adds the pictures that `morula run` draws. The database does not hold their place; they lie beside a database of one
+/// run.
 void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   const auto add = [&](const fs::path& picture, const std::string& description) {
     const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();

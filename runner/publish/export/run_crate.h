@@ -4,8 +4,8 @@
 
 namespace morula {
 
-/// Writes run.db into the folder, which is there; the other files are named. `pictures`: the
-/// folder where the run's lie; "": beside a database of one run. Throws FileError.
+/// Writes run.db into the folder, which must exist, and returns the crate with the other files named. `pictures`: the
+/// folder of the run's pictures; "": beside a database of one run. Throws FileError.
 CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures, const std::filesystem::path& folder);
 
 }  // namespace morula

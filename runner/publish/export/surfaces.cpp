@@ -17,9 +17,9 @@
 namespace morula {
 namespace {
 
-constexpr double rounding = 1e-9;  // [1] of times that people type
+constexpr double rounding = 1e-9;  // [1] relative tolerance for times that people type
 
-/// [time] The step with which the run came to `time`.
+/// Returns the time step with which the run reached `time` [time].
 double stepBefore(const RunResults& results, double time) {
   double step = 0;
   for (const TimeStepRecord& t : results.timeSteps)
@@ -33,7 +33,7 @@ bool isAt(const Sample& sample, double time, const RunResults& results) {
   return std::abs(t - time) <= rounding * time || (t >= time && t - time < stepBefore(results, t));
 }
 
-/// "0, 0.5 and 7 more"; "" for none.
+/// Returns the times with surfaces: "0, 0.5 and 7 more"; "" for none.
 std::string keptTimes(const std::vector<Sample>& samples) {
   std::string text;
   std::size_t count = 0;
@@ -51,7 +51,7 @@ double timeWithin(double time, const StoredRun& run) {
                                exactText(run.time)));
 }
 
-/// The times for which surfaces are wanted and not kept; those that are kept stay in `results`. [time]
+/// Returns the times [time] for which surfaces are wanted and not kept; wanted and kept surfaces stay in `results`.
 std::vector<double> missingTimes(RunResults& results, const StoredRun& run, const SurfaceRequest& request) {
   auto& samples = results.samples;
   const bool any = std::ranges::any_of(samples, [](const Sample& s) { return !s.surfaces.empty(); });
@@ -69,7 +69,7 @@ std::vector<double> missingTimes(RunResults& results, const StoredRun& run, cons
   return {};
 }
 
-/// The end must be the stored one: else what lies before it is another run's.
+/// Throws unless the end is the stored one; otherwise the samples before it belong to another computation.
 void requireSameEnd(const Store& store, const StoredRun& run, const RunEnd& end) {
   const std::string now = end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
   if (now == run.stateHash) return;
@@ -149,14 +149,14 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
          request.quiet);
   else if (!times.empty()) simulateAgain(store, run, scenario, std::move(times), request, out.results);
   auto& samples = out.results.samples;
-  if (!bodies && request.time) {  // of a lineage: the first moment at or after it
+  if (!bodies && request.time) {  // a lineage gives the first sample at or after the time
     const double time = timeWithin(*request.time, run);
     const auto found = std::ranges::find_if(samples, [&](const Sample& s) { return s.world.time >= time; });
     if (found != samples.end()) samples = {std::move(*found)};
   }
   const bool oneTime = request.time || request.atEnd;
   const bool any = std::ranges::any_of(samples, [](const Sample& s) { return !s.surfaces.empty(); });
-  // After the last cell has died a series goes on without surfaces.
+  // After the last cell has died a series continues without surfaces.
   if (bodies && (request.wanted == Wanted::surfaces || request.time))
     std::erase_if(samples, [&](const Sample& s) { return s.surfaces.empty() && (oneTime || !s.cells.empty()); });
   if (request.wanted == Wanted::surfaces && !any)

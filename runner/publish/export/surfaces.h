@@ -1,6 +1,6 @@
 #pragma once
-// The tree, samples and surfaces of one run, for the formats. Surfaces come from the database if the run kept them, or
-// else from running it again, with the same bits.
+// The tree, samples and surfaces of one run, for the formats. Surfaces come from the database if the run kept them;
+// otherwise the run is simulated again, with the same bits.
 #include <map>
 #include <optional>
 #include <set>
@@ -15,40 +15,39 @@ namespace morula {
 
 enum class Wanted {
   tree,      // no samples
-  samples,   // all, with the surfaces where cells have bodies
-  surfaces,  // samples with surfaces alone
+  samples,   // all samples, with surfaces if cells have bodies
+  surfaces,  // only samples with surfaces
 };
 
 struct SurfaceRequest {
   Wanted wanted = Wanted::surfaces;
-  std::optional<double> time;  // [time] of the one sample that is wanted
-  bool atEnd = false;          // without a time: the last sample alone; false: all
-  Execution execution;         // of a run that is made again
+  std::optional<double> time;  // [time] the time of the only wanted sample
+  bool atEnd = false;          // without a time: true: only the last sample; false: all
+  Execution execution;         // for a run that is simulated again
   bool quiet = false;
 };
 
 struct ExportedRun {
   StoredRun run;
   RunResults results;                 // lineage by path; samples as wanted
-  std::map<StateId, Colour> colours;  // as the scenario has them
+  std::map<StateId, Colour> colours;  // the scenario's colours
   std::vector<std::string> states;    // the distinct texts of states, in their order
   std::set<std::string> givenNames;   // those in results.names
 
-  /// The place of a cell in results.lineage; −1: there never was one. O(log cells)
+  /// Returns the index of a cell in results.lineage, or −1 if it never lived. O(log cells)
   int cellNumber(const CellPath& path) const;
-  /// Returns the words for a cell: its name, or else its path, or "egg"; with a '/' before a path that is another
-  /// cell's name.
+  /// Returns a cell's name, or else its path, or "egg"; a path that is also another cell's name is preceded by '/'.
   std::string nameOf(const LineageEntry& cell) const;
   const MeshFaces& meshOf(const CellSurface& surface) const;
   /// Returns the measures of a cell in a sample; null if it has none.
   static const CellMeasures* measuresOf(const Sample& sample, const CellPath& path);
-  /// The place of a state's text in `states`.
+  /// Returns the index of a state's text in `states`.
   int stateNumber(StateId state) const;
 };
 
-/// Reads the run, and runs it again where it needs to, which stderr says. Throws UsageError for a run without bodies
-/// and a time that it has not, FileError for a run that has not finished and would have to be made again, or that ends
-/// otherwise now.
+/// Reads the run, and simulates it again if needed, which stderr tells. Throws UsageError for a run without bodies or
+/// for a time outside of the run. Throws FileError for an unfinished run that would have to be simulated again, or one
+/// that now ends differently.
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request);
 
 }  // namespace morula

@@ -12,10 +12,10 @@
 namespace morula {
 namespace {
 
-/// The bytes behind the markup: pieces, each behind its length, found by where they begin.
+/// The bytes behind the markup: pieces with their lengths in front, addressed by their offsets.
 class Appended {
  public:
-  /// The attributes of an array whose bytes these are.
+  /// Appends an array's bytes and returns the attributes that refer to them.
   std::string add(const std::string& bytes) {
     const std::size_t offset = bytes_.size();
     put64(bytes_, bytes.size());
@@ -28,7 +28,7 @@ class Appended {
   std::string bytes_;
 };
 
-/// Texts as this format has them: the codes of their bytes, each text closed by a 0.
+/// Returns texts in VTK's form: the codes of their bytes, each text closed by a 0.
 std::string textArray(const std::string& name, const std::vector<std::string>& texts) {
   std::string codes;
   for (const std::string& text : texts) {
@@ -44,7 +44,7 @@ std::string array(const char* type, const std::string& name, int components, con
                      components, place);
 }
 
-/// A value for each triangle: that of its cell.
+/// Returns for each triangle the value of its cell.
 template <class Put>
 std::string perTriangle(const ExportedRun& run, const Sample& sample, Put put) {
   std::string bytes;

@@ -1,4 +1,4 @@
-// The costs of accuracy as a page: the verdict of an accuracy run, and its sections.
+// The part of a page on an accuracy run: its verdict and its sections.
 #include <algorithm>
 #include <cmath>
 
@@ -22,21 +22,21 @@ std::string setCommand(const AccuracyRow& row, const std::string& scenario) {
   return command;
 }
 
-/// The whole error of a row, with a word where it is more than `error` or not known.
+/// Returns the whole error of a row, marked if it is above `error` or unknown.
 Words wholeText(const AccuracyRow& row, double error) {
   const double whole = row.parts.sum();
   if (!row.parts.mesh && !row.parts.model) return "at least " + numberText(whole, 3) + ": the mesh's is not known";
   return numberText(whole, 3) + " " + (whole > error ? Words("! more", Emphasis::warning) : Words("✓", Emphasis::good));
 }
 
-/// "velocity-verlet, time step 1/256".
+/// Returns a row's name: "velocity-verlet, time step 1/256".
 std::string nameOfRow(const AccuracyRow& row) { return row.series + ", time step " + stepText(row.setting); }
 
-/// Writes an error; an infinite one is not known.
+/// Writes an error; an infinite error is "not known".
 std::string orUnknown(double error) { return std::isfinite(error) ? numberText(error, 3) : "not known"; }
 
-/// Error against CPU time: a line a series, a point a time step; the mesh's own error across, and the scenario as it
-/// is.
+/// Makes the chart of error against CPU time: a line for each series, a point for each time step, a line across for the
+/// mesh's own error, and the scenario's own settings.
 PageSection accuracyChartSection(const AccuracyReport& report) {
   const std::size_t out = beatenBullets(report).size();
   const std::string caption =
@@ -49,8 +49,8 @@ PageSection accuracyChartSection(const AccuracyReport& report) {
                                     caption, Picture::Size::large))};
 }
 
-/// Lists for errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the
-/// mesh adds. `scenario`: its file, as a word of a command.
+/// Lists for errors of 0.1, 0.01, … the settings that reach them with the least CPU time, Morula's and Bullet's, and
+/// the mesh's part. `scenario`: its file, as a word of a command.
 PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
   PageSection section{"cheapest", "Cheapest settings for an error", {}};
   Table table{section.title,
@@ -95,7 +95,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
   return section;
 }
 
-/// Shows the reference of errors: the converged solution, finer meshes, and how fast errors fall with the time step.
+/// Shows the reference of errors: the converged solution, finer meshes, and the decrease of errors with the time step.
 PageSection referenceSection(const AccuracyReport& report) {
   const AccuracyReference& r = report.reference;
   const auto nameOfSetting = [](const Setting& s) {
@@ -139,7 +139,7 @@ PageSection referenceSection(const AccuracyReport& report) {
 
 using Kind = Finding::Kind;
 
-/// "error 0.0927 up to time 4 of 31.25: 0.00535 of the time step, 0.0874 of the mesh".
+/// Returns "error 0.0927 up to time 4 of 31.25: 0.00535 of the time step, 0.0874 of the mesh".
 std::string sentenceOf(const AccuracyReport& report) {
   const AccuracyRow& own = report.own;
   const std::string start = report.scenario + " as it is";
@@ -282,7 +282,7 @@ PagePart accuracyPart(const std::string& file) {
                              Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
                                                        {"accuracy.json", "application/json", text}}})});
     return part;
-  } catch (const std::exception&) {  // JSON of other kinds, and choices that are none
+  } catch (const std::exception&) {  // the JSON is of another form, or a name is unknown
     throw InputError(file + ": rows that are none of an accuracy run" + right);
   }
 }

@@ -1,4 +1,4 @@
-// Scenarios of a check that were held against Bullet.
+// Comparisons with Bullet on a page, of runs and of checked scenarios.
 #include "report/bullet_block.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxCells = 12;     // in the table of distances
-constexpr double roundingRadii = 1e-11;  // [radii] ten thousand steps of doubles near 1 add up to less
+constexpr std::size_t maxCells = 12;     // max number of rows in the table of distances
+constexpr double roundingRadii = 1e-11;  // [radii] rounding of doubles near 1 adds up to less in ten thousand steps
 
-/// How far one cell of ours is from Bullet's, over its vertices.
+/// The distance of one cell's surface in Morula from that in Bullet, over its vertices.
 struct CellDistance {
   std::string cell;
   double largest = 0, meanSquare = 0;  // [length], [length²]
-  Point at;                            // of the vertex farthest away
+  Point at;                            // the vertex with the largest distance
   std::size_t vertices = 0;
   double ourVolume = 0, bulletVolume = 0;  // [length³]
 };
@@ -66,7 +66,7 @@ std::string quantityWords(const CheckResult& r) {
   return r.field;
 }
 
-/// Tells which geometry decides, and which does not.
+/// Tells which geometry decides the comparison, and which does not.
 std::string decidingWords(const BulletCheck& check, bool touching) {
   std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
   if (check.positions)
@@ -118,7 +118,7 @@ Document distances(std::vector<CellDistance> all, double radius) {
 std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
   const auto worst =
       std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest < b.largest; });
-  // Rounding alone makes no place.
+  // Coordinates within rounding are shown as 0.
   const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
   if (worst->largest < roundingRadii * radius)
     return "The surfaces are nowhere farther apart than " + numberText(worst->largest / radius, 2) +
@@ -147,14 +147,14 @@ Document pictures(const Scenario& scenario, const World& ours, const ExternalRun
   return all;
 }
 
-/// Returns the mistake of Bullet's run as a whole; "" if it came to an end that can be compared.
+/// Returns the failure of Bullet's run as a whole; "" if it reached an end that can be compared.
 std::string whyNone(const BulletAgain& again) {
   if (again.found.bullet || again.found.results.empty()) return {};
   const CheckResult& r = again.found.results.front();
   return wasSkipped(r) ? "Not held against Bullet: this program was built without it" : "Bullet: " + r.actual;
 }
 
-/// "Ours and Bullet's are within every tolerance; the one used most …".
+/// Returns "Ours and Bullet's are within every tolerance; the one used most …".
 std::string sentenceOf(const std::vector<CheckResult>& results) {
   const auto failed = std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed; });
   if (failed > 0)

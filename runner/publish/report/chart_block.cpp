@@ -1,4 +1,4 @@
-// Charts of runs: measures over time, who touches whom, which way cells divided.
+// Charts of runs: measures over time, contacts of cells, directions of divisions.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -12,10 +12,10 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxLines = 24;     // runs in one chart
-constexpr std::size_t maxLabels = 10;    // at the ends of lines
-constexpr std::size_t maxTouching = 60;  // cells in a matrix of contacts
-// [pixel] So small that words of ordinary size are legible where three charts stand side by side.
+constexpr std::size_t maxLines = 24;     // max number of runs in one chart
+constexpr std::size_t maxLabels = 10;    // max number of labels at the ends of lines
+constexpr std::size_t maxTouching = 60;  // max number of cells in a matrix of contacts
+// [pixel] Small enough that words of ordinary size are legible with three charts side by side.
 constexpr int width = 420, height = 300;
 
 Chart timeChart(const std::string& title, const std::string& unit, const Units& units) {
@@ -27,7 +27,7 @@ Chart timeChart(const std::string& title, const std::string& unit, const Units& 
   return chart;
 }
 
-/// One more at each division, one fewer at each death; level between.
+/// Returns the number of cells over time, as steps at divisions and deaths.
 std::vector<Spot> cellsOverTime(const RunFacts& facts) {
   std::vector<std::pair<double, int>> changes;
   for (const LineageEntry& cell : facts.results.lineage) {
@@ -62,18 +62,18 @@ std::vector<Spot> measureOverTime(const RunFacts& facts, std::size_t measure) {
   return points;
 }
 
-/// In units of people, of what is a number in `unit`.
+/// Adds a line of values in `unit`, converted to the units of people.
 void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points, const Units& units,
              std::string_view unit = "") {
   if (points.size() < 2) return;
   const double perTime = shownUnit(units, "time").factor, perUnit = shownUnit(units, unit).factor;
   for (Spot& point : points) point.x *= perTime, point.y *= perUnit;
   const std::string label = count > 1 && count <= maxLabels ? std::to_string(number + 1) : "";
-  // Told apart without colours, too: by numbers at their ends, and every second one is dashed.
+  // Lines differ without colours, too: by numbers at their ends, and every second line is dashed.
   chart.lines.push_back({label, seriesColour(number), std::move(points), number % 2 == 1, {}});
 }
 
-/// Makes the key of runs to their numbers and colours in the charts.
+/// Makes the key of the runs' numbers and colours in the charts.
 LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
   LineKey key;
   for (std::size_t i = 0; i < count; ++i)
@@ -82,7 +82,7 @@ LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
   return key;
 }
 
-/// Returns the measures of cells, and those that the scenario asks for.
+/// Returns the charted measures of cells, and those that the scenario asks for.
 std::vector<std::string> moreMeasures(const RunFacts& run) {
   std::vector<std::string> names{"cell.volume", "cell.pressure"};
   std::set<std::string> known;
@@ -101,7 +101,7 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
           svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
       const std::string quoted = what.find(' ') == what.npos ? what : "'" + what + "'";
       commands.push_back(commandFor(run, "chart", quoted + " -o " + what + ".svg"));
-    } catch (const InputError&) {  // there is nothing of this kind in the run
+    } catch (const InputError&) {  // the run has no data for this chart
     }
   };
   for (const std::string& measure : moreMeasures(run))

@@ -1,4 +1,4 @@
-// A check of many scenarios: which differ, and how.
+// A check of many scenarios: the differing scenarios and their differences.
 #include <algorithm>
 
 #include "base/error.h"
@@ -16,15 +16,15 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxTold = 40;   // failed scenarios with all that differs
-constexpr std::size_t maxFiles = 40;  // in the command that checks them again
+constexpr std::size_t maxTold = 40;   // max number of failed scenarios with all differences
+constexpr std::size_t maxFiles = 40;  // max number of files in the command that checks them again
 
 std::size_t failures(const CheckReport& report) {
   return static_cast<std::size_t>(
       std::count_if(report.results.begin(), report.results.end(), [](const CheckResult& r) { return !r.passed; }));
 }
 
-/// Describes what differs, the cause before its consequences: each class once.
+/// Describes the differences: each class once, causes before their consequences.
 std::string classesOf(const CheckReport& report) {
   std::vector<std::string> classes;
   for (const CheckResult& r : report.results)
@@ -34,7 +34,7 @@ std::string classesOf(const CheckReport& report) {
   return listed(classes);
 }
 
-/// The largest share of a tolerance that a check of the scenario has used.
+/// Returns the largest share of a tolerance that a check of the scenario has used.
 std::optional<double> largestShare(const CheckReport& report) {
   std::optional<double> largest;
   for (const CheckResult& r : report.results)
@@ -112,7 +112,7 @@ void runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
   try {
     Scenario scenario = loadScenario(c.file);
     World world = makeScenarioWorld(scenario, question.execution);
-    // The end of a run is not always known before: then frames are spread over the longest time that it may take.
+    // The end of a run may be unknown: then frames are spread over the longest possible time.
     const auto end = plannedEnd(scenario.scene);
     if (!end) return;
     FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
@@ -124,13 +124,13 @@ void runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
     }
     c.again =
         std::make_unique<FailedAgain>(FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
-  } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
+  } catch (const InputError&) {  // the scenario has become unreadable, which the check tells
   }
 }
 
 namespace {
 
-/// True if the golden of now has the end state that the check found to differ.
+/// Returns true if the present golden has the end state that the check found to differ.
 bool wasAcceptedSince(const CheckedScenario& c) {
   const auto failed = [](const CheckResult& r) { return r.check == "bits" && !r.passed; };
   const auto golden = goldenFile(c.again->scenario);

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// Returns the place at which a check failed first, or the value that has used the most of its tolerance.
+/// Returns the first place at which a check failed, or the value that has used the most of its tolerance.
 std::string placeOf(const CheckResult& r, const CellNames& names) {
   std::vector<std::string> parts;
   if (!r.passed && r.firstStep) parts.push_back("from step " + std::to_string(*r.firstStep) + " on");

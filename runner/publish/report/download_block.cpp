@@ -8,10 +8,10 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxRuns = 24;       // with links
-constexpr std::size_t maxDatabases = 12;  // that are named
+constexpr std::size_t maxRuns = 24;       // max number of runs with links
+constexpr std::size_t maxDatabases = 12;  // max number of databases that are named
 
-/// More than the names of its columns.
+/// Returns true if the CSV holds more than the names of its columns.
 bool hasRows(const std::string& csv) {
   const auto head = csv.find('\n');
   return head != csv.npos && head + 1 < csv.size();
@@ -50,7 +50,7 @@ PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t maxBy
     const std::string ending = runs.size() > 1 ? "-" + runs[i].run.id : "";
     offerRun(runs[i], ending, links);
     if (section.commands.size() >= 4) continue;
-    // They do not replace what is there, so each has a name of its own.
+    // The commands do not replace files, so each output has a different name.
     const std::string& id = runs[i].run.id;
     section.commands.push_back(commandFor(runs[i], "export", "--format csv -o tables-" + id));
     if (!runs[i].results.lineage.empty())

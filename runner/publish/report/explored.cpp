@@ -20,7 +20,7 @@ ExplorerRun explorerRunOf(const RunFacts& facts) {
   return run;
 }
 
-/// Makes an explorer's run of the run in Bullet; cells neither divide nor die there, so its lineage is that of `ours`.
+/// Makes an explorer's run of the run in Bullet, where cells neither divide nor die: its lineage is that of `ours`.
 ExplorerRun explorerRunOf(const BulletAgain& bullet, const ExplorerRun& ours, bool alone) {
   ExplorerRun run = ours;
   run.title = bulletName() + (alone ? "" : ": " + ours.title);
@@ -45,7 +45,7 @@ void showBullet(BulletAgain& bullet, const ExplorerRun& ours, bool alone, Explor
   explored.frames.push_back(&bullet.frames);
 }
 
-/// Bullet's runs of the same scenarios, behind ours.
+/// Adds Bullet's runs of the same scenarios, after Morula's.
 void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   std::size_t made = 0;
   for (RunFacts& run : runs) {
@@ -86,7 +86,7 @@ void exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Ex
 void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   // The rest of the page takes up to a third of it, and base64 takes 4 bytes for 3.
   const std::size_t room = question.maxBytes / 2;
-  const auto bytesOfLeast = [](const Frames& frames) {  // the last one is larger by its forces on vertices
+  const auto bytesOfLeast = [](const Frames& frames) {  // the last frame is larger by its forces on vertices
     const std::size_t n = frames.frames.size();
     return n == 0 ? 0 : bytesOf(frames) * std::min(minFrames, n) / n + frames.frames.back().bytes.size();
   };

@@ -14,31 +14,31 @@ namespace morula {
 struct PagePart {
   std::string title, summary;
   Document verdict = {};
-  std::vector<PageSection> change = {};  // what stands before the pictures
+  std::vector<PageSection> change = {};  // sections on changes, before the pictures
   std::vector<PageSection> sections = {};
-  bool isAside = false;  // it belongs to another part; the titles of its sections say what they are of
+  bool isAside = false;  // true: it belongs to another part; its sections' titles name their subject
 };
 
-/// Runs, with all that is known of them but their frames. Downloads take a tenth of `maxBytes`.
+/// Makes the part on runs, with everything but their frames. Downloads take a tenth of `maxBytes`.
 PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes);
 
-/// A scenario that failed its check, run again to be looked at.
+/// A scenario that failed its check, run again for its pictures.
 struct FailedAgain {
   Scenario scenario;
   Simulation simulation;
   Frames frames;
-  std::optional<BesideGolden> beside = {};  // and the accepted result
+  std::optional<BesideGolden> beside = {};  // pictures beside the accepted result
 };
 
 struct CheckedScenario {
   CheckReport report;
-  std::string file;                    // of the scenario; "" where it is not known
-  std::unique_ptr<FailedAgain> again;  // of the first failed ones, and those beside Bullet
+  std::string file;                    // the scenario's file; "" if unknown
+  std::unique_ptr<FailedAgain> again;  // set for the first failed scenarios and those compared with Bullet
   std::unique_ptr<BulletAgain> bullet = {};
-  bool isOtherNow = false;  // run again, or held against the golden of now, it is another result than the one checked
+  bool isOtherNow = false;  // true: run again, or by its present golden, the result is not the checked one
 };
 
-/// A report.json of `morula check --reports`. Throws InputError for one that it did not write.
+/// Reads a report.json of `morula check --reports`. Throws InputError for other files.
 std::vector<CheckedScenario> readChecked(const std::string& file);
 /// Runs it again, if it can be read and its end is known.
 void runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
@@ -46,10 +46,10 @@ void runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
 void runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);
 
-/// Makes a part of what `morula accuracy --json` has printed. Throws InputError for other JSON.
+/// Makes the part on the output of `morula accuracy --json`. Throws InputError for other JSON.
 PagePart accuracyPart(const std::string& file);
 
-/// The program that makes the page, where no run says where it comes from.
+/// Makes the section on the running program, for pages without runs that tell their origin.
 PageSection programSection();
 
 }  // namespace morula

@@ -10,11 +10,11 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxPictured = 8;    // runs with pictures
-constexpr std::size_t treeLimit = 20000;  // cells in a tree that is drawn
-constexpr std::size_t fewCells = 32;      // of a tree that is legible when it is small
+constexpr std::size_t maxPictured = 8;    // max number of runs with pictures
+constexpr std::size_t treeLimit = 20000;  // max number of cells in a tree that is drawn
+constexpr std::size_t fewCells = 32;      // max number of cells in a tree that is legible when small
 
-/// Returns a key that two runs share if the same things stand at the same places of their trees.
+/// Returns a key that is equal for runs with the same tree: the same cells, times, fates and substances.
 std::string treeKey(const RunFacts& facts) {
   std::string key = numberText(facts.run.time, 17);
   for (const LineageEntry& c : facts.results.lineage)
@@ -34,13 +34,13 @@ Picture treeOf(const RunFacts& facts, const std::string& of) {
   return few ? svgPicture(drawing, what, caption) : pngPicture(drawing.pixels(), what, caption);
 }
 
-/// Returns true if the last state can be drawn: that of a failed run may hold NaN.
+/// Returns true if the last state can be drawn; that of a failed run may hold NaN.
 bool canBeDrawn(const RunFacts& facts) {
   if (!facts.again || !facts.again->simulation.world.bodies) return false;
   const OrganismPicture picture = pictureOf(facts.again->simulation.world, facts.scenario);
   for (const CellShape& cell : picture.cells)
     for (const Point& p : cell.vertices)
-      // Pixels and depths are single precision.
+      // Pixels and depths have single precision.
       if (!(std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6 && std::abs(p.z) < 1e6)) return false;
   return true;
 }
@@ -50,7 +50,7 @@ struct Pictured {
   OrganismPicture picture;
 };
 
-/// The first two of one scenario, as places in `all`; none: both are 0.
+/// Returns the places in `all` of the first two runs of one scenario; both are 0 if there are no two.
 std::pair<std::size_t, std::size_t> firstTwo(const std::vector<Pictured>& all) {
   for (std::size_t b = 1; b < all.size(); ++b)
     for (std::size_t a = 0; a < b; ++a)

@@ -25,7 +25,7 @@ std::string builtPart(const std::string& name) {
                   (installation() ? "the installation does not have it" : "`./morula wasm` in the sources builds it"));
 }
 
-/// {name, summary, text, files: [[role, path, content]…]} of all that can be read.
+/// Returns {name, summary, text, files: [[role, path, content]…]} for each readable scenario.
 Json scenariosBelow(const fs::path& folder) {
   Json all = Json::array();
   for (const fs::path& file : filesBelow(folder, ".yaml")) {

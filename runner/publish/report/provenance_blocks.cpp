@@ -1,4 +1,4 @@
-// The origins of runs, their parameters, and their differences from what is accepted and from one another.
+// The origins and parameters of runs, and their differences from goldens and from one another.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,9 +10,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxColumns = 6;  // runs side by side
+constexpr std::size_t maxColumns = 6;  // max number of runs side by side
 
-/// [label, value] Of a run's record, and where it is stored.
+/// Returns [label, value] of a run's record, and its database.
 std::vector<std::pair<std::string, std::string>> provenanceOf(const RunFacts& r) {
   std::vector<std::pair<std::string, std::string>> rows;
   eachFieldOf(r.run, [&](const RunField& field, std::string value) {
@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, std::string>> provenanceOf(const RunFacts& r)
   return rows;
 }
 
-/// One row a name, one column a run; rows whose values differ are marked.
+/// Returns a table with a row for each name and a column for each run; rows with differing values are marked.
 Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
                  const std::vector<std::pair<std::string, std::vector<std::string>>>& rows) {
   Table table{caption, {}};
@@ -58,7 +58,7 @@ Document differences(const std::vector<RunFacts>& runs) {
   }
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
   for (const std::string& key : keys) {
-    if (key == "seed") continue;  // stands among where they come from
+    if (key == "seed") continue;  // the seed is shown with the origins
     std::vector<std::string> row;
     for (const auto& of : values) row.push_back(of.contains(key) ? of.at(key) : "not given");
     if (std::any_of(row.begin(), row.end(), [&](const auto& v) { return v != row.front(); }))
@@ -68,13 +68,13 @@ Document differences(const std::vector<RunFacts>& runs) {
   return Document().heading("What differs").add(sideBySide("Parameters that differ", runs, rows));
 }
 
-/// JSON with line breaks, for people; as it is if it cannot be read.
+/// Returns JSON with line breaks, for people; unchanged if it cannot be read.
 std::string indented(const std::string& json) {
   const Json read = tryParseJson(json);
   return read.is_null() ? json : jsonText(read, 2);
 }
 
-constexpr std::size_t maxChanges = 4;  // runs that are held against the first one of their scenario
+constexpr std::size_t maxChanges = 4;  // max number of runs that are compared with the first of their scenario
 
 void tellBesideGolden(const RunFacts& run, Document& changes) {
   if (run.change.empty()) {
@@ -109,7 +109,7 @@ PageSection provenanceSection(const std::vector<RunFacts>& runs) {
     for (std::size_t k = 0; k < of.size(); ++k) rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
   }
   std::erase_if(rows, [](const auto& row) {
-    // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.
+    // A study's runs record no time and no machine: their bytes do not depend on them.
     return std::ranges::all_of(row.second, [](const std::string& v) { return v.empty(); });
   });
   PageSection section{"provenance", "Provenance", {}};
@@ -147,7 +147,7 @@ PageSection parameterSection(const std::vector<RunFacts>& runs) {
 
 Document changesOf(const std::vector<RunFacts>& runs) {
   Document all;
-  std::map<std::string, const RunFacts*> firsts;  // of each scenario
+  std::map<std::string, const RunFacts*> firsts;  // the first run of each scenario
   std::size_t told = 0;
   for (const RunFacts& run : runs) {
     if (run.run.status != RunStatus::done || !run.label.empty()) continue;

@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Sources {
-  std::vector<std::string> databases, studies, checks, accuracies;  // files
+  std::vector<std::string> databases, studies, checks, accuracies;  // paths of files
 };
 
-/// Adds a source by the file's content, not by its name. Returns false if the file is none.
+/// Adds a source by the file's content, not by its name. Returns false if the file is no source.
 bool addSource(const std::string& file, Sources& sources) {
   const std::string head = readBeginning(file, 16);
   if (contentOf(head) == Content::database)
@@ -43,7 +43,7 @@ bool addSource(const std::string& file, Sources& sources) {
 }
 
 /// Returns the sources that `what` names; the files of a folder are sorted by name. Throws FileError for a missing
-/// file, UsageError for a file that is nothing to report on.
+/// file, UsageError for a file that no report can be about.
 Sources sourcesOf(const std::vector<std::string>& what) {
   Sources sources;
   for (const std::string& name : what) {
@@ -68,11 +68,11 @@ Sources sourcesOf(const std::vector<std::string>& what) {
 }
 
 struct AllFacts {
-  std::vector<RunFacts> runs, more;         // `more`: runs of studies that only the explorer shows
+  std::vector<RunFacts> runs, more;         // `more`: further runs of studies, only for the explorer
   std::vector<std::size_t> ofStudies = {};  // how many runs each study has
 };
 
-/// The runs of a study that the page shows: all, or the one that `wanted` names.
+/// Returns the runs of a study that the page shows: all, or the run that `wanted` names.
 std::vector<Representative> chosenOf(const std::vector<Representative>& all, Store& store, const std::string& wanted) {
   if (wanted.empty()) return all;
   auto found = std::ranges::find_if(all, [&](const Representative& r) { return r.name() == wanted; });
@@ -106,7 +106,7 @@ AllFacts factsOfAll(const Sources& sources, const ReportQuestion& question) {
   return facts;
 }
 
-/// Adds a note on which runs of a study the explorer has, and how to see the others.
+/// Adds a note on the runs of a study in the explorer, and on how to see the others.
 void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std::vector<ExplorerRun>& shown,
                        Document& body) {
   for (std::size_t i = 0; i < sources.studies.size(); ++i) {
@@ -132,7 +132,7 @@ PageSection explorerSection(const ReportQuestion& question, const Sources& sourc
   return section;
 }
 
-/// "1 check, 2 studies and 3 runs".
+/// Returns "1 check, 2 studies and 3 runs".
 std::string titleOfParts(const Sources& sources, std::size_t runs) {
   std::vector<std::string> texts;
   const auto add = [&](std::size_t count, const std::string& one, const std::string& several) {
@@ -158,11 +158,11 @@ std::string commandOf(const ReportQuestion& question) {
   return command + " -o page.html";
 }
 
-/// Fills the page: the verdict of each part, what changed in each, the explorer, and then the other sections of each
-/// part. Titles of sections name their part, unless all are of `one` source.
+/// Fills the page: the verdict and the changes of each part, the explorer, and then the other sections of each part.
+/// Titles of sections name their part, unless all are from `one` source.
 void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
-  std::map<std::string, int> known;  // ids
+  std::map<std::string, int> known;  // number of uses of each id
   const auto add = [&](const PageSection& section, const std::string& part) {
     const int count = ++known[section.id];
     page.blocks.push_back({section.id + (count > 1 ? "-" + std::to_string(count) : ""),
@@ -180,7 +180,7 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector
     for (const PageSection& section : part.sections) add(section, titleOf(part));
 }
 
-/// Throws UsageError unless there is exactly one run, and a page can repeat it.
+/// Throws UsageError unless there is exactly one run, which a page can repeat.
 void demandOneRun(const std::vector<RunFacts>& runs) {
   if (runs.size() != 1)
     throw UsageError("report --rerun: a page makes one run again, and this one has " + std::to_string(runs.size()) +
@@ -237,7 +237,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().sections.push_back(programSection());
 
-  // Runs with a label represent a study's conditions, and its part names them; count only the other runs.
+  // Runs with a label represent a study's conditions, and are counted with the study.
   const auto own = static_cast<std::size_t>(
       std::count_if(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }));
   const bool one = sources.checks.size() + sources.studies.size() + sources.accuracies.size() + (own > 0) == 1;
@@ -257,7 +257,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     putTogether(parts, one, explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };
-  // Frames get the bytes that the rest of the page leaves; base64 takes 4 bytes for 3.
+  // Frames get the rest of the page's bytes; base64 takes 4 bytes for 3.
   if (question.rerun) page.bytes = rerunBytes(runs[0], question.module);
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// Returns the stored chain of step hashes, or, if it is not stored, the one that was found while the page was made.
+/// Returns the stored chain of step hashes, or, if none is stored, that of the repetition for this page.
 const std::vector<ChainLink>& chainOf(const RunFacts& run) {
   const bool isMade = run.results.chain.empty() && run.again && run.again->same;
   return isMade ? run.again->simulation.results.chain : run.results.chain;

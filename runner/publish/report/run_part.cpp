@@ -1,4 +1,4 @@
-// Runs on a page, from the verdict to the downloads.
+// The part of a page on runs, from the verdict to the downloads.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -21,7 +21,7 @@ using Kind = Finding::Kind;
 
 bool passed(const CheckResult& r) { return r.passed; }
 
-/// The names of those that failed, each once.
+/// Returns the names of failed checks, each once.
 std::string namesOf(const std::vector<CheckResult>& failed) {
   std::string names;
   std::set<std::string> said;
@@ -106,7 +106,7 @@ std::string sentenceOf(const std::vector<const RunFacts*>& runs, bool bad, bool 
   return std::to_string(done) + " of " + counted(runs.size(), "run") + (done == 1 ? " is" : " are") + " done" + ending;
 }
 
-/// Runs of one scenario that differ in their seed, and not in their end.
+/// Adds a finding on runs of one scenario with different seeds and the same end.
 void judgeSeeds(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
   const auto keyOf = [](const RunFacts& r) { return r.run.record.scenario + ' ' + r.run.stateHash; };
   std::map<std::string, std::set<std::uint64_t>> seeds;
@@ -121,7 +121,7 @@ void judgeSeeds(const std::vector<const RunFacts*>& runs, std::vector<Finding>& 
          counted(same->second.size(), "seed") + " of " + r.run.record.scenario +
              " gave one and the same result, bit for bit: they are no replicates" +
              (usesSeed(r.scenario.scene) ? "" : ", since nothing in this scenario varies with the seed")});
-    seeds.erase(same);  // said
+    seeds.erase(same);  // told once
   }
 }
 
@@ -140,7 +140,7 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
   return table;
 }
 
-/// Returns the findings that a reader must know first: what failed, what is not sane, what is ambiguous.
+/// Returns the findings that a reader must know first: failures, states that are not sane, ambiguities.
 std::vector<Finding> findingsOf(const RunFacts& facts) {
   std::vector<Finding> findings;
   const StoredRun& run = facts.run;
@@ -169,9 +169,9 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   return findings;
 }
 
-/// The findings of all runs but those that say that all is well; what is found of several runs is said once.
+/// Gathers the findings of all runs, but good ones; a finding on several runs is told once.
 void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
-  std::vector<std::pair<Finding, std::vector<Words>>> found;  // with the titles of its runs
+  std::vector<std::pair<Finding, std::vector<Words>>> found;  // each finding with the titles of its runs
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
       if (f.kind == Kind::good || f.kind == Kind::note) continue;
@@ -189,7 +189,7 @@ void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& find
   }
 }
 
-/// One sentence and the findings; of several runs also a table of them.
+/// Returns the verdict: one sentence and the findings; for several runs also a table of them.
 Document verdictOf(const std::vector<const RunFacts*>& runs) {
   std::vector<Finding> findings;
   judgeSeeds(runs, findings);
@@ -251,7 +251,7 @@ Document errorsOf(const std::vector<RunFacts>& runs) {
 }  // namespace
 
 PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
-  // A study's findings are on all of its runs, not on those that stand for its conditions.
+  // A study's findings are about all of its runs, so runs that represent its conditions are not judged.
   std::vector<const RunFacts*> judged;
   for (const RunFacts& run : runs)
     if (run.label.empty()) judged.push_back(&run);

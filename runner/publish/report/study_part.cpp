@@ -21,20 +21,20 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxDrawn = 12;      // conditions of which a run is made again
-constexpr std::size_t maxShown = 24;      // stored pictures
-constexpr std::size_t maxSentences = 16;  // that are seen without being asked for
+constexpr std::size_t maxDrawn = 12;      // max number of conditions with a run simulated again
+constexpr std::size_t maxShown = 24;      // max number of stored pictures
+constexpr std::size_t maxSentences = 16;  // max number of sentences that are not folded
 
 Database openStudy(const std::string& file) {
   return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
 }
 
-/// A chart a measure, each as wide as a telephone; what shapes and colours mean once.
+/// Draws a chart for each measure, as wide as a telephone, and one key of shapes and colours.
 Document stripsDocument(const StudyComparison& c, const Units& units) {
   SmallMultiples all = stripsOf(c, units);
   Document document, charts;
   document.note(all.words.caption);
-  // Shapes as letters, so that colours are told apart in grey, too.
+  // The key shows shapes as letters, so that it is legible in grey, too.
   static const std::map<Marker, std::string> letters{
       {Marker::disc, "●"},    {Marker::square, "■"}, {Marker::triangle, "▲"}, {Marker::diamond, "◆"},
       {Marker::hanging, "▼"}, {Marker::plus, "✚"},   {Marker::ring, "○"}};
@@ -54,9 +54,9 @@ struct Trouble {
   auto operator<=>(const Trouble&) const = default;
 };
 
-/// Runs that failed, are missing or are not sane: those of one condition with one reason once.
+/// Adds findings on runs that failed, are missing or are not sane, one for each condition and reason.
 void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
-  std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // with the seeds
+  std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // each trouble with the seeds of its runs
   for (const auto& [condition, seed, task] : troubledRuns(r)) {
     const Trouble trouble{condition, task.status, task.reason};
     auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == trouble; });
@@ -81,7 +81,7 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
   }
 }
 
-/// Conditions that are the same runs, and those whose seeds change nothing.
+/// Adds findings on conditions with the same runs, and on conditions in which seeds change nothing.
 void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
   const StudyResults& r = c.results;
   for (const auto& names : namesOfSameRuns(r)) {
@@ -95,7 +95,7 @@ void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
                                      ": its runs are one run, no replicates, and its mean has no interval"});
 }
 
-/// Runs with divisions whose axis is ambiguous.
+/// Adds findings on runs with divisions whose axis is ambiguous.
 void judgeDivisions(const StudyResults& r, const std::string& database, std::vector<Finding>& findings) {
   std::set<std::string> suspects;
   {
@@ -131,7 +131,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
                             "time step or precision such a cut may lie elsewhere"});
 }
 
-/// Returns true if the first run that is done has bodies; false without such a run.
+/// Returns true if the first finished run has bodies; false if no run is done.
 bool hasBodies(const StudyResults& results, const std::string& database) {
   for (const ResultTask& task : results.tasks)
     if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();

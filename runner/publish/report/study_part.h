@@ -1,5 +1,5 @@
 #pragma once
-// A study on a page: its verdicts, every value of every condition, and one organism of each.
+// The part of a page on a study: its verdicts, every value of every condition, and an organism of each.
 #include <string>
 #include <vector>
 
@@ -17,16 +17,16 @@ PagePart studyPart(const std::string& database);
 /// of each again, or of more than twelve conditions the command that draws them. Nothing of a study without bodies.
 void addOrganisms(PagePart& part, const std::string& database, bool quiet);
 
-/// Returns the findings of a comparison. `database`: the merged study that it is of.
+/// Returns the findings of a comparison. `database`: its merged study.
 std::vector<Finding> findingsOf(const StudyComparison& comparison, const std::string& database);
 
 struct Representative {
-  std::string condition, run;  // its name, the run's id
+  std::string condition, run;  // name of the condition, id of the run
   std::uint64_t seed = 0;
   std::string name() const { return condition + ", seed " + std::to_string(seed); }
 };
-/// All runs that are done, equal ones once: with the first seed those of the conditions that differ most first
-/// [byDifference], and so on with the next seeds.
+/// Returns all finished runs, equal runs once, by seed. Within a seed the most different conditions come first
+/// [byDifference].
 std::vector<Representative> representativesOf(const std::string& database);
 
 }  // namespace morula

@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t colourSteps = 33;  // of the scale
+constexpr std::size_t colourSteps = 33;  // number of colours in the scale
 
 std::string hex(Colour colour) {
   char text[8];
@@ -20,7 +20,7 @@ std::string hex(Colour colour) {
   return text;
 }
 
-/// Faces as numbers in one row.
+/// Returns faces as one flat list of numbers.
 Json flat(const std::vector<Face>& faces) {
   Json numbers = Json::array();
   for (const Face& face : faces)
@@ -38,7 +38,7 @@ Json shellOf(const Scenario& scenario) {
   return {{"vertices", vertices}, {"faces", flat(shell.mesh->mesh.faces)}};
 }
 
-/// The states that cells of the run have or had, with their substances and colours.
+/// The states that any cell of the run had, with their substances and colours.
 class States {
  public:
   explicit States(const ExplorerRun& run) : run_(run), palette_(*run.scenario) {
@@ -66,7 +66,7 @@ class States {
   Json texts_ = Json::array(), colours_ = Json::array();
 };
 
-// Version of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
+// Version of the explorer's data and of frames.h; the explorer rejects others (reports/explorer/src/data.ts).
 constexpr int explorerFormat = 3;
 
 Json dataOf(const ExplorerRun& run) {

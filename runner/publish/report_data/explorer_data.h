@@ -1,5 +1,5 @@
 #pragma once
-// The explorer's data: JSON, and the frames' bytes beside it. reports/explorer/src/data.ts reads them.
+// The explorer's data: JSON and the frames' bytes, which reports/explorer/src/data.ts reads.
 #include <string>
 #include <vector>
 
@@ -11,31 +11,31 @@
 
 namespace morula {
 
-/// One run as it can be explored.
+/// A run for the explorer.
 struct ExplorerRun {
   std::string title;
   const Scenario* scenario;
-  const std::vector<LineageEntry>* lineage;      // in the order that frames count cells
-  std::function<std::string(StateId)> describe;  // a state's substances
+  const std::vector<LineageEntry>* lineage;      // in the order of the numbers of cells in frames
+  std::function<std::string(StateId)> describe;  // returns a state's substances
   double end = 0;                                // [time]
-  const Frames* frames = nullptr;                // null: nothing but the tree
+  const Frames* frames = nullptr;                // null: only the tree is shown
 };
 
-/// Cells of a tree that the explorer shows at most; of larger ones those that were born first.
+/// Max number of cells in the explorer's tree; of larger trees it shows the cells that were born first.
 inline constexpr std::size_t maxTreeCells = 20000;
 
-/// The colours of quantities, kinds and clones, as `scale`, `series` and `clones`.
+/// Adds the colours of quantities, kinds and clones, as `scale`, `series` and `clones`.
 void addPalette(Json& data);
 
-/// The page's `data`. Frames of run number i are in the bytes `frames-i`.
+/// Returns the page's `data`. The frames of run i are in the bytes `frames-i` of explorerBytes.
 Json explorerData(const std::vector<ExplorerRun>& runs);
 std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
 
-/// How many frames are in the page of those that were taken: "24 runs: 30 to 41 of 100 frames fit into the page"; "" if
-/// all.
+/// Returns how many of the taken frames are on the page: "24 runs: 30 to 41 of 100 frames fit into the page"; "" if all
+/// are.
 std::string thinnedText(const std::vector<ExplorerRun>& runs);
 
-/// Tells below the explorer what was left out; empty if nothing was.
+/// Returns notes on omitted content, for below the explorer; empty if nothing was left out.
 Document leftOutOf(const std::vector<ExplorerRun>& runs);
 
 }  // namespace morula

@@ -29,14 +29,14 @@ std::vector<ForceKind> kindsOf(const World& world) {
   return kinds;
 }
 
-/// [force] The largest component.
+/// Returns the largest component [force].
 double largest(const std::vector<Vector>& forces) {
   double most = 0;
   for (const Vector& f : forces) most = std::max({most, std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   return most;
 }
 
-/// The box that holds a cell's vertices, and how far apart the 65536 places along each of its sides are.
+/// The box that holds a cell's vertices, and the distance of the 65536 places along each of its sides.
 struct Grid {
   std::array<float, 3> low, step;
 
@@ -70,7 +70,7 @@ std::vector<ForcesByKind> ForceMeter::at(const World& world) {
   try {
     restoreState(twin_, saveState(world));
     return forcesByKind(twin_);
-  } catch (const NumericalError&) { return {}; }  // as the run's own next step will tell
+  } catch (const NumericalError&) { return {}; }  // the run's own next step will report the failure
 }
 
 Vector netForce(const ForcesByKind& cell, ForceKind kind) {
@@ -192,7 +192,7 @@ void FrameTaker::take(const World& world) {
   putNetForces(frame.bytes, lastForces_, count, kindsWithNetForce(frames_.forces));
   frame.bytes += places;
   fillBytes(frame.bytes);
-  if (world.bodies->areSpheres()) lastForces_.clear();  // one force each, and no vertices that are drawn
+  if (world.bodies->areSpheres()) lastForces_.clear();  // a sphere has one force and no vertices that are drawn
   frames_.frames.push_back(std::move(frame));
   frames_.worlds.push_back(measureWorld(now));
 }
@@ -215,7 +215,7 @@ std::size_t bytesOf(const Frames& frames) {
 
 void thinFrames(Frames& frames, std::size_t maxBytes) {
   auto& all = frames.frames;
-  // Number k of `count` that stay, evenly over all; the last one stays longest.
+  // Returns frame k of the `count` that stay, spread evenly; a single one is the last.
   const auto place = [&](std::size_t k, std::size_t count) {
     return count < 2 ? all.size() - 1 : (k * (all.size() - 1) + (count - 1) / 2) / (count - 1);
   };

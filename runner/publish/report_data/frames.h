@@ -1,6 +1,6 @@
 #pragma once
-// The organism's shape at many times, small enough to be put into a page: positions as 16-bit numbers over each cell's
-// box; and the forces on the cells of a frame, by kind.
+// The organism's shape at many times, small enough for a page: positions as 16-bit numbers over each cell's box, and
+// the forces on cells by kind.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,16 +15,16 @@
 
 namespace morula {
 
-/// Measures the forces in a running world on a twin that it brings to the same state, so that the run is not touched.
+/// Measures the forces in a running world on a twin set to the same state, so that the run is not touched.
 class ForceMeter {
  public:
-  /// `twin`: made of the same scene. There are no kinds where it has no bodies, or where its integrator solves for
-  /// forces and knows none between two steps.
+  /// `twin`: a world made of the same scene. There are no kinds of forces if it has no bodies, or if its integrator
+  /// solves for forces and knows none between two steps.
   explicit ForceMeter(World twin);
 
-  /// The kinds of forces that the scene can have; all others are zero on every cell.
+  /// Returns the kinds of forces that the scene can have; all others are zero on every cell.
   const std::vector<ForceKind>& kinds() const { return kinds_; }
-  /// [cell] Forces in a state of the scene; empty where they cannot be evaluated, or there are no kinds.
+  /// Returns the forces in a state of the scene, by cell; empty if they cannot be evaluated, or there are no kinds.
   std::vector<ForcesByKind> at(const World& world);
 
  private:
@@ -32,19 +32,19 @@ class ForceMeter {
   std::vector<ForceKind> kinds_;
 };
 
-/// The sum over a cell's vertices. [force]
+/// Returns the sum of a force over a cell's vertices [force].
 Vector netForce(const ForcesByKind& cell, ForceKind kind);
 
-/// Returns the kinds whose net force on a cell may differ from zero: a closed cell's springs and contents have none.
+/// Returns the kinds whose net force on a cell may differ from zero: springs and contents of a closed cell have none.
 std::vector<ForceKind> kindsWithNetForce(const std::vector<ForceKind>& kinds);
 
-/// Writes float32 x, y, z of the net force [force] for each cell and each of these kinds; NaN if `forces` is empty.
+/// Writes the net force on each cell for each of the kinds: float32 x, y, z [force]; NaN if `forces` is empty.
 void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, std::size_t cells,
                   const std::vector<ForceKind>& kinds);
 
-/// Writes for each cell and each of the kinds: float32 step [force]; then, again for each, where its step is not 0,
-/// int8 x, y, z for each vertex: the force is step · number, and off by half a step at most. A step is the largest
-/// component over 127. If forces are rounding alone, less than 1e-9 of the greatest on the cell, the step is 0.
+/// Writes for each cell and kind a float32 step [force]. Then it writes, for each cell and kind whose step is not 0,
+/// int8 x, y, z for each vertex: the force is step · number, with an error of at most half a step. A step is the
+/// largest component over 127. For forces below 1e-9 of the greatest on the cell, which are rounding, it is 0.
 void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds);
 
 /// The living cells at one time. `bytes`, little-endian, in this order:
@@ -54,24 +54,24 @@ void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces
 ///   each connection: uint32 a, b: cells of this frame
 ///   each cell:       its net forces [putNetForces]
 ///   each cell:       uint16 x, y, z of each vertex: low + step · number
-///   and as many zeros as make the length a multiple of 4. A position is off by half a step at most: the longest side of the
-///   cell's box over 131070.
-/// In the last frame of cells with vertices there follow, from `vertexForces` on, the forces on these [putVertexForces].
+///   zeros until the length is a multiple of 4.
+/// The error of a position is at most half a step: the longest side of the cell's box over 131070.
+/// The last frame of cells with vertices ends, from `vertexForces` on, with the forces on vertices [putVertexForces].
 struct Frame {
   double time = 0;  // [time]
   std::uint64_t step = 0;
   std::uint32_t cells = 0, contacts = 0, connections = 0;
-  std::size_t vertexForces = 0;  // where in bytes; 0: there are none
+  std::size_t vertexForces = 0;  // place of the forces in `bytes`; 0: none
   std::string bytes;
 };
 
 struct Frames {
   std::vector<Frame> frames;              // by time
-  std::vector<std::vector<Face>> meshes;  // that cells have, by their numbers
-  std::vector<std::string> measures;      // of cells, sampled
-  std::vector<StateId> states;            // by their numbers in frames
-  std::vector<ForceKind> forces;          // that cells can have; empty: forces are not known
-  std::vector<WorldMeasures> worlds;      // at the times of all frames that were taken
+  std::vector<std::vector<Face>> meshes;  // faces of the cells' meshes, by number of the mesh
+  std::vector<std::string> measures;      // sampled measures of cells
+  std::vector<StateId> states;            // states, by their numbers in frames
+  std::vector<ForceKind> forces;          // kinds of forces on cells; empty: forces are not known
+  std::vector<WorldMeasures> worlds;      // measures at the times of all frames that were taken
 };
 
 /// The observer that takes `most` frames of a run, evenly from time 0 to `end` [time].
@@ -83,7 +83,7 @@ class FrameTaker : public Observer {
   std::uint64_t stepsUntilDue(const World& world) const override;
   /// One more frame, whatever the time.
   void take(const World& world);
-  /// All of them, when there will be no more.
+  /// Returns all frames; call it after the last step.
   Frames& frames();
 
  private:
@@ -97,11 +97,11 @@ class FrameTaker : public Observer {
   Frames frames_;
   std::map<StateId, std::uint32_t> stateNumbers_;
   std::optional<ForceMeter> meter_;
-  std::vector<ForcesByKind> lastForces_;  // in the last frame; empty: not known, or not of vertices
+  std::vector<ForcesByKind> lastForces_;  // forces in the last frame; empty: unknown, or not on vertices
 };
 
-/// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are
-/// among them. None stays if the last one alone takes more.
+/// Keeps as many frames as fit into `maxBytes`, evenly spread in time; of two or more the first and the last stay. None
+/// stays if the last frame alone is larger.
 void thinFrames(Frames& frames, std::size_t maxBytes);
 
 std::size_t bytesOf(const Frames& frames);

@@ -32,8 +32,8 @@ std::vector<double> evenTimes(double end, std::size_t count) {
   return times;
 }
 
-/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the
-/// database says where the scenario was, and must not reach other files.
+/// Returns the golden file of the run's scenario, if it lies below the current folder. The database names the
+/// scenario's place, and must not reach other files.
 std::string goldenOf(const std::vector<SourceText>& documents) {
   for (const SourceText& document : documents) {
     if (document.role != "scenario" || document.path.empty()) continue;
@@ -51,7 +51,7 @@ void compareWithGolden(RunFacts& facts) {
   if (facts.golden.empty() || facts.run.status != RunStatus::done) return;
   try {
     const Golden golden = readGoldenFile(facts.golden);
-    // An equal state is no change, even if its numbers are added up in another order when they are read back.
+    // An equal state is no change, even if its stored numbers sum up differently.
     if (acceptedBits(golden) != facts.run.stateHash) facts.change = changeInWords(golden.data, goldenDataOf(facts));
   } catch (const InputError& error) { facts.unusableGolden = error.what(); }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The facts of one run on a page: its rows in the database, its scenario and golden, the run made again for its shapes,
-// which few databases keep, and its run in Bullet, whose shapes no database keeps.
+// The facts of one run on a page: its rows in the database, its scenario and golden, and its repetitions in Morula and
+// in Bullet, for the shapes that databases rarely keep.
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,57 +15,57 @@
 namespace morula {
 
 struct BulletAgain {
-  BulletFindings found;  // as checkAgainstBullet finds it now
-  Frames frames;         // none unless Bullet came to the same end
+  BulletFindings found;  // present findings of checkAgainstBullet
+  Frames frames;         // empty unless Bullet reached the same end
 };
 
-/// Runs a scenario with check.bullet in Bullet. `ours`: our world at its end. At most `most` frames, evenly over time;
-/// fewer of many vertices, so that the answer stays below maxFrameVertices. `most` is 1 at least.
+/// Runs a scenario with check.bullet in Bullet. `ours`: Morula's world at its end. `most`: max number of frames, at
+/// least 1, evenly spread in time; many vertices reduce it, so that the answer stays below maxFrameVertices.
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet);
 
-/// Converts shapes to frames of a page. Bullet's contacts are not measured. Velocities are those of the start.
+/// Converts Bullet's shapes to frames of a page. Contacts are not measured; velocities are those of the start.
 Frames framesOf(const Scenario& scenario, const std::vector<ExternalFrame>& frames);
 
-/// How the numbers found now lie to those that are stored with the run.
+/// The relation of present findings to those stored with the run.
 enum class BulletStored { none, same, other };
 BulletStored compareWithStored(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored);
 
-/// "Bullet 3.24": the library that this program was built with.
+/// Returns "Bullet 3.24", the library that this program was built with.
 std::string bulletName();
 
-/// The run made again from its record.
+/// The repetition of a run from its record.
 struct RunAgain {
   Simulation simulation;
   Frames frames;
-  bool same = false;  // it ended in the stored state, bit for bit
+  bool same = false;  // true: it ended in the stored state, bit for bit
 };
 
 struct RunFacts {
-  std::string database;    // as given
-  std::string label = {};  // of the condition of a study that it stands for; "" for a run of its own
-  std::string title = {};  // what it is called on its page
+  std::string database;    // path as given
+  std::string label = {};  // the condition of a study that it represents; "" for other runs
+  std::string title = {};  // its title on its page
   StoredRun run;
   Scenario scenario;
   std::vector<SourceText> documents;
   RunResults results;
   std::vector<CheckResult> checks;
-  std::vector<DivisionRecord> ambiguous = {};  // divisions across the longest extent of cells that have none
-  std::string golden = {};                     // the accepted result's file; "" where there is none
-  std::string change = {};                     // how the run differs from it, in words; "" where it does not
-  std::string unusableGolden = {};             // why it cannot be read; ""
+  std::vector<DivisionRecord> ambiguous = {};  // divisions across the longest extent of cells without a longest extent
+  std::string golden = {};                     // file of the accepted result; "" if there is none
+  std::string change = {};                     // differences from the golden, in words; "" if there are none
+  std::string unusableGolden = {};             // the reason why the golden cannot be read; "" if it can
   std::unique_ptr<RunAgain> again = {};
-  std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
+  std::unique_ptr<BulletAgain> bullet = {};  // its run in Bullet, for a repeated run whose scenario asks for it
   std::optional<BesideGolden> beside = {};   // drawn by drawBeside
 };
 
-/// Reads what is stored. Throws FileError if the record was changed.
+/// Reads the facts of a stored run. Throws FileError if the record was changed.
 RunFacts factsOf(Store& store, const StoredRun& run);
 
-/// How `after` differs from `before`, as changeInWords says it; "" where it does not. Both are done.
+/// Returns the differences of two finished runs in words [changeInWords]; "" if there are none.
 std::string changeBetween(const RunFacts& before, const RunFacts& after);
 
-/// Returns true if running it again shows something: bodies, and an end or a failure to reach.
+/// Returns true if running the run again shows something: it has bodies, and an end or a failure to reach.
 bool canRunAgain(const RunFacts& facts);
 
 /// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes.

@@ -9,9 +9,9 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxKeys = 2;    // in a title
-constexpr std::size_t longest = 24;   // [byte] of a value in a title
-constexpr std::size_t maxNamed = 64;  // runs of one scenario that are told apart by their parameters
+constexpr std::size_t maxKeys = 2;    // max number of parameters in a title
+constexpr std::size_t longest = 24;   // [byte] max length of a value in a title
+constexpr std::size_t maxNamed = 64;  // max number of runs of one scenario that are distinguished by parameters
 
 using RunGroup = std::vector<RunFacts*>;
 
@@ -19,12 +19,12 @@ void addIds(const RunGroup& group) {
   for (RunFacts* run : group) run->title += " (" + run->run.id + ")";
 }
 
-/// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`,
-/// they alone are the titles.
+/// Adds the values that differ within the group to the titles of its runs. If the page has no `others`, these values
+/// alone are the titles.
 void tellApart(const RunGroup& group, bool others) {
   if (group.size() > maxNamed) return addIds(group);
   std::vector<std::map<std::string, std::string>> values;
-  std::map<std::string, std::size_t> known;  // key: how many have it
+  std::map<std::string, std::size_t> known;  // how many runs have each key
   for (const RunFacts* run : group) {
     const auto deciding = decidingValues(run->scenario);
     values.emplace_back(deciding.begin(), deciding.end());

@@ -1,5 +1,5 @@
 #pragma once
-// The words that a page has for what results call by names.
+// Titles, sentences, pictures and commands for runs on a page.
 #include <string>
 #include <vector>
 
@@ -10,15 +10,15 @@
 
 namespace morula {
 
-/// Why a run failed: what happened, and below it what was found out about it.
+/// Makes the finding on a failed run: what happened, and below it the diagnosis.
 Finding failedBecause(Finding::Kind kind, const std::string& before, const std::string& failure);
 
-/// How the run is called on its page (nameRuns).
+/// Returns the run's title on its page (nameRuns).
 const std::string& titleOf(const RunFacts& run);
 
-/// Gives each run its title: "unique-four, seed 5"; runs of the same scenario and seed also say what their scenarios
-/// differ in, "physics.pressure.constant 180" (that alone where all runs of the page are such), and where that is no
-/// answer their id.
+/// Gives each run a title: "unique-four, seed 5". Titles of runs with the same scenario and seed also tell their
+/// differing parameters, "physics.pressure.constant 180" (only these if all runs of the page are such), or else their
+/// ids.
 void nameRuns(std::vector<RunFacts>& runs);
 
 Picture pngPicture(const Image& image, const std::string& what, const std::string& caption,
@@ -26,10 +26,10 @@ Picture pngPicture(const Image& image, const std::string& what, const std::strin
 Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption,
                    Picture::Size size = Picture::Size::usual);
 
-/// The scenario file that the run was read from, as it was given.
+/// Returns the scenario file of the run, as it was given.
 std::string sourceOf(const RunFacts& run);
 
-/// "./morula render FILE --run ID …"
+/// Returns a command "./morula render FILE --run ID …".
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options = {});
 
 }  // namespace morula

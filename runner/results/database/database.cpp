@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the remedy for failures that people meet.
+/// Returns a remedy for SQLite's error code; "" if there is none.
 std::string remedy(int code, int systemError, const fs::path& file) {
   rlimit limit{};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -53,10 +53,10 @@ std::string remedy(int code, int systemError, const fs::path& file) {
   }
 }
 
-constexpr double toldAfter = 2;  // [s] of waiting: what is shorter nobody notices
+constexpr double toldAfter = 2;  // [s] of waiting until the user is told: nobody notices shorter waits
 
-/// SQLite's own temporary data, as the records of a run that goes on, lie beside the results, unless the user names a
-/// folder for them: the system's may be small.
+/// Lets SQLite keep its temporary data beside the results, since the system's folder may be small. A folder that the
+/// user has named in the environment stays.
 void keepTemporaryDataBeside(const fs::path& file) {
   if (std::getenv("SQLITE_TMPDIR") || std::getenv("TMPDIR")) return;
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
@@ -66,7 +66,7 @@ void keepTemporaryDataBeside(const fs::path& file) {
 
 }  // namespace
 
-/// How long a connection waits for other processes, and since when it does.
+/// The wait of a connection for other processes: its limit and its beginning.
 struct Database::Wait {
   fs::path file;
   double limit = 0, began = 0;  // [s]
@@ -110,7 +110,7 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   // thread, so it needs no mutex.
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  // SQLite takes names as ":memory:" and "file:x.db" for more than files, unless a folder stands before them.
+  // SQLite takes names like ":memory:" and "file:x.db" for more than files, unless a folder precedes them.
   const fs::path plain = file_.is_relative() ? "." / file_ : file_;
   const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : plain.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
@@ -130,9 +130,9 @@ void Database::protect() {
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  // "name" is a column and never a text: where there is no such column the query fails.
+  // "name" in SQL is a column and never a text: if there is no such column the query fails.
   sqlite3_db_config(db, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
-  integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: is it a database?
+  integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: fails unless it is a database
 }
 
 Database Database::inMemory(fs::path name, std::string_view bytes) {
@@ -164,7 +164,7 @@ std::string Database::bytes() {
 }
 
 void Database::fail(int code, const std::string& doing) const {
-  if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();  // says nothing of the file
+  if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();  // a lack of memory is no error of the file
   std::string text = file_.string() + ": cannot " + doing + ": ";
   text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
   if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty())
@@ -203,7 +203,7 @@ bool Statement::next() {
   db_->fail(code, writes ? "write to the database" : "read the database");
 }
 
-void Statement::reset() { sqlite3_reset(statement_.get()); }  // its code repeats the last step's
+void Statement::reset() { sqlite3_reset(statement_.get()); }  // the returned code is the last step's
 
 void Statement::expectParameters(int count) const {
   MORULA_CHECK(sqlite3_bind_parameter_count(statement_.get()) == count, sqlite3_sql(statement_.get()));
@@ -339,7 +339,7 @@ Transaction::Transaction(Database& db) : db_(db) {
   try {
     db_.execute("BEGIN IMMEDIATE");
   } catch (...) {
-    rollBack();  // it may have begun, and memory ended before it was told
+    rollBack();  // the transaction may have begun before memory ran out
     throw;
   }
 }
@@ -352,8 +352,8 @@ void Transaction::rollBack() {
   try {
     db_.execute("ROLLBACK");
   } catch (const std::exception&) {
-    // SQLite has rolled back by itself (disk full, for instance);
-    // the error that led here is the one to report.
+    // SQLite has rolled back by itself (disk full, for instance); the error that led to this rollback is the one to
+    // report.
   }
 }
 

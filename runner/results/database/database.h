@@ -25,19 +25,19 @@ class Database {
  public:
   enum class Mode { create, existing, temporary };
 
-  /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits `patience` for
-  /// other processes that hold the file, now and later, and says so on stderr after two seconds; then a BusyError is
-  /// thrown. SQLite's own temporary data lie in the file's folder from then on. Mode::temporary: a database of its own,
-  /// in memory and on the disk where it is large, which is gone with the connection; `file` only names it in messages.
+  /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. `patience`: max wait
+  /// for other processes that hold the file, now and later; a wait over two seconds is told on stderr, a longer one is
+  /// a BusyError. SQLite's own temporary data lie in the file's folder from then on. Mode::temporary: a separate
+  /// database in memory (large ones on the disk) that ends with the connection; `file` only names it in messages.
   Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
   ~Database();
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
 
-  /// A database in memory: an empty one, or with all that the bytes of a database's file hold. `name` only names it in
-  /// messages. Throws StoreError if the bytes are no database.
+  /// Returns a database in memory: an empty one, or one with the content of a database file's bytes. `name` is used
+  /// only in messages. Throws StoreError if the bytes are no database.
   static Database inMemory(std::filesystem::path name, std::string_view bytes = {});
-  /// The bytes of its file, also of one that is none.
+  /// Returns the database as the bytes of a file, also if it is in memory.
   std::string bytes();
 
   /// Runs statements that take no values and give no rows.
@@ -45,10 +45,10 @@ class Database {
   std::int64_t integer(const std::string& sql);  // the first column of the first row
   const std::filesystem::path& file() const { return file_; }
   bool readOnly() const;
-  /// How long to wait for other processes. Returns how long it was before.
+  /// Sets the max wait for other processes. Returns the previous one.
   std::chrono::milliseconds setPatience(std::chrono::milliseconds patience);
 
-  /// Throws the StoreError for what SQLite last reported. `doing`: "store the run".
+  /// Throws the StoreError for SQLite's last error. `doing`: the attempted action, "store the run".
   [[noreturn]] void fail(int code, const std::string& doing) const;
 
  private:
@@ -61,7 +61,7 @@ class Database {
   struct Wait;
   static int waitForOthers(void* wait, int calls);
   std::filesystem::path file_;
-  std::unique_ptr<Wait> wait_;  // outlives the connection
+  std::unique_ptr<Wait> wait_;  // the connection refers to it until it is closed
   std::unique_ptr<sqlite3, Close> db_;
 };
 
@@ -70,7 +70,7 @@ struct Blob {
   std::string_view bytes;
 };
 
-/// Texts for several columns in a row; NULL where there is none.
+/// Texts for several adjacent columns; an absent text is NULL.
 struct Texts {
   std::vector<std::optional<std::string>> texts;
 };
@@ -80,7 +80,7 @@ class Statement {
  public:
   Statement(Database& db, std::string_view sql);
 
-  /// Binds the values and runs a statement that gives no rows; ready to run again.
+  /// Binds the values and runs a statement that returns no rows. The statement can then run again.
   template <class... Values>
   void run(const Values&... values) {
     bindAll(values...);
@@ -88,7 +88,7 @@ class Statement {
     reset();
   }
 
-  /// Binds copies of the values; the rows follow with `next`.
+  /// Binds copies of the values and starts the statement; `next` gives its rows.
   template <class... Values>
   Statement& start(const Values&... values) {
     copyValues_ = true;
@@ -96,29 +96,29 @@ class Statement {
     return *this;
   }
 
-  /// Binds the columns of another statement's row, in their order, and runs.
+  /// Binds the columns of another statement's present row, in their order, and runs.
   void runWith(const Statement& row);
 
-  /// Goes to the next row; false after the last one, and then ready to start again.
+  /// Goes to the next row. Returns false after the last one; the statement can then start again.
   bool next();
 
-  // A file of a stranger may hold anything anywhere, whatever its tables promise: a value of another type or out
-  // of range is a StoreError that names the column.
+  // A stranger's file may hold any value in any column, whatever its tables declare. Each function throws a StoreError
+  // that names the column for a value of another type or out of range.
   bool isNull(int column) const;
   std::int64_t integer(int column) const;
   std::uint64_t natural(int column) const;  // from 0
   int small(int column) const;              // from 0 to a million
   double finite(int column) const;
-  /// Reads a number of 64 bits as `bind` writes those from 2^63 on.
+  /// Reads a number of 64 bits, also from 2^63 on, which `bind` stores in two's complement.
   std::uint64_t bits(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   /// NULL reads as NaN: see bind(double).
   double real(int column) const;
-  std::string text(int column) const;  // or a BLOB; NULL reads as ""
-  /// A text of one line, without control characters.
+  std::string text(int column) const;  // also reads a BLOB; NULL reads as ""
+  /// Reads a text of one line, without control characters.
   std::string line(int column) const;
 
-  /// A record of the columns from number `from` on, in the order of its fields. What its list says is null and is not,
-  /// or is not null and should be, is refused, too.
+  /// Returns a record read from the columns from number `from` on, in the order of its fields. Throws StoreError also
+  /// for a NULL that the record excludes, or for a value where it requires NULL.
   template <Record Row>
   Row row(int from = 0) const {
     Row row{};
@@ -130,13 +130,13 @@ class Statement {
   }
 
   int columns() const;
-  /// Adds a value with its type; nothing for NULL.
+  /// Adds a column's value and type to the hash; NULL adds nothing.
   void addTo(Hasher& hasher, int column) const;
-  /// Appends the number of each column that is not NULL, with the column's type and value. `columns`: a number for
-  /// each.
+  /// For each column that is not NULL, appends the column's number, type and value. `columns`: the number of each
+  /// column.
   void appendRow(std::string& bytes, const std::vector<std::uint64_t>& columns) const;
 
-  /// Throws the StoreError for a value that cannot be right. `right`: "needs …".
+  /// Throws the StoreError for a wrong value of the column. `right`: the correct form, "needs …".
   [[noreturn]] void refuse(int column, const std::string& right) const;
 
  private:
@@ -152,7 +152,7 @@ class Statement {
     expectParameters(place);
   }
 
-  // Each takes as many places as the value has columns.
+  // Each `bindNext` binds as many parameters as the value has columns.
   template <class T>
   void bindNext(int& place, const T& value) {
     if constexpr (Record<T>) listFields(value, [&](const FieldInfo&, const auto& member) { bindNext(place, member); });
@@ -179,7 +179,7 @@ class Statement {
   }
   void bindNext(int& place, const Hash& hash) { bindCopy(++place, hash.text()); }
   void bindNext(int& place, const CellPath& path) { bindCopy(++place, path.text()); }
-  /// Binds a value that does not live until the statement has run.
+  /// Binds a copy of a value that may end before the statement runs.
   template <class T>
   void bindCopy(int place, const T& value) {
     const bool before = std::exchange(copyValues_, true);
@@ -246,7 +246,7 @@ class Statement {
   CellPath path(int column) const;
 
   /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes NULL. So
-  /// REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a hash beside them.
+  /// REAL columns are for reading and reckoning; exact bits are stored as a hash beside them.
   void bind(int place, double value);
   void bind(int place, std::int64_t value);
   void bind(int place, std::uint64_t value);  // two's complement: SQLite's integers are signed
@@ -268,11 +268,11 @@ class Statement {
 
   Database* db_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
-  // Otherwise the bound texts must live until the statement has run, as they do in `run`
+  // True: values are copied. False: bound texts must live until the statement has run, as they do in `run`
   bool copyValues_ = false;
 };
 
-/// BEGIN IMMEDIATE; rolled back at the end of the scope unless committed.
+/// A transaction (BEGIN IMMEDIATE) that is rolled back at the end of the scope unless committed.
 class Transaction {
  public:
   explicit Transaction(Database& db);

@@ -18,8 +18,8 @@ std::vector<std::string> columnNames(Database& db, const std::string& table) {
 SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeNull) {
   const std::string name = sqlName(field.name);
   SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning};
-  // Value by value: to look into an IN of several SQLite makes a table anew for each row, which takes as long as
-  // storing the row.
+  // A chain of comparisons, since for an IN of several values SQLite makes a table anew for each row, which takes as
+  // long as storing the row.
   std::string checks;
   const std::string names = field.oneOf;  // a name may be empty, as the first in " divided died"
   for (std::size_t begin = 0, end = 0; !names.empty() && end != names.npos; begin = end + 1) {
@@ -49,7 +49,7 @@ std::vector<SqlColumn> contextColumns(const TableInfo& info) {
   return columns;
 }
 
-// Keys stand first: SQLite 3.40's integrity check misreads tables WITHOUT ROWID in which they do not.
+// Key columns come first: SQLite 3.40's integrity check misreads other tables WITHOUT ROWID.
 std::string SqlTable::create(bool withComments) const {
   std::string sql = "CREATE TABLE " + sqlName(info.name) + " (";
   for (const auto* columns : {&context, &own})

@@ -27,16 +27,16 @@ inline bool isResult(TablePart part) {
 /// Returns true for tables whose rows join the file while the run goes on.
 inline bool growsDuringRun(TablePart part) { return part == TablePart::samples || part == TablePart::hashes; }
 
-/// Said once beside the list of fields of a table's rows, as tableInfo<Row>.
+/// The description of a table, given once beside the list of fields of its rows as tableInfo<Row>.
 struct TableInfo {
   const char* name;
   TablePart part;
-  const char* context = "";    // columns before the row's own, whose values a statement is given: "run_id number"
+  const char* context = "";    // columns before the row's own, bound as parameters: "run_id number"
   const char* key = "";        // "run_id, number"
-  const char* order = "";      // in which rows are read; "": by the key
-  bool hasRowNumbers = false;  // where rows are long: in tables without them SQLite fits few to a page
-  const char* csv = "";        // what exports call it: the name of its file; "": not exported as it stands
-  const char* why = "";        // who reads it, and when it is stored
+  const char* order = "";      // the order in which rows are read; "": by the key
+  bool hasRowNumbers = false;  // for long rows: without row numbers few fit on a page of SQLite's
+  const char* csv = "";        // the name of its file in exports; "": not exported as it stands
+  const char* why = "";        // the readers of the table, and when it is stored
 };
 template <class Row>
 inline constexpr TableInfo tableInfo = {};
@@ -55,17 +55,17 @@ struct SqlTable {
   /// Returns the names of all columns, in the order of `insert`.
   std::string names() const;
   std::string insert() const;
-  /// The row's own columns, of the context that the statement is started with; NULL for measures that an older file
-  /// lacks. `where`: a further condition. `order`: other than TableInfo's.
+  /// Returns the statement that reads the row's own columns; the context's values are its parameters. A measure that an
+  /// older file lacks reads as NULL. `where`: a further condition. `order`: replaces TableInfo's.
   std::string select(Database& db, const std::string& where = "", const std::string& order = "") const;
 };
 
 std::vector<std::string> columnNames(Database& db, const std::string& table);
 
-/// Columns of the context; a BugError for one that is not known.
+/// Returns the columns of the context. Throws BugError for an unknown name.
 std::vector<SqlColumn> contextColumns(const TableInfo& info);
 
-/// A column as SQL declares it.
+/// Returns a column as SQL declares it.
 SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeNull);
 
 template <class E>
@@ -75,7 +75,7 @@ std::string namesToChoose() {
   return names;
 }
 
-/// Adds the columns that hold a member: one for most.
+/// Adds the columns that hold a member; most members have one.
 template <class Member>
 void addColumns(std::vector<SqlColumn>& list, FieldInfo field, const Member& member, bool mayBeNull = false) {
   const auto add = [&](const char* type) { list.push_back(columnFor(field, type, mayBeNull)); };
@@ -113,7 +113,7 @@ void addColumns(std::vector<SqlColumn>& list, FieldInfo field, const Member& mem
   }
 }
 
-/// The table of these rows.
+/// Returns the table whose rows are `Row`s.
 template <Record Row>
 const SqlTable& sqlTable() {
   static const SqlTable made = [] {
@@ -125,7 +125,7 @@ const SqlTable& sqlTable() {
   return made;
 }
 
-/// The rows of this context: of a run's id, for most.
+/// Returns the rows with these values of the context, which is a run's id for most tables.
 template <Record Row, class... Context>
 std::vector<Row> rowsOf(Database& db, const std::string& where, const Context&... context) {
   std::vector<Row> rows;

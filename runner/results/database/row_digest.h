@@ -1,5 +1,5 @@
 #pragma once
-// A digest of the rows of a table, which tells whether the rows that are read are those that were written.
+// A digest of the rows of a table. It tells whether the rows are still those that were written.
 #include <cstdint>
 #include <map>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace morula {
 
-/// The number of rows, and the sum modulo 2^128 of a hash of each. The order of rows does not count, so rows that are
-/// added later are added to the digest.
+/// The number of rows, and the sum modulo 2^128 of each row's hash. The order of rows does not count, so later rows can
+/// be added to the digest.
 struct RowDigest {
   std::uint64_t rows = 0;
   Hash sum;
@@ -20,30 +20,29 @@ struct RowDigest {
   friend bool operator==(const RowDigest&, const RowDigest&) = default;
 };
 
-/// Digests the rows of a table for which `where` holds ("run_id = ?"), whose parameters are `values`. The hash of a row
-/// is XXH3-128 over the names, types and values of those of its columns that are not NULL: a column that joins a table
-/// later changes no digest, and one that is renamed does. Throws StoreError if the table or a column of `where` is
-/// missing.
+/// Digests the rows of a table for which `where` holds ("run_id = ?"); `values` are its parameters. The hash of a row
+/// is XXH3-128 over the names, types and values of its columns that are not NULL. So a column that joins a table later
+/// changes no digest, and a renamed one does. Throws StoreError if the table or a column of `where` is missing.
 template <class... Values>
 RowDigest digestRows(Database& db, const std::string& table, const std::string& where, const Values&... values);
 
-/// The statement that digestRows runs, and what it makes of its rows.
+/// The statement that reads the rows for digestRows, and their digests.
 class RowDigester {
  public:
   RowDigester(Database& db, const std::string& table, const std::string& where);
   Statement& rows() { return rows_; }
-  /// Takes all rows of the statement, which has been started.
+  /// Returns the digest of all rows of the statement, which must have been started.
   RowDigest digest();
-  /// Returns the digest for each value of a column of texts by itself.
+  /// Returns a digest for each value of a column of texts.
   std::map<std::string, RowDigest> digestsBy(const std::string& column);
 
  private:
   Hash hashRow();
 
-  std::vector<std::string> names_;      // of the columns, sorted
-  std::vector<std::uint64_t> numbers_;  // of the columns, from their names
+  std::vector<std::string> names_;      // the names of the columns, sorted
+  std::vector<std::uint64_t> numbers_;  // the numbers of the columns, hashed from their names
   Statement rows_;
-  std::string bytes_;  // of the present row
+  std::string bytes_;  // bytes of the present row
 };
 
 template <class... Values>

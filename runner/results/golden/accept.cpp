@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Throws InputError for a text that a golden cannot carry. `form`: what would be right.
+/// Throws InputError for a text that a golden cannot carry. `form`: the correct form, for the message.
 void requireOneLine(const std::string& place, const std::string& text, const std::string& form) {
   constexpr std::size_t maxLetters = 1000;
   const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
@@ -30,7 +30,7 @@ void requireOneLine(const std::string& place, const std::string& text, const std
                      std::to_string(maxLetters) + " are taken: tell the rest in the commit");
 }
 
-/// The part of the path after its last folder of this name; empty if there is none.
+/// Returns the part of the path after its last folder of this name; empty if there is no such folder.
 fs::path below(const fs::path& path, const char* folder) {
   fs::path rest;
   for (fs::path p = path; p.has_relative_path(); p = p.parent_path()) {
@@ -76,7 +76,7 @@ bool liesInScenarios(const fs::path& scenario) { return !below(absolutePath(scen
 
 fs::path goldenFolder(const fs::path& scenario) {
   fs::path inside = below(scenario, "scenarios");
-  fs::path root = scenario;  // as it was given if it tells where it lies, absolute if not
+  fs::path root = scenario;  // the path as given if it contains `scenarios`, otherwise absolute
   if (inside.empty()) root = absolutePath(scenario), inside = below(root, "scenarios");
   if (inside.empty()) return scenario.parent_path();
   for (auto part = inside.begin(); part != inside.end(); ++part) root = root.parent_path();

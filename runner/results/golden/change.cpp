@@ -12,7 +12,7 @@ namespace morula {
 namespace {
 
 constexpr const char* absent = "not given";
-constexpr std::size_t maxLines = 9;  // lines of one kind
+constexpr std::size_t maxLines = 9;  // max number of lines of one kind
 
 std::string line(const std::string& heading, const std::string& text) {
   return "  " + heading + std::string(heading.size() < 10 ? 10 - heading.size() : 1, ' ') + text + '\n';
@@ -36,7 +36,7 @@ std::string keysInWords(const GoldenData& before, const GoldenData& after) {
   return lines("changed", texts, "keys");
 }
 
-/// The items of one kind by what `key` of them is.
+/// Returns the items of one kind by the value of their member `key`.
 template <class Item, class Key>
 std::map<Key, const Item*> byKey(const GoldenData& data, Key Item::*key) {
   std::map<Key, const Item*> items;
@@ -62,8 +62,8 @@ std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
 }
 
 struct Event {
-  double time = 0;  // the earlier of the two
-  int depth = 0;    // of the cell: a mother comes before her daughters
+  double time = 0;  // [time] the earlier of the two results' times
+  int depth = 0;    // generation of the cell: a mother comes before her daughters
   std::string text;
 };
 
@@ -98,7 +98,6 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
   return texts;
 }
 
-/// Values at the end.
 using Values = std::map<ValueName, double>;
 
 Values endOf(const GoldenData& data) {
@@ -108,13 +107,13 @@ Values endOf(const GoldenData& data) {
   return values;
 }
 
-/// Returns the value of the cell; without a cell that of the organism.
+/// Returns the measure of the cell, or of the organism if `cell` is absent.
 std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell, const char* measure) {
   const auto found = values.find({{}, cell, measure});
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// [length] Of the egg; of a ball with the organism's volume where the result does not say.
+/// Returns the radius of the egg [length]; that of a ball with the organism's volume if the result does not record it.
 double radiusOf(const GoldenData& data, const Values& end) {
   for (const auto& [key, value] : data.parameters)
     if (key == "physics.cell.radius")
@@ -122,7 +121,7 @@ double radiusOf(const GoldenData& data, const Values& end) {
   return std::cbrt(3 * valueIn(end, {}, "volume").value_or(0) / (4 * M_PI));
 }
 
-/// Three digits are enough to weigh a difference.
+/// Writes a number in three digits, which are enough to weigh a difference.
 std::string brief(double value) {
   return value >= 1000 && value < 1e15 ? std::to_string(std::llround(value)) : numberText(value, 3);
 }
@@ -131,11 +130,11 @@ struct Largest {
   double size = 0;
   CellPath who;
   void see(double value, const CellPath& cell) {
-    if (!(value <= size)) size = value, who = cell;  // not a number is the largest of all
+    if (!(value <= size)) size = value, who = cell;  // NaN counts as the largest
   }
 };
 
-/// "+2.3 % in the mean, " where the organism's value of this name has changed; "" where it has not, or was 0.
+/// Returns "+2.3 % in the mean, " if the organism's value of this name has changed; "" if it has not, or was 0.
 std::string meanChange(const Values& a, const Values& b, const char* measure, const char* of) {
   const auto was = valueIn(a, {}, measure), is = valueIn(b, {}, measure);
   if (!was || !is || *was == 0 || *was == *is) return {};
@@ -173,7 +172,7 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   return text;
 }
 
-/// "contact: area, contact_duration of 12 rows", for each recorded table that differs.
+/// Returns "contact: area, contact_duration of 12 rows", for each recorded table that differs.
 std::vector<std::string> recordChanges(const GoldenData& before, const GoldenData& after) {
   const auto a = byKey(before, &GoldenColumn::name), b = byKey(after, &GoldenColumn::name);
   std::map<std::string, std::string> tables;
@@ -224,7 +223,7 @@ std::string changeInWords(const GoldenData& before, const GoldenData& after) {
   const std::string keys = keysInWords(before, after), movement = movementInWords(before, after);
   const auto lineage = lineageChanges(before, after);
   if (keys.empty() && movement.empty() && lineage.empty()) {
-    // Otherwise nearly every table changes with the state.
+    // Changed tables are told only if nothing else differs: nearly every table changes with the state.
     const auto recorded = recordChanges(before, after);
     return recorded.empty() ? "" : line("state", "the same") + lines("recorded", recorded, "tables");
   }
@@ -246,7 +245,7 @@ std::vector<ChangeLine> linesOfChange(const std::string& change) {
 
 std::string changeSentence(const std::string& change) {
   std::string sentence;
-  std::size_t more = 0;  // lines of the last heading that are left out
+  std::size_t more = 0;  // number of lines left out under the last heading
   const auto endHeading = [&] {
     if (more) sentence += " and " + std::to_string(more) + " more";
     more = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// How one result differs from another, in words: what was changed, and what became of it.
+// The difference of two results in words: the changed keys and their effects.
 #include <string>
 #include <vector>
 
@@ -9,26 +9,26 @@ namespace morula {
 
 struct KeyChange {
   std::string key;            // "physics.pressure.constant"
-  std::string before, after;  // "not given" where only the other has it
+  std::string before, after;  // "not given" for a key that only the other result has
 };
 
-/// Returns the parameters that decide results and differ, in the order of the file. Empty if one of the two records
-/// none.
+/// Returns the parameters that decide results and differ, in the order of the file; none if one of the two results
+/// records no parameters.
 std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after);
 
-/// Lines for people, each with two blanks before it: the changed keys, what differs in the lineage, and of
-/// the cells that both have at the end how far the farthest moved [radii of the egg], and the changes of volume and
-/// pressure [per cent]: the organism's, and the largest of a cell. "" where none of it differs.
+/// Returns lines for people, each indented by two blanks; "" if there are no differences. They tell the changed keys,
+/// the differences of the lineage, and for cells that both have at the end the largest movement [radii of the egg].
+/// Then follow changes of volume and pressure [per cent]: the organism's, and the largest of a cell.
 std::string changeInWords(const GoldenData& before, const GoldenData& after);
 
-/// Its lines: a heading of up to eight letters and a text. A line without a heading belongs to the one above it.
+/// A line of changeInWords: a heading of up to eight letters, or none for a further line of the last, and a text.
 struct ChangeLine {
   std::string heading, text;
 };
 std::vector<ChangeLine> linesOfChange(const std::string& change);
 
-/// Tells a change in one sentence without a full stop: "physics.pressure.constant: 155 → 155.5; same lineage; …".
-/// Several lines under one heading become the first of them and the number of the others.
+/// Returns a change in one sentence without a full stop: "physics.pressure.constant: 155 → 155.5; same lineage; …". Of
+/// several lines under one heading it holds the first and the number of the others.
 std::string changeSentence(const std::string& change);
 
 }  // namespace morula

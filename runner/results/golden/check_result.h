@@ -12,19 +12,19 @@ namespace morula {
 struct CheckResult {
   std::string check = {};     // "lineage", "bits", "values final.*.volume", …
   std::string kind = {};      // "golden", "bullet", "invariant", "sanity"
-  std::string expected = {};  // of the worst or first difference; of the whole when passed
+  std::string expected = {};  // the expected value at the worst or first difference; if passed, a summary
   std::string actual = {};
   std::string tolerance = "exact";  // or "rel 1e-9 scale 1"
   bool passed = true;
   // The place, as far as it applies:
-  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, … (golden/README.md)
+  // The class of the failure: INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, … (golden/README.md); "" when passed
   std::string failureClass = {};
-  std::optional<std::uint64_t> firstStep = {};  // the first step at which it differs
+  std::optional<std::uint64_t> firstStep = {};  // the first step at which run and golden differ
   std::optional<std::string> cell = {};         // its path; "" is the egg
   std::string field = {};                       // "pressure"
-  // [1] of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
+  // [1] The used share of the tolerance: 0 equal, 1 at its edge, perhaps ∞; absent if exact
   std::optional<double> share = {};
-  std::string message = {};  // for people: all that differs, several lines; "" when passed
+  std::string message = {};  // for people: all differences, in several lines; "" when passed
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };
 
@@ -45,7 +45,7 @@ void listFields(T& r, auto&& field) {
   field({.name = "message", .anyCharacters = true}, message);
 }
 
-/// `result` as one that passed, or as one that failed: of this class, and with `message` for people.
+/// Returns `result` as passed, or as failed with this class and with `message` for people.
 inline CheckResult judged(CheckResult result, bool passed, const std::string& message,
                           const std::string& failureClass = "COMPUTATION") {
   result.passed = passed;
@@ -55,12 +55,12 @@ inline CheckResult judged(CheckResult result, bool passed, const std::string& me
   return result;
 }
 
-/// False of a picture that was not drawn, or by another renderer, and of tables that an old golden does not hold.
+/// Returns false for a picture not drawn, or drawn by another renderer, and for tables that a golden lacks.
 inline bool wasCompared(const CheckResult& r) {
   return (r.check != "images" && r.check != "tables") || !r.actual.ends_with("not compared");
 }
 
-/// A check that failed as a whole, for it could not even compare.
+/// Returns a failed check for a golden and a run that could not even be compared.
 inline CheckResult failedCheck(const std::string& check, const std::string& failureClass, const std::string& expected,
                                const std::string& actual, const std::string& message) {
   return judged({.check = check, .kind = "golden", .expected = expected, .actual = actual}, false, message,
@@ -70,9 +70,9 @@ inline CheckResult failedCheck(const std::string& check, const std::string& fail
 struct CheckReport {
   std::string scenario;  // "thesis/unique-four"
   std::vector<CheckResult> results;
-  std::string change = {};  // for people: how the result differs from the golden, in words; "" if it does not
-  std::string file = {};    // the scenario's, where its name alone does not lead there
-  std::string state = {};   // the hash of the run's end; "" where there is none
+  std::string change = {};  // for people: the differences from the golden, in words; "" if there are none
+  std::string file = {};    // the scenario's file, if the name alone does not lead to it
+  std::string state = {};   // the hash of the run's end state; "" if there is none
 
   bool passed() const {
     for (const CheckResult& r : results)
@@ -81,20 +81,20 @@ struct CheckReport {
   }
 };
 
-/// Describes a failed check in words: "the lineage differs". Unknown classes stand as they are.
+/// Describes a failed check in words: "the lineage differs". An unknown class is returned unchanged.
 std::string failedInWords(const CheckResult& failed);
 
-/// Failed checks that have one reason: first the one that tells it, then those that only follow from it, as bits do
-/// from a changed key.
+/// Failed checks with a common cause: first the check that shows the cause, then those that only follow from it, as
+/// changed bits follow from a changed key.
 using Cause = std::vector<const CheckResult*>;
-/// In the order of their first checks.
+/// Returns the causes of all failed checks, in the order of their first checks.
 std::vector<Cause> causesOf(const CheckReport& report);
-/// Lists the results that follow from a cause, in a line: "bits; step_hashes from step 0 on; costs 518 → 502"; "" if
+/// Lists in one line the results that follow from a cause: "bits; step_hashes from step 0 on; costs 518 → 502"; "" if
 /// there are none.
 std::string followingInWords(const Cause& cause);
 
-/// Describes a report for people: the changes in words, one entry per cause with what differs, and one line per check
-/// that passed, unless only differences are wanted.
+/// Describes a report for people: the changes in words, an entry with the differences of each cause, and a line for
+/// each passed check. `differingOnly`: leaves out the passed checks.
 std::string describe(const CheckReport& report, bool differingOnly = false);
 
 }  // namespace morula

@@ -15,14 +15,14 @@
 namespace morula {
 namespace {
 
-/// The text with these characters written otherwise.
+/// Returns the text with characters replaced as `how` says.
 std::string escaped(const std::string& text, const std::map<char, std::string>& how) {
   std::string all;
   for (const char c : text) all += how.contains(c) ? how.at(c) : std::string(1, c);
   return all;
 }
 
-/// Escapes a text for XML. Characters that XML cannot hold, not even escaped, become visible.
+/// Escapes a text for XML. Characters that XML cannot hold even when escaped are made visible.
 std::string xml(const std::string& text) {
   return escaped(printable(text), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\n', "&#10;"}});
 }
@@ -33,7 +33,7 @@ std::string command(const std::string& text, bool property) {
   return property ? escaped(all, {{':', "%3A"}, {',', "%2C"}}) : all;
 }
 
-/// "golden/a.golden:12: differs": a file, a line and the rest. The line is "" where none is named.
+/// A message "golden/a.golden:12: differs", split into file, line and the rest. `line` is "" if the message names none.
 struct Place {
   std::string file, line, rest;
 };
@@ -49,8 +49,8 @@ Place placeOf(const std::string& message) {
   return {text.substr(0, colon), "", text.substr(colon + 1 + (text.compare(colon, 2, ": ") == 0))};
 }
 
-/// "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …": in one line what happened. `rest`: of the
-/// message.
+/// Returns a cause in one line: "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …". `rest`: the
+/// message without its place.
 std::string inOneLine(const CheckReport& report, const CheckResult& first, const std::string& rest) {
   const bool isTold = first.kind == "golden" && first.check != "tolerances" && !report.change.empty();
   return failedInWords(first) + ": " + (isTold ? changeSentence(report.change) : rest);
@@ -86,14 +86,14 @@ std::string failureOf(const CheckReport& report, const Cause& cause) {
          xml(inOneLine(report, first, firstLine(first.message))) + "\">" + xml(text) + "</failure>\n";
 }
 
-/// A row for each line of what changed, then what follows from it.
+/// Returns a table with a row for each line of the change, then the checks that follow.
 Table detailsOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
   Table table{"What differs", {first.failureClass, failedInWords(first)}};
   if (first.kind == "golden")
     for (const ChangeLine& line : linesOfChange(report.change))
       table.rows.push_back({line.heading, markdownText(line.text)});
-  if (first.check != "scenario" || report.change.empty())  // whose changed keys stand there already
+  if (first.check != "scenario" || report.change.empty())  // the changed keys are in the table already
     table.rows.push_back({"check", markdownText(first.check + ": " + firstLine(first.message))});
   if (cause.size() > 1) table.rows.push_back({"follow", followingInWords(cause)});
   return table;
@@ -105,7 +105,7 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
   std::size_t all = 0, failed = 0;
   std::string suites;
   for (const CheckReport& report : reports) {
-    std::map<const CheckResult*, std::string> told;  // of failed ones
+    std::map<const CheckResult*, std::string> told;  // the XML of failed checks
     const auto causes = causesOf(report);
     std::size_t skipped = 0;
     for (const Cause& cause : causes) {

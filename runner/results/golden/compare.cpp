@@ -14,9 +14,8 @@
 namespace morula {
 namespace {
 
-/// Recognises values and columns of measures that were added to their table after the golden was accepted: the golden
-/// has other values of the same cell and time, and no value of this measure anywhere, or other columns of the same
-/// table.
+/// Recognises values and columns of measures that were added after the golden was accepted. For a value, the golden has
+/// others of the same cell and time, and none of this measure. For a column, the golden has others of the same table.
 class JoinedLater {
  public:
   explicit JoinedLater(const Golden& golden) {
@@ -127,7 +126,7 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
   return r;
 }
 
-/// The result where the golden holds no recorded tables: an old one is compared without, a new one cannot be.
+/// Returns the result for a golden without recorded tables: only an old golden may lack them.
 CheckResult withoutTables(const Golden& golden) {
   const std::string remedy =
       "look at the result, and accept it anew with `morula review SCENARIO --accept --why \"…\"`";
@@ -143,7 +142,7 @@ CheckResult withoutTables(const Golden& golden) {
 }
 
 /// Sets the class of each failed check. An earlier cause explains later ones: a changed scenario, then the state before
-/// the first step, then the lineage; other failures are changes of the computation.
+/// the first step, then the lineage. Other failures are changes of the computation.
 void classify(std::vector<CheckResult>& results) {
   std::set<std::string> failed;
   for (const CheckResult& r : results)
@@ -159,7 +158,7 @@ void classify(std::vector<CheckResult>& results) {
   if (failed.contains("scenario")) cause = "INPUT_CHANGED";
   for (CheckResult& r : results) {
     if (r.passed) continue;
-    if (r.check == "tables" && !r.failureClass.empty()) continue;  // the golden holds none
+    if (r.check == "tables" && !r.failureClass.empty()) continue;  // withoutTables has set the class
     const bool aboutTheFile = r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
     const bool chaos = cause == "COMPUTATION" && r.failureClass == "CHAOS";
     r.failureClass = aboutTheFile   ? "INPUT_CHANGED"

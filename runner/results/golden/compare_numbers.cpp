@@ -10,12 +10,12 @@
 namespace morula {
 namespace {
 
-/// A number of the golden beside the run's.
+/// A number of the golden with the run's.
 struct NumberPair {
   const GoldenNumber& golden;
   double actual;
   std::string place;                // "file:line"
-  std::optional<std::string> cell;  // its path, where the number is one cell's
+  std::optional<std::string> cell;  // its path, if the number belongs to one cell
   std::string field;
 };
 
@@ -24,10 +24,10 @@ struct RuleCheck {
   const ToleranceRule* rule = nullptr;
   std::vector<Difference> differences;
   std::size_t values = 0;
-  double share = 0;                 // the largest, and whose it is
+  double share = 0;                 // the largest used share; `cell` and `field` tell where
   std::optional<std::string> cell;  // its path
   std::string field;
-  bool chaos = true;  // every difference may have grown from one unit in the last place
+  bool chaos = true;  // true if every difference may have grown from one unit in the last place
 
   void add(const Golden& golden, const NumberPair& pair) {
     const std::string& file = golden.file;
@@ -59,15 +59,15 @@ struct RuleCheck {
   }
 };
 
-/// Returns the mistake in a rule itself, with its line.
+/// Returns a mistake in a rule itself, with the rule's line.
 Difference ofRule(const Golden& golden, const ToleranceRule& rule, std::optional<std::uint64_t> step,
                   const std::string& what) {
   const std::string place = golden.file + ':' + std::to_string(rule.line);
   return {place, step, {}, "tolerance", rule.pattern, "", place + ": " + what};
 }
 
-/// Notes a rule that applies beyond the chaos horizon, where a difference in the last place alone exceeds its
-/// tolerance, so that it tests nothing.
+/// Notes a rule that applies beyond the chaos horizon: there a difference in the last place alone exceeds its
+/// tolerance, so the rule tests nothing.
 void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t step,
                  std::map<int, Difference>& blind) {
   const auto horizon = horizonOf(golden, rule.tolerance.size());
@@ -89,7 +89,7 @@ class NumberComparison {
     for (std::size_t i = 0; i < golden.rules.size(); ++i) checks_[i].rule = &golden.rules[i];
   }
 
-  /// `actual`: absent where the run has no such number, so that only the rule is looked at.
+  /// Compares a number. `actual`: the run's number; if absent, only the rule is examined.
   void add(const GoldenNumber& number, std::optional<double> actual, int line, const std::optional<std::string>& cell,
            const std::string& field) {
     const auto& rules = golden_.rules;
@@ -121,11 +121,11 @@ class NumberComparison {
   const Golden& golden_;
   std::vector<RuleCheck> checks_;  // the last one is for numbers without a rule
   std::vector<bool> matched_;
-  std::map<int, Difference> blind_;  // by line: rules that apply beyond the horizon
+  std::map<int, Difference> blind_;  // rules that apply beyond the horizon, by line
 };
 
-/// Compares two rows of one key: numbers by the rules, the rest as texts. A column that the golden does not know is not
-/// compared: it joined the table later.
+/// Compares two rows of one key: numbers by the rules, other values as texts. A column that the golden lacks joined the
+/// table later and is not compared.
 void compareRows(const Golden& golden, const GoldenRow& expected, const GoldenRow* actual, NumberComparison& numbers,
                  std::vector<Difference>& differences) {
   std::map<std::string, std::string> now;
@@ -187,7 +187,7 @@ void compareNumbers(const Golden& golden, const ItemPairs& values, const ItemPai
                   value->name.measure);
   }
 
-  // If only one of the two has few enough rows to hold them by value, the columns are compared alone.
+  // If only one of run and golden has few enough rows to hold them by value, only the columns are compared.
   std::map<std::string, int> byValue;
   for (const ItemPair& pair : tables)
     for (const GoldenItem* item : {pair.golden, pair.observed})

@@ -1,4 +1,4 @@
-// A report for people.
+// Describes a check report for people.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,14 +31,14 @@ std::string oneLine(const CheckResult& r) {
   return line;
 }
 
-/// Checks of one reason have one text here.
+/// Returns the reason of a failed check: checks with the same text have one cause.
 std::string reasonOf(const CheckResult& r) {
   if (r.kind == "bullet") return r.kind;
   if (r.kind != "golden" || r.check == "tolerances") return r.kind + ' ' + r.check;
   return r.failureClass == "CHAOS" ? "COMPUTATION" : r.failureClass;
 }
 
-/// A changed scenario tells more than anything that follows from it, then the lineage, then what differs first.
+/// Returns a check's rank as a cause: a changed scenario first, then the lineage, then the earliest step.
 std::pair<int, std::uint64_t> rankOf(const CheckResult& r) {
   return {r.check == "scenario"  ? 0
           : r.check == "lineage" ? 1
@@ -46,7 +46,7 @@ std::pair<int, std::uint64_t> rankOf(const CheckResult& r) {
           r.firstStep.value_or(std::numeric_limits<std::uint64_t>::max())};
 }
 
-/// "values * from step 64 on: volume of cell AB 1.04 → 1.07".
+/// Returns "values * from step 64 on: volume of cell AB 1.04 → 1.07".
 std::string followingInWords(const CheckResult& r) {
   std::string text = r.check;
   if (r.firstStep) text += " from step " + std::to_string(*r.firstStep) + " on";
@@ -95,7 +95,7 @@ std::vector<Cause> causesOf(const CheckReport& report) {
     causes[place->second].push_back(&r);
   }
   for (Cause& cause : causes) {
-    auto first = cause.begin();  // of equal ones the last: values tell more than hashes
+    auto first = cause.begin();  // among equal ranks the last: values tell more than hashes
     for (auto i = cause.begin(); i != cause.end(); ++i)
       if (rankOf(**i) <= rankOf(**first)) first = i;
     std::rotate(cause.begin(), first, first + 1);

@@ -13,19 +13,19 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxTold = 9;  // told one by one
+constexpr std::size_t maxTold = 9;  // max number of differences that are listed
 
 std::string hex(double value) { return fmt::format("{:#018x}", std::bit_cast<std::uint64_t>(value)); }
 
-/// "cell AB", "the egg", "count divisions": what people call an item.
+/// Returns an item's name for people: "cell AB", "the egg", "count divisions".
 std::string nameOf(const GoldenItem& item) {
   if (std::holds_alternative<GoldenValue>(item)) return keyOf(item);
   if (const auto* cell = std::get_if<GoldenCell>(&item); cell && cell->path.isEgg()) return "the egg";
   return idOf(item);
 }
 
-/// The step at which two lives of one cell part: at birth, or else at the earlier of the two ends; absent: both are
-/// alive, so their states part somewhere after their birth.
+/// Returns the step at which two lives of one cell part: at birth, or else at the earlier end. Absent if both are
+/// alive: their states then part at an unknown step after birth.
 std::optional<std::uint64_t> partingStep(const GoldenCell& golden, const GoldenCell& observed,
                                          const std::string& field) {
   if (field.starts_with("born")) return std::min(golden.bornStep, observed.bornStep);
@@ -43,9 +43,9 @@ std::string inWords(const std::optional<double>& expected, const std::optional<d
   return inWords<std::optional<double>>(expected, actual);
 }
 
-constexpr std::size_t digits = 4;  // of a cell's hash
+constexpr std::size_t digits = 4;  // digits of each cell's hash in a line `step_hash`
 
-/// Who was alive after this step, by lineage path, as the golden's lineage tells.
+/// Returns the cells alive after this step according to the golden's lineage, by lineage path.
 std::vector<CellPath> aliveAt(const GoldenData& golden, std::uint64_t step) {
   std::vector<CellPath> alive;
   for (const auto* cell : all<GoldenCell>(golden))
@@ -57,7 +57,7 @@ std::vector<CellPath> aliveAt(const GoldenData& golden, std::uint64_t step) {
 }  // namespace
 
 std::string compareInWords(double expected, double actual) {
-  constexpr std::uint64_t near = 1 << 20;  // beyond, bits tell people nothing
+  constexpr std::uint64_t near = 1 << 20;  // [ulp] larger differences are not told in bits
   const std::uint64_t ulps = ulpsBetween(expected, actual);
   if (ulps > near && std::isfinite(expected) && std::isfinite(actual))
     return "expected " + exactText(expected) + ", actual " + exactText(actual) + ", difference " +
@@ -65,7 +65,7 @@ std::string compareInWords(double expected, double actual) {
            (expected != 0 ? " (" + numberText(100 * (actual - expected) / std::abs(expected), 3) + " %)" : "");
   std::string text = "expected " + exactText(expected) + " (" + hex(expected) + "), actual " + exactText(actual) +
                      " (" + hex(actual) + ")";
-  if (ulps == std::numeric_limits<std::uint64_t>::max()) return text;  // not a number
+  if (ulps == std::numeric_limits<std::uint64_t>::max()) return text;  // one of the numbers is NaN
   return text + ", " + std::to_string(ulps) + (ulps == 1 ? " ulp" : " ulps") + " apart, difference " +
          exactText(actual - expected);
 }
@@ -118,7 +118,7 @@ std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenL
   const std::string &e = expected.cells.text, &a = actual.cells.text;
   const std::vector<CellPath> alive = aliveAt(golden, expected.step);
   std::vector<std::string> cells;
-  if (e.size() != a.size() || e.size() != digits * alive.size()) return cells;  // another population
+  if (e.size() != a.size() || e.size() != digits * alive.size()) return cells;  // the cells are not those of the golden
   for (std::size_t i = 0; i < alive.size(); ++i)
     if (e.compare(digits * i, digits, a, digits * i, digits) != 0) cells.push_back(alive[i].text());
   return cells;

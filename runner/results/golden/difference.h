@@ -1,5 +1,5 @@
 #pragma once
-// One place where a run departs from its golden, in numbers and in words.
+// A difference of a run from its golden, in numbers and in words.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,32 +10,32 @@
 namespace morula {
 
 struct Difference {
-  std::string place;                  // "file:line", or the file alone for what the golden does not have
-  std::optional<std::uint64_t> step;  // where the run and the golden part
+  std::string place;                  // "file:line", or the file alone for an item that the golden lacks
+  std::optional<std::uint64_t> step;  // the step at which run and golden part
   std::optional<std::string> cell;    // path; "" is the egg
   std::string field;
   std::string expected, actual;  // "" when the golden or the run has no such item
   std::string text;              // for people, one line
 };
 
-/// Compares an item that must be equal; both are of one kind and key, or one of them is null. Nothing if equal.
+/// Compares an item that must be equal; one of the two may be null. Returns nothing if they are equal.
 std::optional<Difference> findDifference(const std::string& file, const GoldenItem* golden, const GoldenItem* observed);
 
-/// Two numbers in words: "expected 0.5 (0x3fe0000000000000), actual …, 1 ulp apart, actual − expected = …".
+/// Returns two numbers in words: "expected 0.5 (0x3fe0000000000000), actual …, 1 ulp apart, difference …".
 std::string compareInWords(double expected, double actual);
 
-/// The differences that begin earliest come first; equal ones stay in the order of the file.
+/// Sorts differences by their first step; equal ones stay in the order of the file.
 void sortByStep(std::vector<Difference>& differences);
 
-/// At most nine lines, then how many more there are.
+/// Returns at most nine lines of differences, then the number of the others.
 std::string listed(const std::vector<Difference>& differences);
 
-/// Paths ("" is the egg) of the cells whose digits differ in two links of one step. Empty if
-/// none differs, or where other cells live than the golden's lineage says.
+/// Returns the paths ("" is the egg) of cells whose digits differ in two links of one step. Empty if none differs, or
+/// if other cells live than the golden's lineage says.
 std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenLink& expected,
                                          const GoldenLink& actual);
 
-/// "the egg", "A, BA and 7 more".
+/// Returns cells in words: "the egg", "A, BA and 7 more".
 std::string inWords(const std::vector<std::string>& cells);
 
 }  // namespace morula

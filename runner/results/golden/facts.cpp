@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// Works out each state's text once: a large lineage has few states.
+/// The texts of states, each described once: a large lineage has few states.
 class StateTexts {
  public:
   explicit StateTexts(const std::function<std::string(StateId)>& describe) : describe_(describe) {}
@@ -55,7 +55,7 @@ void addLineage(Items& to, std::vector<const LineageEntry*> entries, StateTexts&
   }
 }
 
-/// One digest per generation, so that a difference still shows where it begins.
+/// Adds one digest per generation, so that a difference still shows the generation in which it begins.
 void addGenerations(Items& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
   std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) {
     return a->path.depth() != b->path.depth() ? a->path.depth() < b->path.depth() : a->path < b->path;
@@ -74,7 +74,7 @@ void addGenerations(Items& to, std::vector<const LineageEntry*> entries, StateTe
   }
 }
 
-/// Four digits of each living cell's hash: they say which cells differ where the link does.
+/// Returns four digits of each living cell's hash. They tell which cells differ if a link differs.
 std::string cellDigits(const std::vector<CellHash>& cells) {
   std::string text;
   if (cells.size() > goldenCellLimit) return text;
@@ -86,7 +86,7 @@ void addChain(Items& to, const std::vector<ChainLink>& chain) {
   std::size_t stride = 1;
   while (chain.size() / stride > goldenChainLimit) stride *= 2;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (i % stride == 0 || i + 1 == chain.size())  // the last one vouches for all
+    if (i % stride == 0 || i + 1 == chain.size())  // the last link confirms all others
       to.push_back(GoldenLink{chain[i].step, chain[i].hash, {cellDigits(chain[i].state.cells)}});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The facts of a run that a golden file records, as plain data: no simulation is needed to fill or test them.
+// The facts of a run that a golden file records, as plain data: filling and testing them needs no simulation.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ struct GoldenFacts {
   std::uint64_t seed = 0;
   std::uint64_t steps = 0;
   std::vector<LineageEntry> lineage;
-  std::function<std::string(StateId)> describe;  // a state's substances
+  std::function<std::string(StateId)> describe;  // returns a state's substances
   std::vector<GoldenTimeStep> timeSteps;
   Hash stateHash;
   std::vector<GoldenCost> costs;
@@ -27,13 +27,14 @@ struct GoldenFacts {
   bool mechanics = false;  // false: a lineage-only scene, without values
   WorldMeasures end;
   std::vector<CellMeasures> cells;     // at the end
-  std::vector<WorldMeasures> samples;  // on the way
-  std::vector<GoldenItem> tables;      // lines `column` and `row` of what was recorded [store/recorded_tables.h]
+  std::vector<WorldMeasures> samples;  // during the run
+  std::vector<GoldenItem> tables;      // lines `column` and `row` of recorded tables [store/recorded_tables.h]
 };
 
-/// Beyond this many cells (ever born) the lineage is recorded as counts and digests per generation.
+/// Max number of cells (ever born) whose lives are recorded one by one. Larger lineages are recorded as counts and
+/// digests per generation.
 inline constexpr std::size_t goldenLineageLimit = 4096;
-/// Beyond this many living cells only the organism's values are recorded, not each cell's.
+/// Max number of living cells whose own values are recorded, beside the organism's.
 inline constexpr std::size_t goldenCellLimit = 256;
 /// Max number of recorded links of the chain of hashes: every first, second, fourth … link is kept so that no more
 /// remain.

@@ -17,7 +17,7 @@ namespace {
 
 std::string headerOf(int version) { return "morula golden " + std::to_string(version); }
 
-/// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
+/// Returns the digest of all that a run must reproduce. People may edit only reasons and tolerances.
 std::string digestOf(const Golden& golden) {
   const GoldenData& data = golden.data;
   Hasher hasher;
@@ -33,12 +33,12 @@ std::string digestOf(const Golden& golden) {
   return hasher.digest().text();
 }
 
-/// The file line by line, with what can be wrong with any line.
+/// The lines of a golden file, and the errors that any line can have.
 class Lines {
  public:
   Lines(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
-  /// The next line that says something; false at the end of the text.
+  /// Takes the next line that is not blank; returns false at the end of the text.
   bool next(std::string_view& line) {
     while (begin_ < text_.size()) {
       ++number_;
@@ -72,7 +72,7 @@ class Lines {
   bool ofOtherSystem_ = false;  // all lines end in CR LF, as git writes them with core.autocrlf: the same text
 };
 
-/// `keyword text`: the text of the next line.
+/// Reads the next line, `keyword text`, and returns its text.
 std::string header(Lines& lines, std::string_view keyword) {
   std::string_view line;
   if (!lines.next(line) || !line.starts_with(keyword) || line.size() < keyword.size() + 2 ||
@@ -95,7 +95,7 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
         "accept the present result with `morula review SCENARIO --accept --why \"…\"`");
 }
 
-/// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
+/// Reads a line of growth. Sizes must rise and steps must not fall, since another order gives another horizon.
 GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::vector<GoldenGrowth>& before) {
   takeWord(line);
   const auto size = readReal(takeWord(line));
@@ -123,7 +123,7 @@ std::pair<std::string, std::string> readParameter(const Lines& lines, std::strin
   return {std::string(key), std::string(line)};
 }
 
-/// No growth later than the run's last step.
+/// Throws InputError if a growth is later than the run's last step.
 void checkGrowth(const Lines& lines, const Golden& golden) {
   if (golden.growth.empty()) return;
   for (const auto* count : all<GoldenCount>(golden.data))
@@ -132,7 +132,7 @@ void checkGrowth(const Lines& lines, const Golden& golden) {
                  std::to_string(count->count) + "; restore the file from git");
 }
 
-/// Each kind under a heading, so that the file can be read without its description.
+/// Writes items with each kind under a heading, so that the file can be read without its description.
 void addItems(const std::vector<GoldenItem>& items, std::string& text) {
   const GoldenItem* before = nullptr;
   for (const GoldenItem& item : items) {
@@ -175,7 +175,7 @@ std::optional<std::uint64_t> horizonOf(const Golden& golden, double size) {
 double grownBy(const Golden& golden, std::uint64_t step) {
   double grown = 0;
   for (const GoldenGrowth& g : golden.growth)
-    if (g.step <= step) grown = 10 * g.size;  // the next size is not reached yet
+    if (g.step <= step) grown = 10 * g.size;  // the next size has not been reached
   return grown;
 }
 
@@ -220,7 +220,7 @@ Golden readGolden(const std::string& text, const std::string& file) {
   golden.acceptedBy = header(lines, "accepted_by");
   golden.why = header(lines, "why");
 
-  std::map<std::string, int> seen;  // "kind key" → its line
+  std::map<std::string, int> seen;  // "kind key" → the line of the item
   const auto expectNew = [&](const std::string& name) {
     if (const auto [first, isNew] = seen.emplace(name, lines.number()); !isNew)
       lines.fail(name + " stands twice, first in line " + std::to_string(first->second) +

@@ -15,23 +15,23 @@
 
 namespace morula {
 
-/// A line `statistic`: what a scenario's settings change at the end of a run, where chaos leaves only distributions to
-/// be compared. It holds the mean of a measure at the end under the scenario's settings, less that under other ones,
-/// over runs that differ by a small disturbance of the start.
+/// A line `statistic`: the mean of a measure at the end under the scenario's settings minus the mean under other
+/// settings. The means are over runs with small disturbances of the start, for scenes in which chaos leaves only
+/// distributions to be compared.
 struct GoldenStatistic {
   std::string measure;       // [simulation/measures.h]
   std::string against;       // the label of the other settings: "half-step"
   double difference = 0;     // [the measure's unit]
   double low = 0, high = 0;  // its 95 % interval
-  std::uint64_t runs = 0;    // under each of the two
+  std::uint64_t runs = 0;    // runs under each of the two settings
 
   friend bool operator==(const GoldenStatistic&, const GoldenStatistic&) = default;
 };
 
-/// "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8".
+/// Returns "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8".
 std::string write(const GoldenStatistic& statistic);
 
-/// Reads such a line; null for any other, and for an interval whose ends are not in order.
+/// Reads a line `statistic`. Returns null for any other line, and for an interval whose ends are not in order.
 std::optional<GoldenStatistic> readStatistic(std::string_view line);
 
 void add(Hasher& hasher, const GoldenStatistic& statistic);
@@ -42,11 +42,11 @@ struct GoldenData {
   std::string scenarioHash;  // semantic: formatting and key order do not count
   std::uint64_t seed = 0;
   std::vector<GoldenItem> items;
-  // Keys and values that decided the result (scenario/deciding_values.h); empty: not recorded
+  // Keys and values that decided the result (scenario/deciding_values.h); empty if not recorded
   std::vector<std::pair<std::string, std::string>> parameters = {};
 };
 
-/// The items of one kind, in their order.
+/// Returns the items of one kind, in their order.
 template <class Item>
 std::vector<const Item*> all(const std::vector<GoldenItem>& of) {
   std::vector<const Item*> items;
@@ -59,8 +59,8 @@ std::vector<const Item*> all(const GoldenData& data) {
   return all<Item>(data.items);
 }
 
-/// How fast runs of this scenario part: by which step one unit in the last place of one coordinate, moved at
-/// the start, has grown to `size`, in radii of the egg.
+/// The growth of a disturbance of one unit in the last place of one coordinate at the start: the step by which it has
+/// grown to `size`, in radii of the egg.
 struct GoldenGrowth {
   double size = 0;  // powers of ten
   std::uint64_t step = 0;
@@ -71,39 +71,39 @@ inline constexpr int goldenVersion = 2;
 
 struct Golden {
   GoldenData data;
-  std::string acceptedBy;  // who
+  std::string acceptedBy;  // name of the person who accepted it
   std::string why;         // the reason for the last acceptance
   std::vector<ToleranceRule> rules;
-  std::string file = {};                         // where it was read from
+  std::string file = {};                         // the path it was read from
   std::vector<GoldenGrowth> growth = {};         // by size; empty: not measured
   std::vector<GoldenItem> stated = {};           // errors, and why there are none; empty: not measured
-  std::vector<GoldenStatistic> statistics = {};  // at the end, beside the error of the path; empty: not measured
-  int version = goldenVersion;                   // of its file
+  std::vector<GoldenStatistic> statistics = {};  // of values at the end; empty: not measured
+  int version = goldenVersion;                   // format of the file
 };
 
-/// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the
-/// last place alone uses the tolerance up. None: it holds for the whole run.
+/// Returns the chaos horizon: the step up to which a tolerance of this size means something. Beyond it a difference in
+/// the last place alone uses the tolerance up. Absent if the tolerance means something for the whole run.
 std::optional<std::uint64_t> horizonOf(const Golden& golden, double size);
-/// How far one unit in the last place has grown by this step, at most. 0 if it was not measured.
+/// Returns the max growth of one unit in the last place by this step; 0 if it was not measured.
 double grownBy(const Golden& golden, std::uint64_t step);
 
-/// The file's text. The same golden gives the same bytes.
+/// Returns the file's text. The same golden gives the same bytes.
 std::string writeGolden(const Golden& golden);
 
-/// Reads a golden file's text. Throws InputError "file:line: …" for a line that it does not understand, a truncated
-/// file, merge markers, items twice, edited items (the last line holds their digest), a tolerance without a reason.
+/// Reads a golden file's text. Throws InputError "file:line: …" for an unknown line, a truncated file, merge markers,
+/// items twice, edited items (the last line holds their digest), or a tolerance without a reason.
 Golden readGolden(const std::string& text, const std::string& file);
-/// Reads a golden file. Throws InputError also if there is none, FileError if it cannot be read.
+/// Reads a golden file. Throws InputError also if the file is missing, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
 
-/// The hash of the accepted end state; "" where the golden holds none.
+/// Returns the hash of the accepted end state; "" if the golden holds none.
 std::string acceptedBits(const Golden& golden);
 
-/// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
-/// counts, lineage, time_steps, bits, step_hashes, values by tolerance rule, and recorded tables.
+/// Compares a run's data with the golden. Returns one result per check: scenario, completeness, tolerances, counts,
+/// lineage, time_steps, bits, step_hashes, values by tolerance rule, and recorded tables.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
-/// The report of a golden that belongs to no scenario, or is unusable for the reason given (edited, cut off, with merge
-/// markers): one failed check "golden" of class INPUT_CHANGED.
+/// Returns the report of a golden that belongs to no scenario, or is unusable for the reason given (edited, cut off,
+/// with merge markers): one failed check "golden" of class INPUT_CHANGED.
 CheckReport unusableGolden(const std::string& scenario, const std::string& why);
 
 }  // namespace morula

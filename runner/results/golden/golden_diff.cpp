@@ -15,7 +15,7 @@ std::map<std::string, const GoldenItem*> byName(const GoldenData& data) {
   return items;
 }
 
-/// "3 lines removed:" and the first nine of them.
+/// Returns "3 lines removed:" and the first nine of the lines.
 std::string section(const std::string& heading, const std::vector<std::string>& lines) {
   constexpr std::size_t most = 9;
   if (lines.empty()) return {};
@@ -66,7 +66,7 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
 }
 
 std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& golden) {
-  std::map<std::string, std::size_t> count;  // by the rule that is looser
+  std::map<std::string, std::size_t> count;  // values by the looser rule
   for (const GoldenNumber& number : numbersIn(golden.data)) {
     const ToleranceRule *was = ruleFor(before.rules, number), *is = ruleFor(golden.rules, number);
     const auto allowed = [&](const ToleranceRule* rule) { return rule ? rule->tolerance.allowed(number.value) : 0; };

@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-// Each reads a text, or tells what would have been right.
+// Each `read` reads a value from a text. It returns null, or the form that would have been right.
 
 const char* read(std::string_view text, std::uint64_t& value) {
   const auto number = readNatural(text);

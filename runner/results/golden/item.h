@@ -1,7 +1,7 @@
 #pragma once
-// The lines of a golden file's body: `kind field…`, each a struct. Kind and first field, the key, name the item; the
-// other fields are what must agree. How a struct is read, written, compared and headed follows from its members and its
-// form: a new kind is one struct, and its place in GoldenItem.
+// The lines of a golden file's body: `kind field…`, each a struct. Kind and first field (the key) name the item; the
+// other fields must agree. A struct's members and its `form` determine reading, writing, comparison and heading. A new
+// kind is one struct and its place in GoldenItem.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -18,22 +18,22 @@
 
 namespace morula {
 
-/// The rest of a line, blanks and all; may be empty.
+/// The rest of a line, including blanks; may be empty.
 struct RestOfLine {
   std::string text;
   friend bool operator==(const RestOfLine&, const RestOfLine&) = default;
 };
 
-/// "final/AB/volume", "0.5/organism/cells"
+/// The name of a value: "final/AB/volume", "0.5/organism/cells"
 struct ValueName {
   std::optional<double> time;    // [time] of the sample; absent: at the end
-  std::optional<CellPath> cell;  // absent: of the organism
+  std::optional<CellPath> cell;  // absent: the organism
   std::string measure;           // [simulation/measures.h]
   friend auto operator<=>(const ValueName&, const ValueName&) = default;
 };
 
-// `form`: the kind, and the fields by name, in the order of the members; `check`: what compares it; `line`: in the file
-// it was read from, 0: observed.
+// `form`: the kind, and the fields by name, in the order of the members. `check`: the check that compares the item.
+// `line`: its line in the file, 0 if observed.
 
 struct GoldenCount {
   static constexpr const char *form = "count name count", *check = "counts";
@@ -54,7 +54,7 @@ struct GoldenCell {
   int line = 0;
 };
 
-/// In place of its cells, where they are too many.
+/// A generation in place of its cells, for large lineages.
 struct GoldenGeneration {
   static constexpr const char *form = "generation number cells hash", *check = "lineage";
   std::uint64_t number = 0, cells = 0;
@@ -72,7 +72,7 @@ struct GoldenTimeStep {
 struct GoldenBits {
   static constexpr const char *form = "bits domain hash", *check = "bits";
   std::string domain;  // "solver"
-  Hash hash;           // of the last state
+  Hash hash;           // hash of the last state
   int line = 0;
 };
 
@@ -80,19 +80,19 @@ struct GoldenLink {
   static constexpr const char *form = "step_hash step hash cells", *check = "step_hashes";
   std::uint64_t step = 0;
   Hash hash;
-  RestOfLine cells;  // the last four digits of each living cell's hash, by path; none if they are too many
+  RestOfLine cells;  // the last four digits of each living cell's hash, by path; empty for too many cells
   int line = 0;
 };
 
 struct GoldenImage {
   static constexpr const char *form = "image name renderer hash", *check = "images", *undrawn = "none";
   std::string name;      // "organism"
-  std::string renderer;  // only pictures of one renderer are alike to the bit; one word, or `undrawn`
-  Hash hash;             // of the pixels
+  std::string renderer;  // one word, or `undrawn`; only pictures of one renderer are equal bit for bit
+  Hash hash;             // hash of the pixels
   int line = 0;
 };
 
-/// A counter that says what the run cost.
+/// A counter of the cost of a run.
 struct GoldenCost {
   static constexpr const char *form = "cost name count", *check = "costs";
   std::string name;
@@ -108,37 +108,36 @@ struct GoldenValue {
   int line = 0;
 };
 
-/// One column of a recorded table, all rows of it: "contact/area". One for each column, so that a difference names it,
-/// and a measure that joins a table changes no other line.
+/// One column of a recorded table over all rows: "contact/area". A difference thus names the column, and a measure that
+/// joins a table changes no other line.
 struct GoldenColumn {
   static constexpr const char *form = "column name rows hash", *check = "tables";
   std::string name;
   std::uint64_t rows = 0;
-  Hash hash;  // over each value and its row's key, in any order of the rows [store/recorded_tables.h]
+  Hash hash;  // hash over each value and its row's key, in any order of the rows [store/recorded_tables.h]
   int line = 0;
 };
 
-/// One row of a recorded table that has few: "contact/0.25/A/B".
+/// One row of a small recorded table: "contact/0.25/A/B".
 struct GoldenRow {
   static constexpr const char *form = "row name step values", *check = "tables";
-  std::string name;  // of the table, and the row's key
+  std::string name;  // the table and the row's key
   std::uint64_t step = 0;
-  RestOfLine values;  // "area=0.5 contact_duration=-", without blanks in a value; - is NULL, not measured
+  RestOfLine values;  // "area=0.5 contact_duration=-", without blanks in a value; - is NULL
   int line = 0;
 };
 
-/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured; stated, and
-/// compared with no run.
+/// The error of the scenario's settings, as `morula accuracy` has measured it; it is stated, and compared with no run.
 struct GoldenError {
   static constexpr const char *form = "error quantity time until mesh mesh_until", *check = "stated";
   std::string quantity;             // [accuracy/state_error.h]
-  double time = 0, until = 0;       // of the time step, and of single precision; compared up to this time
-  std::optional<double> mesh;       // the same of the mesh, 0 for spheres, which have none; absent: not known
+  double time = 0, until = 0;       // error of time step and single precision; last comparison [time]
+  std::optional<double> mesh;       // error of the mesh; 0 for spheres; absent: not known
   std::optional<double> meshUntil;  // [time]
   int line = 0;
 };
 
-/// Why no error of the `time` step or of the `mesh` is stated, or none beyond a time.
+/// The reason why no error of the `time` step or of the `mesh` is stated, or none beyond a time.
 struct GoldenUnstated {
   static constexpr const char *form = "unstated of why", *check = "stated";
   std::string of;
@@ -146,11 +145,11 @@ struct GoldenUnstated {
   int line = 0;
 };
 
-/// The kinds in their order in the file; those stated first.
+/// An item of any kind, in the order of the file; stated kinds come first.
 using GoldenItem = std::variant<GoldenError, GoldenUnstated, GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep,
                                 GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue, GoldenColumn, GoldenRow>;
 
-// Each value has one text, so that equal text is equal bits and the other way round.
+// Each goldenText gives one text per value, so that equal texts mean equal bits and vice versa.
 std::string goldenText(std::uint64_t value);
 std::string goldenText(double value);
 std::string goldenText(const Hash& value);
@@ -164,7 +163,7 @@ std::string goldenText(const std::optional<Value>& value) {
   return value ? goldenText(*value) : "-";
 }
 
-// True for the same bits: −0 and 0 differ.
+// Returns true for the same bits: −0 and 0 differ.
 template <class Value>
 bool agree(const Value& a, const Value& b) {
   return a == b;
@@ -174,7 +173,7 @@ inline bool agree(const std::optional<double>& a, const std::optional<double>& b
   return a.has_value() == b.has_value() && (!a || agree(*a, *b));
 }
 
-/// All members but `line`.
+/// Returns all members of an item but `line`.
 template <class Item>
 auto goldenFields(Item& item) {
   constexpr auto count = std::ranges::count(std::string_view(Item::form), ' ');
@@ -193,7 +192,7 @@ auto goldenFields(Item& item) {
   }
 }
 
-/// Splits off the text before the next space; the rest keeps what follows the space.
+/// Splits off and returns the text before the next space; `rest` keeps the text after the space.
 std::string_view takeWord(std::string_view& rest);
 
 /// Calls visit(name, value…) for each field of one or several items of one kind.
@@ -213,9 +212,9 @@ void visitGoldenFields(const Visit& visit, Item& item, Others&... others) {
 
 std::string kindOf(const GoldenItem& item);
 std::string keyOf(const GoldenItem& item);
-/// Kind and key: no two items of a file have the same.
+/// Returns kind and key: no two items of a file have the same.
 inline std::string idOf(const GoldenItem& item) { return kindOf(item) + ' ' + keyOf(item); }
-/// The check that compares it.
+/// Returns the name of the check that compares the item.
 inline std::string checkOf(const GoldenItem& item) {
   return std::visit([](const auto& i) { return i.check; }, item);
 }
@@ -223,14 +222,14 @@ inline std::string checkOf(const GoldenItem& item) {
 bool agree(const GoldenItem& a, const GoldenItem& b);
 
 std::string write(const GoldenItem& item);
-/// "# cell path born born_step …", so that the file can be read without its description.
+/// Returns "# cell path born born_step …", so that the file can be read without its description.
 std::string headingOf(const GoldenItem& item);
 /// Reads one line. Throws InputError that begins with `place` ("file:line").
 GoldenItem readItem(std::string_view line, const std::string& place);
 
-/// The step at which the item happened, if it says so.
+/// Returns the step at which the item happened, if the item has one.
 std::optional<std::uint64_t> stepOf(const GoldenItem& item);
-/// The path of the cell it is about, if it is about one; "" is the egg.
+/// Returns the path of the item's cell, if the item has one; "" is the egg.
 std::optional<std::string> cellOf(const GoldenItem& item);
 
 }  // namespace morula

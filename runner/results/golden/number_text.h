@@ -1,6 +1,6 @@
 #pragma once
-// Texts as numbers, in the C locale, and nothing but a number. The way back, to the shortest text that gives the same
-// bits, is exactText.
+// Reads numbers from texts in the C locale that hold nothing but a number. The inverse, the shortest text that gives
+// the same bits, is exactText.
 #include <charconv>
 #include <cstdint>
 #include <optional>

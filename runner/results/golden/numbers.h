@@ -10,26 +10,26 @@
 namespace morula {
 
 struct GoldenNumber {
-  std::string name;  // what rules match: "final/AB/volume", "contact/0.25/A/B/area"
+  std::string name;  // the name that rules match: "final/AB/volume", "contact/0.25/A/B/area"
   std::uint64_t step = 0;
-  double value = 0;  // 0 where it was not measured
+  double value = 0;  // 0 if not measured
 };
 
-/// The number of a line `value`, and those of a line `row`.
+/// Returns the number of a line `value`, or the numbers of a line `row`.
 std::vector<GoldenNumber> numbersIn(const GoldenItem& item);
 /// Returns the numbers of all items.
 std::vector<GoldenNumber> numbersIn(const GoldenData& data);
 
-/// The last rule that matches; null if none does.
+/// Returns the last rule that matches; null if none does.
 const ToleranceRule* ruleFor(const std::vector<ToleranceRule>& rules, const GoldenNumber& number);
 
-/// One word of a row: the column's name and its value as the file has it, "-" where it is NULL.
+/// One word of a row: the column's name and its value as in the file, "-" for NULL.
 struct RowValue {
   std::string column, text;
 };
 std::vector<RowValue> valuesOf(const GoldenRow& row);
 
-/// "contact" of "contact/area" and of "contact/0.25/A/B".
+/// Returns the table's name: "contact" of "contact/area" and of "contact/0.25/A/B".
 std::string tableOf(const std::string& name);
 
 }  // namespace morula

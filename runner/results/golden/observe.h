@@ -1,13 +1,13 @@
 #pragma once
-// The only place where goldens meet the simulation.
+// Golden data from a world. No other file of goldens reads a World.
 #include "golden/facts.h"
 
 namespace morula {
 
 struct World;
 
-/// Returns the golden data of a finished world. `facts` already hold what the world does not tell. These are the
-/// scenario's name (goldenName) and hash, and what was taken on the way: samples, links, pictures.
+/// Returns the golden data of a finished world. `facts` already hold what the world lacks: the scenario's name
+/// (goldenName) and hash, and samples, links and pictures.
 GoldenData observeGolden(const World& world, GoldenFacts facts);
 
 }  // namespace morula

@@ -34,7 +34,7 @@ ProjectFiles projectFiles(const fs::path& scenarioFolder) {
 std::vector<fs::path> goldensWithoutScenario(const fs::path& goldenFolder, const fs::path& scenarioFolder) {
   std::vector<fs::path> orphans;
   if (!fileExists(goldenFolder)) return orphans;
-  std::set<fs::path> goldens;  // that scenarios have, as paths below `goldenFolder`
+  std::set<fs::path> goldens;  // goldens of scenarios, as paths below `goldenFolder`
   for (fs::path file : projectFiles(scenarioFolder).scenarios)
     goldens.insert(file.lexically_relative(scenarioFolder).replace_extension(".golden"));
   for (const fs::path& golden : everyFileBelow(goldenFolder)) {

@@ -11,24 +11,24 @@
 namespace morula {
 namespace {
 
-/// How many results may be in the state.
+/// Returns how many results may be in the state.
 std::size_t allowedOf(ResultState state, const AllowedRuns& allowed) {
   return state == ResultState::failed ? allowed.failed : state == ResultState::insane ? allowed.insane : 0;
 }
 
-/// "FAILED", "NOT_SANE": the class of a check that did not pass for a state.
+/// Returns the failure class of a state: "FAILED", "NOT_SANE".
 std::string classOf(ResultState state) {
   std::string text = nameOf(state);
   std::ranges::transform(text, text.begin(), [](char c) { return c == ' ' ? '_' : char(c - 'a' + 'A'); });
   return text;
 }
 
-/// True for a golden or a scenario that could not be read.
+/// Returns true for a golden or a scenario that could not be read.
 bool isUnusable(const CheckResult& r) {
   return (r.check == "golden" && r.failureClass == "INPUT_CHANGED") || r.failureClass == "UNREAD";
 }
 
-/// A number in four digits; another text as it is.
+/// Returns a number in four digits; another text unchanged.
 std::string inFourDigits(const std::string& text) {
   const auto number = readReal(text);
   return number ? numberText(*number) : text;

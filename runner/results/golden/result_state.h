@@ -1,6 +1,6 @@
 #pragma once
-// The one list of the states that a result can be in. Every verb that judges or shows results takes from here the
-// state's word, and the exit code that follows. The table of verbs and states is in golden/README.md.
+// The list of the states of a result. Every verb that judges or shows results takes the state's word and exit code from
+// this list. The table of verbs and states is in golden/README.md.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace morula {
 
-/// From the best to the worst. The state of several results is their worst one (worstOf).
+/// The states, from the best to the worst. The state of several results is their worst one (worstOf).
 enum class ResultState { fine, unchecked, unfinished, missing, differs, insane, stale, failed, unread, changed };
 template <>
 inline constexpr auto choices<ResultState> = std::to_array<Choice<ResultState>>(
@@ -29,50 +29,50 @@ inline constexpr auto choices<ResultState> = std::to_array<Choice<ResultState>>(
      {ResultState::unread, "unread", "it could not be read"},
      {ResultState::changed, "changed", "its rows do not match their digest"}});
 
-/// Fine, or without anything to compare it with, which is told and is no error.
+/// Returns true for results that are fine or were compared with nothing; the latter is told and is no error.
 inline bool isAcceptable(ResultState state) { return state <= ResultState::unchecked; }
 
 ResultState worstOf(std::span<const ResultState> states);
 
 /// Returns the exit code of a verb that judges several results or a stored one.
 cli::ExitCode exitCodeOf(ResultState state);
-/// The exit code of `run`, which differs only where the run failed: 4, the code of its NumericalError.
+/// Returns the exit code of `run`, which differs only for a failed run: 4, the code of its NumericalError.
 cli::ExitCode exitCodeOfRun(ResultState state);
 
-/// Differs, insane, failed or unread by the checks that did not pass; unchecked if there are no checks.
+/// Returns the worst state of failed checks: differs, insane, failed or unread; unchecked if there are no checks.
 ResultState stateOf(const CheckReport& report);
 ResultState stateOf(const std::vector<CheckResult>& checks);
 
-/// A failed sanity check in one line: "overlap 0.31, allowed at most 0.2, cell AB".
+/// Returns a failed sanity check in one line: "overlap 0.31, allowed at most 0.2, cell AB".
 std::string shortReason(const CheckResult& insane);
-/// All failed sanity checks among `checks`, separated by "; "; "" if all passed.
+/// Returns all failed sanity checks, separated by "; "; "" if all passed.
 std::string whyInsane(const std::vector<CheckResult>& checks);
 
-/// How many failed and insane runs a study may have.
+/// The max numbers of failed and insane runs in a study.
 struct AllowedRuns {
   std::size_t failed = 0, insane = 0;
   friend bool operator==(const AllowedRuns&, const AllowedRuns&) = default;
 };
 
-/// How many results are in which state.
+/// The number of results in each state.
 class StateCounts {
  public:
   void add(ResultState state, std::size_t count = 1) { counts_[static_cast<std::size_t>(state)] += count; }
   std::size_t of(ResultState state) const { return counts_[static_cast<std::size_t>(state)]; }
   std::size_t all() const;
-  /// More failed or insane results than `allowed` count as such; others count if there is one.
+  /// Returns the worst state. Failed and insane results count only if there are more than `allowed`.
   ResultState worst(const AllowedRuns& allowed = {}) const;
-  /// "18 fine, 1 not sane, 1 failed": the states that occur.
+  /// Returns the states that occur: "18 fine, 1 not sane, 1 failed".
   std::string text() const;
-  /// {"fine": 18, "not_sane": 1, …}: all states.
+  /// Returns all states: {"fine": 18, "not_sane": 1, …}.
   Json json() const;
 
  private:
   std::array<std::size_t, choices<ResultState>.size()> counts_{};
 };
 
-/// A check for each state other than fine that occurs in `counts` or that `allowed` speaks of: a study's runs as
-/// continuous integration reads them. `why`: of each state, the runs that are in it, for people.
+/// Returns a check for each state that is not acceptable and that occurs in `counts` or is allowed by `allowed`, for
+/// continuous integration. `why`: for each state, its runs, for people.
 std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& allowed,
                                   const std::array<std::string, choices<ResultState>.size()>& why);
 

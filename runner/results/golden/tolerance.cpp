@@ -14,7 +14,7 @@ namespace {
 constexpr const char* ruleForm =
     "`tolerance PATTERN exact|abs X|rel X [scale X]|ulp N [until_step N] why \"…\"` is expected";
 
-/// The words of a line; what stands in quotes is one word, which keeps its quotes off.
+/// Returns the words of a line; a quoted text is one word, without its quotes.
 std::vector<std::string> fieldsOf(std::string_view line, const std::string& place) {
   std::vector<std::string> words;
   while (!line.empty()) {
@@ -119,7 +119,7 @@ ToleranceRule readRule(std::string_view line, const std::string& place) {
 
 std::uint64_t ulpsBetween(double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<std::uint64_t>::max();
-  // Maps the bits to whole numbers in the order of the reals: negative ones count down from zero.
+  // Maps the bits to whole numbers in the order of the reals: negative numbers count down from zero.
   const auto place = [](double x) {
     const auto bits = std::bit_cast<std::int64_t>(x);
     return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
@@ -130,7 +130,7 @@ std::uint64_t ulpsBetween(double a, double b) {
 }
 
 bool fitsGlob(std::string_view pattern, std::string_view name) {
-  // Greedy with one place to come back to: on a mismatch the last * takes one more character.
+  // Greedy, with one place to return to: on a mismatch the last * takes one more character.
   std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

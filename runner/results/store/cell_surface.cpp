@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-constexpr double steps = 65535;  // from one side of the box to the other
+constexpr double steps = 65535;  // number of steps from one side of the box to the other
 
 std::uint16_t numberOf(double x, double low, double step) {
   if (!(step > 0)) return 0;

@@ -14,13 +14,13 @@ namespace morula {
 /// The faces of a mesh of the scene, stored once for all cells that have it.
 struct MeshFaces {
   int mesh = 0;                // Body::meshLevel: 0 the egg's mesh, 1 … the coarser ones
-  std::uint64_t vertices = 0;  // as many as each surface has
+  std::uint64_t vertices = 0;  // number of vertices of each surface
   std::vector<Face> faces;
   friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };
 
-/// Coordinate k of a vertex is low + number · step, along x, y and z each. `step` [length] is the 65535th part of the
-/// surface's extent there, so a coordinate is off by at most step / 2, and the rounding of a double.
+/// A surface whose coordinates are low + number · step, along x, y and z each. `step` [length] is the 65535th part of
+/// the surface's extent, so a coordinate is off by at most step / 2 and the rounding of a double.
 struct CellSurface {
   CellPath path;
   int mesh = 0;  // MeshFaces::mesh
@@ -30,7 +30,7 @@ struct CellSurface {
   friend bool operator==(const CellSurface&, const CellSurface&) = default;
 };
 
-/// There is a vertex at least, and coordinates are finite.
+/// Requires at least one vertex, and finite coordinates.
 CellSurface quantise(const CellPath& path, int mesh, const std::vector<Point>& vertices);
 std::vector<Point> vertexPositions(const CellSurface& surface);
 
@@ -38,9 +38,9 @@ std::vector<Point> vertexPositions(const CellSurface& surface);
 // has at most 65536 vertices and in 32 where it has more.
 std::string numberBytes(const CellSurface& surface);
 std::string faceBytes(const MeshFaces& mesh);
-/// Bytes of a multiple of six.
+/// Reads the vertices of a surface; the number of bytes must be a multiple of six.
 std::vector<std::array<std::uint16_t, 3>> numbersFrom(std::string_view bytes);
-/// False if the bytes are no such faces; each corner is then below `vertices`.
+/// Reads faces. Returns false if the bytes are no faces with corners below `vertices`.
 bool facesFrom(std::string_view bytes, std::uint64_t vertices, std::vector<Face>& faces);
 
 }  // namespace morula

@@ -1,4 +1,4 @@
-// A file's tables as they stand.
+// The tables of a file: names, columns, sizes and values.
 #include <algorithm>
 #include <map>
 
@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-/// [byte] Pages of each table and of its indices; empty where this SQLite does not count them.
+/// Returns the size of the pages of each table and its indices [byte]; empty if this SQLite cannot count them.
 std::map<std::string, std::uint64_t> pagesOf(Database& db) {
   std::map<std::string, std::uint64_t> bytes;
   try {
@@ -21,7 +21,7 @@ std::map<std::string, std::uint64_t> pagesOf(Database& db) {
   return bytes;
 }
 
-/// [byte] The values of all rows, each as SQLite would write it as text or bytes.
+/// Returns the size of all rows' values [byte], each as SQLite would write it as text or bytes.
 std::uint64_t lengthOf(Database& db, const std::string& table, const std::vector<std::string>& columns) {
   std::string sum;
   for (const std::string& c : columns)

@@ -21,8 +21,8 @@
 namespace morula {
 namespace {
 
-/// Returns the value of the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
-/// "model name"; others give no name there, so only the architecture (in `kernel`) is known.
+/// Returns the value of the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in "model
+/// name"; other processors are known only by their architecture (in `kernel`).
 std::string cpuInfo(const std::string& name) {
   for (const std::string& line : linesOf(readHead("/proc/cpuinfo", 1 << 20)))
     if (line.starts_with(name))
@@ -56,7 +56,7 @@ std::string fpEnvironment() {
   volatile double smallest = std::numeric_limits<double>::min();  // volatile: this processor must compute it
   std::string text = roundingName() + (smallest / 2 > 0 ? ", denormals kept" : ", denormals flushed");
 #ifdef __SSE2__
-  constexpr unsigned flags = 0x3f;  // what has happened so far: no part of how it computes
+  constexpr unsigned flags = 0x3f;  // exceptions so far, which are no part of the settings
   text += fmt::format(", MXCSR {:#x}", _mm_getcsr() & ~flags);
 #endif
   return text;

@@ -1,5 +1,5 @@
 #pragma once
-// The machine of a run and the time. They are for the record only: nothing here may change a result.
+// The machine and the time of a run. They are only recorded; no result may depend on them.
 #include <string>
 
 namespace morula {
@@ -7,20 +7,20 @@ namespace morula {
 struct MachineInfo {
   std::string cpu;            // "AMD EPYC 7B13"
   std::string kernel;         // "Linux 6.1.0-18-amd64 x86_64"
-  std::string features;       // of the processor, those that arithmetic can depend on: "avx2 fma sse2 …"
-  std::string fpEnvironment;  // of this thread: "nearest, denormals kept, MXCSR 0x1f80"
+  std::string features;       // features of the processor that arithmetic can depend on: "avx2 fma sse2 …"
+  std::string fpEnvironment;  // floating-point settings of this thread: "nearest, denormals kept, MXCSR 0x1f80"
 };
 
-/// Reads the machine's description; what cannot be read is "unknown".
+/// Reads the machine's description; a part that cannot be read is "unknown".
 MachineInfo machineInfo();
 
-/// 32 hexadecimal digits over the file of the running program; "unknown" if it cannot be read.
+/// Returns 32 hexadecimal digits over the file of the running program; "unknown" if it cannot be read.
 std::string binaryHash();
 
-/// The machine's name in its network; "unknown" if it has none.
+/// Returns the machine's name in its network; "unknown" if it has none.
 std::string hostName();
 
-/// Now, as "2008-06-17T12:34:56Z".
+/// Returns the present time as "2008-06-17T12:34:56Z".
 std::string utcNow();
 
 }  // namespace morula

@@ -12,17 +12,17 @@
 namespace morula {
 namespace {
 
-/// Lines `step_hash` hold the chain of hashes: its last link confirms all others and all hashes of cells.
+/// Returns true for tables that lines `step_hash` hold: their last link confirms all others and all hashes of cells.
 bool isHeldByChain(const SqlTable& table) {
   return &table == &sqlTable<ChainLink>() || &table == &sqlTable<CellHash>();
 }
 
-/// Lines `cell` and `time_step` hold these rows already.
+/// Returns true for tables that lines `cell` and `time_step` hold.
 bool hasOwnLines(const SqlTable& table) {
   return &table == &sqlTable<CellRow>() || &table == &sqlTable<TimeStepRecord>();
 }
 
-/// All columns but the run's id.
+/// Returns all columns but the run's id.
 std::vector<const SqlColumn*> columnsOf(const SqlTable& table) {
   std::vector<const SqlColumn*> all;
   for (const auto* columns : {&table.context, &table.own})
@@ -31,7 +31,8 @@ std::vector<const SqlColumn*> columnsOf(const SqlTable& table) {
   return all;
 }
 
-/// One word: blanks, control characters and what has a meaning in a golden's row are written as %20.
+/// Returns a text as one word: blanks, control characters and characters with a meaning in a golden's row are written
+/// as %20.
 std::string wordOf(const std::string& text) {
   std::string word;
   for (const char c : text)

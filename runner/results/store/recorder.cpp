@@ -1,4 +1,4 @@
-// Reads the simulation's world into the records of the store; no other source of the store does.
+// Reads the world into records. No other source of the store reads the simulation's world.
 #include "store/recorder.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void keepFaces(std::vector<MeshFaces>& kept, const std::vector<MeshFaces>& from,
   kept.insert(place, *found);
 }
 
-/// [byte]
+/// Returns the memory of a surface [byte].
 double bytesOf(const CellSurface& surface) {
   return double(sizeof(CellSurface) + surface.numbers.size() * sizeof(surface.numbers[0]));
 }
@@ -69,7 +69,7 @@ bool Recorder::reaches(std::uint64_t cells) {
 
 bool Recorder::divided(const World& world) {
   if (!options_.atDivisions) return false;
-  // A division adds both daughters to the lineage.
+  // A division adds both daughters to the lineage, so the lineage grows with each division.
   return std::exchange(divisions_, world.lineage.entries.size()) < world.lineage.entries.size();
 }
 
@@ -81,7 +81,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
     const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time),
                surfaces = surfacesAreDue(s.world.time);
     if (!reached && !due && !surfaces && !options_.atDivisions) continue;
-    if (!surfaces && !(reached && options_.meshes)) s.surfaces.clear();  // only kept because the run was stopped
+    if (!surfaces && !(reached && options_.meshes)) s.surfaces.clear();  // surfaces of the stop alone
     for (const CellSurface& surface : s.surfaces) keepFaces(results_.meshes, earlier.meshes, surface.mesh);
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
     keepTouching(s.contacts, s.world.time);
@@ -134,8 +134,8 @@ void Recorder::keepSurfaces(const World& world, Sample& sample) {
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
     const int slot = bodies.slots[i], level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
     Mesh surface = takeSurface(bodies, slot);
-    // A sphere's surface is the egg's mesh with the sphere's volume, whose vertices lie outside the sphere and may
-    // stick out of the shell. Put them onto the sphere.
+    // takeSurface gives a sphere the egg's mesh with the sphere's volume. Its vertices lie outside the sphere and may
+    // stick out of the shell, so they are put onto the sphere.
     const Point centre = bodies.vertex(slot, 0);
     const double radius = bodies.parameters.cell.radius * bodies.restScale[slot];
     if (bodies.areSpheres())
@@ -150,7 +150,7 @@ void Recorder::sample(const World& world, bool withSurfaces) {
   if (options_.reference) now.reference = &*options_.reference;
   Sample s{measureWorld(now), measureCells(now), measureContacts(now), {}};
   keepTouching(s.contacts, now.time);
-  std::vector<double> durations;  // by (a, b), as the contacts; empty unless recorded
+  std::vector<double> durations;  // by (a, b), like the contacts; empty unless recorded
   for (const auto& [pair, since] : touchingSince_) durations.push_back(now.time - since);
   now.contactDurations = durations;
   s.more = takeMeasures(now, options_.measures);

@@ -1,6 +1,6 @@
 #pragma once
-// The records of a run, as plain data: no simulation and no database is needed to fill or read them.
-// The tables are described in store/README.md.
+// The records of a run, as plain data: filling and reading them needs no simulation and no database. The tables are
+// described in store/README.md.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -33,9 +33,9 @@ inline const char* name(RunStatus status) { return nameOf(status); }
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct SourceText {
   // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names",
-  // "reference", "faces" (of kept surfaces), "diff" (what the program's sources had that their commit had not)
+  // "reference", "faces" (of kept surfaces), "diff" (of the program's sources from their commit)
   std::string role;
-  std::string path;  // where it was read from; "" if it was not
+  std::string path;  // the path it was read from; "" if it was not read from a file
   std::string content;
   friend bool operator==(const SourceText&, const SourceText&) = default;
 };
@@ -44,7 +44,7 @@ struct SourceText {
 struct RunRecord {
   std::string scenario;       // its name
   std::string scenarioHash;   // semantic: formatting and key order do not count
-  std::string referenceHash;  // of what its measures compare with; "" without check.reference
+  std::string referenceHash;  // of the reference that measures compare with; "" without check.reference
   std::uint64_t seed = 0;
   std::vector<SourceText> documents;
   std::string command;  // as typed
@@ -55,11 +55,11 @@ struct RunRecord {
   std::string binaryHash = morula::binaryHash();
 };
 
-/// 16 hexadecimal digits over scenarioHash, referenceHash, seed and build: the same computation has the same id,
+/// Returns 16 hexadecimal digits over scenarioHash, referenceHash, seed and build. The same computation has the same id
 /// anywhere.
 std::string runId(const RunRecord& record);
 
-/// How the run ended.
+/// The end of a run.
 struct RunEnd {
   RunStatus status = RunStatus::done;  // done, failed or killed
   std::optional<Hash> stateHash = {};  // of the final state; required when done
@@ -67,13 +67,13 @@ struct RunEnd {
   std::uint64_t cells = 0;    // alive at the end
   double time = 0;            // [time] simulated
   std::string failure = {};   // what went wrong; "" unless failed
-  Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
+  Want want = Want::nothing;  // the resource that ran out; such a failure is not compared
 };
 
-/// A run as it stands in the file.
+/// A run stored in a file.
 struct StoredRun {
   std::string id = {};
-  RunRecord record;  // without documents: see Store::documents
+  RunRecord record;  // its documents are left out: see Store::documents
   RunStatus status = RunStatus::running;
   std::string started = {}, ended = {};  // UTC; ended is "" while running
   std::string stateHash = {};            // "" unless done
@@ -85,17 +85,17 @@ struct StoredRun {
 
 /// The subject of a run's field.
 enum class RunPart {
-  result,       // what the computation decides
-  scene,        // what is computed
-  program,      // with what: two that differ give two results, or so it must be assumed
-  detail,       // that program, more closely
-  environment,  // on what
-  occasion,     // when, and by which command
+  result,       // decided by the computation
+  scene,        // the computed scene
+  program,      // the program; it must be assumed that another program gives another result
+  detail,       // details of the program
+  environment,  // the machine
+  occasion,     // time and command of the run
 };
 struct RunField : FieldInfo {
   RunPart part;
   const char* label;            // for people
-  bool changesNothing = false;  // in results, which tests hold
+  bool changesNothing = false;  // true for a field that changes no result, which tests ensure
 };
 
 template <IsA<StoredRun> T>
@@ -155,29 +155,29 @@ void listFields(T& run, auto&& field) {
   field(RunField{{"condition_id", "of a study's merged database; NULL elsewhere"}, occasion, "condition"}, condition);
 }
 
-/// The field's label with a capital.
+/// Returns the field's label with a capital.
 std::string headingOf(const RunField& field);
 /// Returns the subject of a column of `run`.
 RunPart partOf(const std::string& column);
-/// visit(const RunField&, its value for people; "" where there is none) for each field.
+/// Calls visit(field, value for people) for each field; an absent value is "".
 void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit);
 
 /// One field of two records side by side.
 struct Item {
-  std::string name, label;  // of the column; for people
+  std::string name, label;  // name of the column; its label for people
   std::string before, now;
 };
 /// Compares the parts of a run_id: scenario, reference, seed and the program's sources.
 std::vector<Item> compareIdentity(const RunRecord& before, const RunRecord& now);
-/// Compares the parts of a run_id and everything else that is known of how and where the two were run.
+/// Compares the parts of a run_id and all other known conditions of the two runs.
 std::vector<Item> compareConditions(const RunRecord& before, const RunRecord& now);
 
-/// The state of the organism at one moment, as far as it was measured.
+/// The measured state of the organism at one moment.
 struct Sample {
   WorldMeasures world;
   std::vector<CellMeasures> cells;        // by path; empty in a lineage-only scene
   std::vector<ContactMeasures> contacts;  // by (a, b); empty without contact
-  std::vector<TakenMeasure> more{};       // on demand, as the scenario's record asks
+  std::vector<TakenMeasure> more{};       // measures on demand that the scenario's record asks for
   std::vector<CellSurface> surfaces{};    // by path; empty unless they are kept at this time
 };
 
@@ -185,7 +185,7 @@ struct Sample {
 struct TimeStepRecord {
   double time = 0;  // [time]
   std::uint64_t step = 0;
-  double timeStep = 0;  // [time] from here on
+  double timeStep = 0;  // [time] from this step on
   friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
 };
 
@@ -195,8 +195,8 @@ struct RunResults {
   std::map<StateId, std::string> stateTexts;  // the substances of each state in `lineage`
   std::map<CellPath, std::string> names;      // optional labels of cells
   std::vector<Sample> samples;                // by time
-  std::vector<MeshFaces> meshes;              // by number; of those that surfaces in `samples` have
-  std::vector<ConnectionRecord> connections;  // in the order in which they were made
+  std::vector<MeshFaces> meshes;              // meshes of the surfaces in `samples`, by number
+  std::vector<ConnectionRecord> connections;  // in the order of their creation
   std::vector<TimeStepRecord> timeSteps;
   std::vector<SettlingRecord> settlings;  // of quasi-static scenes
   std::vector<ExperimentRecord> experiments;  // what was done
@@ -205,25 +205,25 @@ struct RunResults {
   std::vector<CheckResult> checks;
 };
 
-/// Takes samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.
+/// Receives samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.
 using RecordSink = std::function<void(const RunResults& records)>;
 
-/// The state from which a stopped run goes on. Samples and hashes up to its step stand in their tables.
+/// The state from which a stopped run is resumed. Samples and hashes up to its step are in their tables.
 struct Checkpoint {
   std::uint64_t step = 0;
   std::optional<double> every;             // as RecordOptions
   std::optional<std::uint64_t> hashEvery;  // as RecordOptions
-  std::string state;                       // core/simulation/checkpoint.h
+  std::string state;                       // the world's bytes [core/simulation/checkpoint.h]
 };
 
-/// The shapes so far for a sequence of pictures, as bytes: the same run makes the same ones, so those that
-/// are stored already are not asked for again.
+/// The shapes so far for a sequence of pictures, as bytes. The same run makes the same shapes, so stored ones are not
+/// requested again.
 struct FrameSource {
   std::size_t count = 0;
   std::function<std::string(std::size_t)> bytes;
 };
 
-/// A run that goes on.
+/// A resumed run.
 struct ResumedRun {
   std::string id;
   Checkpoint checkpoint;

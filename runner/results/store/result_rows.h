@@ -1,6 +1,5 @@
 #pragma once
-// All rows that a run's results make, table by table: what is stored, digested and held in goldens. A new table joins
-// here.
+// All rows of a run's results, table by table, for storing, digests and goldens. A new table is added in this file.
 #include <algorithm>
 
 #include "base/error.h"
@@ -31,7 +30,7 @@ void visitRecords(const RunResults& results, const Visit& visit) {
   }
 }
 
-/// Calls visit(step, row, context…) for each row that is known when the run has ended. `step`: its last.
+/// Calls visit(step, row, context…) for each row that is known when the run has ended. `step`: the last step.
 template <class Visit>
 void visitEnd(const RunResults& results, std::uint64_t step, const Visit& visit) {
   for (const LineageEntry& e : results.lineage) {

@@ -14,7 +14,7 @@
 
 namespace morula {
 
-/// One for each column; absent where the column is NULL.
+/// The texts of a row's columns; absent for NULL.
 using RowTexts = std::vector<std::optional<std::string>>;
 
 inline std::optional<std::string> textOfNumber(double value) {
@@ -22,8 +22,7 @@ inline std::optional<std::string> textOfNumber(double value) {
   return exactText(value == 0 ? 0 : value);
 }
 
-/// Adds the texts of a member, or of a record's fields in the order of its list, which is the order of its table's
-/// columns.
+/// Adds the text of a member, or the texts of a record's fields in the order of its list, which is its table's order.
 template <class T>
 void addTexts(RowTexts& to, const T& value) {
   if constexpr (Record<T>) {
@@ -55,7 +54,7 @@ void addTexts(RowTexts& to, const T& value) {
   }
 }
 
-/// The texts of a row of a table: of the values before its own, then of its own.
+/// Returns the texts of a row: of the context's values, then of the row's own.
 template <class Row, class... Context>
 RowTexts textsOf(const Row& row, const Context&... context) {
   RowTexts texts;

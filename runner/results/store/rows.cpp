@@ -47,8 +47,8 @@ class Inserter {
   std::map<const SqlTable*, std::unique_ptr<Statement>> inserts_;
 };
 
-/// Stores faces as documents, which runs with the same mesh share. Faces that the run's record has already are not
-/// stored again.
+/// Stores faces as documents, which runs with the same mesh share. Faces that the run's record has are not stored
+/// again.
 void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
   constexpr int behindOthers = 1000;
   Statement known(db, "SELECT 1 FROM run_document WHERE run_id = ? AND role = 'faces' AND path = ?");
@@ -110,7 +110,8 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
     if constexpr (std::is_same_v<Row, CellRow>) cells.push_back(row);
     else inserter.add(row, context...);
   });
-  // In the order of the table's key, so that the table grows at its end: many times faster than by order of birth.
+  // Rows are inserted in the order of the table's key, so that the table grows at its end: many times faster than by
+  // order of birth.
   std::ranges::sort(cells, {}, [](const CellRow& c) -> const CellPath& { return c.cell.path; });
   for (const CellRow& c : cells) inserter.add(c);
   insertRecords(db, id, results);

@@ -1,19 +1,19 @@
 #pragma once
-// Rows out of plain data. Each function writes into a transaction of its caller's.
+// Stores rows from plain data. Each function writes into its caller's transaction.
 #include "database/record_table.h"
 #include "store/records.h"
 
 namespace morula {
 
-/// The row `run` and the run's documents; without an end its status is running.
+/// Inserts the row `run` and the run's documents. Without `end` the status is running.
 void insertRun(Database& db, const std::string& id, const RunRecord& record, const std::string& started,
                const RunEnd* end);
-/// The row `run` is there, and the run has not finished: it runs again, and only its records stay.
+/// Sets an unfinished run to running again and deletes its results but for its records.
 void restartRun(Database& db, const std::string& id, const std::string& started);
-/// The row `run` is there and running: how it ended.
+/// Stores the end of a run in its row.
 void endRun(Database& db, const std::string& id, const RunEnd& end);
 void insertResults(Database& db, const std::string& id, const RunResults& results);
-/// All rows of the run in tables of these parts: of all that results are made of.
+/// Deletes the run's rows in tables of these parts, by default in all tables of results.
 void deleteRows(
     Database& db, const std::string& id,
     bool (*takes)(TablePart) = [](TablePart part) { return isResult(part) || part == TablePart::bullet; });

@@ -1,5 +1,5 @@
 #pragma once
-// The state of a stored run (golden/result_state.h), and the sentence of verbs that only show it.
+// The state of a stored run (golden/result_state.h), and its sentence in verbs that only show the run.
 #include <string>
 #include <vector>
 
@@ -12,15 +12,15 @@ namespace morula {
 
 struct RunState {
   ResultState state = ResultState::fine;
-  std::string why = {};  // "overlap 0.31, allowed at most 0.2, cell AB"; the failure; "" where nothing is to be told
+  std::string why = {};  // the reason: "overlap 0.31, allowed at most 0.2, cell AB", or the failure; perhaps ""
 };
 
-/// `checks`: those of the run. A run that was compared with nothing is fine if it is sane: that is told by `run` and
-/// `check`.
+/// Returns the state of a run. `checks`: the run's checks. A sane run that was compared with nothing counts as fine,
+/// since `run` and `check` tell that it was not compared.
 RunState stateOf(const StoredRun& run, const std::vector<CheckResult>& checks);
 RunState stateOf(Store& store, const StoredRun& run);
 
-/// "run 0123456789abcdef (pair, seed 7) is not sane: overlap 0.31, …"; "" for a run that is fine.
+/// Returns "run 0123456789abcdef (pair, seed 7) is not sane: overlap 0.31, …"; "" for an acceptable run.
 std::string remarkOn(const StoredRun& run, const RunState& state);
 std::string remarkOn(Store& store, const StoredRun& run);
 

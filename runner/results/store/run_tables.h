@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a run, each with the list of its columns, in the order in which people meet them. The only place that
-// knows them all: code that writes, reads, copies, compares, counts or hashes a run's tables goes through runTables().
+// The tables of a run, each with the list of its columns, in the order in which people meet them. Only this file knows
+// all tables: code that writes, reads, copies, compares, counts or hashes them goes through runTables().
 #include <string>
 #include <vector>
 
@@ -92,7 +92,7 @@ void listFields(T& row, auto&& field) {
   field({"ended_step"}, NullIf{fate == Fate::alive, endedStep});
 }
 
-// Measured numbers: NULL where there was nothing to measure, or where the number was not one.
+// Measured numbers are NULL if there was nothing to measure, or if the number was NaN.
 
 template <>
 inline constexpr TableInfo tableInfo<WorldMeasures> = {
@@ -122,7 +122,7 @@ inline constexpr TableInfo tableInfo<CellSampleRow> = {.name = "cell_sample",
                                                        .key = "run_id, time, path",
                                                        .csv = "cell_samples",
                                                        .why = "each cell at the times of `sample`"};
-/// The columns that stand before `state`.
+/// Returns true for measures whose columns come before `state`.
 inline bool isOfFirst(const CellMeasure& m) {
   for (const char* name : {"volume", "area", "pressure", "x", "y", "z", "sphericity", "neighbours"})
     if (std::string_view(m.name) == name) return true;
@@ -392,7 +392,7 @@ void listFields(T& frame, auto&& field) {
                              [&](const auto& bytes) { frame.content = bytes; }});
 }
 
-/// In the order in which they can be filled.
+/// Returns all tables of a run, in an order in which they can be filled.
 const std::vector<const SqlTable*>& runTables();
 
 }  // namespace morula

@@ -8,14 +8,15 @@
 
 namespace morula {
 
-/// A cell; or a pair, a < b; or the organism, where both are the egg.
+/// The subject of a measured value: a cell, a pair with a < b, or the organism, for which a and b are the egg.
 struct MeasuredThing {
   CellPath a, b;
   auto operator<=>(const MeasuredThing&) const = default;
 };
 
-/// The values that the sample has, of the cells that were asked for: from its columns, or from what record.measures had
-/// taken under the same name, or of all cells. `states`: the substances of each state in the sample.
+/// Returns the sample's values of the measure for the cells that were asked for. They come from the columns, or from a
+/// measure of record.measures with the same name or over all cells. `states`: the substances of each state in the
+/// sample.
 std::map<MeasuredThing, double> valuesIn(const Sample& sample, const AskedMeasure& measure,
                                          const std::map<StateId, std::string>& states);
 

@@ -13,9 +13,9 @@ namespace {
                    "); use the program that wrote it, or give another file");
 }
 
-/// Throws unless the file is empty or Morula's and of this version. True if it is empty.
+/// Returns true if the file is empty. Throws StoreError unless it is empty or Morula's and of this version.
 bool isEmpty(Database& db) {
-  // One statement sees the file as it is at one moment; another process may be making it.
+  // A single statement sees the file at one moment; another process may be making the tables.
   Statement s(
       db,
       "SELECT (SELECT application_id FROM pragma_application_id), (SELECT user_version FROM pragma_user_version), "
@@ -32,8 +32,8 @@ bool isEmpty(Database& db) {
   return false;
 }
 
-/// Returns the statements that add columns of measures which the file's tables lack; "" if none lack. Throws if another
-/// column lacks.
+/// Returns the statements that add columns of measures which the file's tables lack; "" if none lack. Throws StoreError
+/// if another column lacks.
 std::string lackingMeasures(Database& db) {
   std::string sql;
   for (const SqlTable* t : runTables()) {
@@ -48,7 +48,7 @@ std::string lackingMeasures(Database& db) {
         if (!c.isMeasure) refuseVersion(db, "its table " + std::string(t->info.name) + " has no column " + c.name);
         sql += "ALTER TABLE " + sqlName(t->info.name) + " ADD COLUMN " + sqlName(c.name) + " " + c.type + ";\n";
       }
-    // An older program's tables lack measures, a newer one's have more. One that has both was renamed.
+    // An older program's tables lack measures, and a newer program's have more. A table with both has a renamed column.
     if (!lacks.empty() && !unknown.empty())
       refuseVersion(db, "its table " + std::string(t->info.name) + " has a column '" + unknown.front() +
                             "', which is not known here, and no column " + lacks);
@@ -79,7 +79,7 @@ void makeTables(Database& db, bool withComments) {
   if (db.readOnly())
     throw StoreError(db.file().string() + ": the file is not writable; change its permissions or give another file");
   Transaction transaction(db);
-  db.execute(lacking(db, withComments));  // again: another process may have been faster
+  db.execute(lacking(db, withComments));  // evaluated again, since another process may have made the tables
   db.execute("PRAGMA application_id = " + std::to_string(applicationId));
   db.execute("PRAGMA user_version = " + std::to_string(schemaVersion));
   transaction.commit();

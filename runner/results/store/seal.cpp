@@ -19,7 +19,7 @@ struct RunTable {
   TablePart part;
 };
 
-/// `result`, which studies add to the tables of runs, comes last, where the file has it.
+/// Returns the tables with rows of runs. `result`, which studies add to the file, comes last.
 std::vector<RunTable> tablesOf(Database& db) {
   std::vector<RunTable> tables;
   for (const SqlTable* t : runTables())
@@ -90,7 +90,7 @@ void requireAllSealed(Database& db, bool (*takes)(TablePart)) {
       if (!hash) sealed.refuse(2, "needs 32 hexadecimal digits");
       compare(db, id, t.name, found[id], {sealed.bits(1), *hash});
     }
-    // A run whose digest is missing stands in `found` alone.
+    // A run whose digest is missing is in `found` alone.
     if (found.size() != runs) refuse(db, "", "rows of the table " + t.name + " have no digest in row_digest");
   }
 }

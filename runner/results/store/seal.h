@@ -1,5 +1,5 @@
 #pragma once
-// The digests of a run's rows, kept beside them: what is read for an answer is what was written.
+// The digests of a run's rows, stored beside them: they prove that rows are read as they were written.
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,28 +30,25 @@ void listFields(T& sealed, auto&& field) {
   field({"digest", "sum modulo 2^128 of the XXH3-128 of each row"}, sum);
 }
 
-/// Takes the digests of the run's tables of these parts anew from the rows that the file holds; `takes` null: of all
-/// tables.
+/// Stores new digests of the run's rows that the file holds, for tables of these parts. `takes` null: for all tables.
 void sealRun(Database& db, const std::string& id, bool (*takes)(TablePart) = nullptr);
 
-/// Records after this time and step have joined those of a run that is sealed.
+/// A time and a step. Records after them have joined the records of a sealed run.
 struct RecordedUntil {
   double time = -1;        // [time] of the last sample
-  std::int64_t step = -1;  // of the last hash
+  std::int64_t step = -1;  // step of the last hash
 };
-/// Adds the rows after `until` to the digests of samples and hashes, so that rows that were stored earlier are not read
-/// again.
+/// Adds the rows after `until` to the digests of samples and hashes, without reading rows that were stored earlier.
 void extendSeal(Database& db, const std::string& id, const RecordedUntil& until);
 
-/// Throws StoreError unless the rows of the run's tables of these parts, and of the table `result` of a study, are
-/// those that were stored. `takes` null: of all tables.
+/// Throws StoreError unless the run's rows are as stored, in tables of these parts and the table `result` of a study.
+/// `takes` null: in all tables.
 void requireSealed(Database& db, const std::string& id, bool (*takes)(TablePart) = nullptr);
 
 /// Checks the digests of all runs of a file, in one pass over each table.
 void requireAllSealed(Database& db, bool (*takes)(TablePart));
 
-/// The condition for rows of samples and hashes after `until`, whose one parameter is `until.time` or `until.step`:
-/// "time" or "step" is the column that decides.
+/// Returns the column that decides whether a row of samples or hashes is after `until`: "time" or "step".
 const char* recordColumn(const SqlTable& table);
 
 }  // namespace morula

@@ -14,14 +14,14 @@
 namespace morula {
 namespace {
 
-/// Returns a run that the file already has.
+/// Returns the run of this id, if the file has it.
 std::optional<StoredRun> findEarlier(Database& db, const std::string& id) {
   Statement s(db, sqlTable<StoredRun>().select(db, "run_id = ?"));
   if (!s.start(id).next()) return std::nullopt;
   return s.row<StoredRun>();
 }
 
-/// The run's rows whose `column`, of time or step, is after `after`.
+/// Copies the run's rows whose `column`, time or step, is above `after`.
 template <class Number>
 void copyRows(Database& from, Database& to, const SqlTable& table, const std::string& id, const char* column,
               Number after) {
@@ -31,13 +31,13 @@ void copyRows(Database& from, Database& to, const SqlTable& table, const std::st
   for (rows.start(id, after); rows.next();) insert.runWith(rows);
 }
 
-constexpr double secondsBetweenFlushes = 5;  // [s] of what a killed program may lose
+constexpr double secondsBetweenFlushes = 5;  // [s] of records that a killed program may lose
 
 bool isOfEnd(TablePart part) { return part == TablePart::record || part == TablePart::end; }
 bool isOfRecord(TablePart part) { return part == TablePart::record; }
 
 void deleteRun(Database& db, const std::string& id) {
-  Statement(db, "DELETE FROM run WHERE run_id = ?").run(id);  // and, by its foreign keys, all rows of the run
+  Statement(db, "DELETE FROM run WHERE run_id = ?").run(id);  // also deletes, by foreign keys, all rows of the run
   db.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
 }
 
@@ -127,12 +127,12 @@ void Store::flush(const std::string& id, Attempt& attempt) {
       return s.isNull(0) ? -1 : s.real(0);
     };
     attempt.until = {last("time) FROM sample"), static_cast<std::int64_t>(last("step) FROM step_hash"))};
-  } catch (const BusyError&) {}  // the next time, or at the end
+  } catch (const BusyError&) {}  // the records are stored the next time, or at the end
   db_.setPatience(patience);
 }
 
 RecordedUntil Store::recordedUntil(const std::string& id, std::uint64_t step) {
-  // All rows but those of hashes go by their sample's time.
+  // All rows but hashes are selected by their sample's time.
   Statement last(db_, "SELECT max(time) FROM sample WHERE run_id = ? AND step <= ?");
   const bool has = last.start(id, step).next() && !last.isNull(0);
   return {has ? last.real(0) : -1, static_cast<std::int64_t>(step)};
@@ -157,14 +157,14 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   const auto commit = [&] { transaction.commit(), attempts_.erase(attempt); };
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == RunStatus::done) {
-      // Half a run says nothing against a whole one.
+      // An incomplete run is no evidence against a complete one.
       if (end.status == RunStatus::killed || end.want != Want::nothing) return;
       const std::string computed = end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
       if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
     }
     if (end.status == RunStatus::killed) {
       endRun(db_, id, end);
-      if (checkpointStep(id).value_or(0) <= end.steps) {  // else the file knows more of this run already
+      if (checkpointStep(id).value_or(0) <= end.steps) {  // otherwise the file holds more of this run
         deleteRows(db_, id);
         takeOver(id);
         insertResults(db_, id, results);
@@ -174,7 +174,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
       }
       return commit();
     }
-    if (end.want != Want::nothing && checkpointStep(id)) {  // to be gone on from where there is more
+    if (end.want != Want::nothing && checkpointStep(id)) {  // the run can be resumed on a larger machine
       endRun(db_, id, end);
       sealRun(db_, id, isOfRecord);
       return commit();
@@ -236,7 +236,7 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
     if (has("run_id")) Statement(copy, "DELETE FROM " + sqlName(table) + " WHERE run_id <> ?").run(id);
     else if (table == "timing")
       Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)").run(id);
-    else if (table != "document") copy.execute("DROP TABLE " + sqlName(table));  // of all runs of a study together
+    else if (table != "document") copy.execute("DROP TABLE " + sqlName(table));  // a table on a whole study
   }
   configure(copy);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");

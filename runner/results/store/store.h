@@ -1,5 +1,5 @@
 #pragma once
-// A file of results: SQLite, one or many runs in it. The life of a run:
+// A file of results: an SQLite database of one or many runs. The life of a run:
 //
 //   Store store = Store::openForWriting("results/unique-four.db");
 //   std::string id = store.begin(record);   // the row `run`, status running, is on the disk before the first step
@@ -26,7 +26,7 @@
 namespace morula {
 
 struct StoreOptions {
-  std::chrono::milliseconds patience{30'000};  // how long to wait for another writer
+  std::chrono::milliseconds patience{30'000};  // max wait for another writer
 };
 
 struct SqlTable;
@@ -35,62 +35,61 @@ class Store {
  public:
   using Options = StoreOptions;
 
-  /// Opens the file, and makes it if it is not there. Throws StoreError: not a database, not Morula's, from a
-  /// newer Morula, directory missing or not writable, locked.
+  /// Opens the file, and makes it if it is missing. Throws StoreError if the file is no database, not Morula's, from a
+  /// newer Morula or locked, or its directory is missing or not writable.
   static Store openForWriting(const std::filesystem::path& file, Options options = {});
-  /// Opens a file that is there, to read from it.
+  /// Opens an existing file, to read from it.
   static Store openForReading(const std::filesystem::path& file, Options options = {});
 
-  /// A database of its own that is gone with the Store: for results that are only to be compared.
+  /// Returns a temporary database, which ends with the Store: for results that are only to be compared.
   static Store temporary();
 
-  /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
-  /// until `finish` has compared the two; unfinished or failed attempts are replaced now. A checkpoint of
-  /// theirs stays until there is a later one: the same run goes through the same states.
+  /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay until
+  /// `finish` has compared the two. Unfinished or failed attempts are replaced now, but their checkpoint stays until
+  /// there is a later one, since the same run goes through the same states.
   std::string begin(const RunRecord& record);
 
-  /// Takes samples and hashes of a run that goes on, in their order. They lie apart from the file, and get into it with
-  /// `finish` and `keepCheckpoint`, to which those that come later are given. Unless the file has a finished run or a
-  /// checkpoint of this id, they get into it every few seconds, too, so that a program that is killed leaves them.
+  /// Takes samples and hashes of a run in progress, in their order. They are kept apart from the file until `finish`
+  /// and `keepCheckpoint`, which are given the later ones. If the file has neither a finished run nor a checkpoint of
+  /// this id, they are also stored every few seconds, in case the program is killed.
   void record(const std::string& id, const RunResults& records);
 
-  /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples and hashes
-  /// that the file has not yet: a program killed at any moment leaves one whole checkpoint and what was recorded up to
-  /// it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there
-  /// is one to resume from.
+  /// Stores a checkpoint, in place of the last one, and the samples and hashes in `records` that the file lacks. A
+  /// program killed at any moment leaves one whole checkpoint and the records up to it. Does nothing if the file has a
+  /// finished run or a later checkpoint. Returns true if there is a checkpoint.
   bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
 
-  /// The step of the checkpoint that the run of this id can be resumed from.
+  /// Returns the step of the checkpoint from which the run of this id can be resumed.
   std::optional<std::uint64_t> checkpointStep(const std::string& id);
 
-  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for `begin`.
+  /// Begins a run at its last checkpoint. Without a checkpoint the run is not begun. `record`: as for `begin`.
   std::optional<ResumedRun> resume(const RunRecord& record);
 
-  /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
-  /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash (or this
-  /// one failed). An attempt that was killed, or failed for want of something (Want), never replaces a finished run,
-  /// for it says nothing against it; one that was killed keeps its checkpoint.
+  /// Stores the end and the results of the run, replacing its rows in the file. Throws NondeterminismError, and leaves
+  /// the file unchanged, if a finished run of this id has another state hash (or this run failed). An attempt that was
+  /// killed or lacked a resource (Want) never replaces a finished run. A killed attempt keeps its checkpoint.
   void finish(const std::string& id, const RunEnd& end, const RunResults& results);
 
-  /// Stores the run as `finish` does in a new file beside this one, "FILE-ID.db", since another process holds this one
-  /// (BusyError). Returns the new file.
+  /// Stores the run as `finish` does, but in a new file "FILE-ID.db" beside this one, if another process holds this
+  /// file (BusyError). Returns the new file.
   Store finishBeside(const std::string& id, const RunEnd& end, const RunResults& results);
 
   /// Replaces the run's check results of the kinds that occur in `checks`.
   void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
 
-  /// Replaces the cells of the same scene in Bullet that are kept beside the run's own.
+  /// Replaces the stored cells of the same scene in Bullet.
   void putBulletSamples(const std::string& id, const std::string& baseline, const std::vector<Sample>& samples);
 
-  /// All runs, by start, then id.
+  /// Returns all runs, by start, then id.
   std::vector<StoredRun> runs();
-  /// The run whose id is, or begins with, `id`; with "" the only run in the file or else the one that was
-  /// started last. Throws StoreError if there is none or several.
+  /// Returns the run whose id is, or begins with, `id`; for "" the only run in the file or else the one started last.
+  /// Throws StoreError if no run matches or several do.
   StoredRun find(const std::string& id);
-  /// Everything the run left behind. State ids are numbered anew; their texts are the same.
+  /// Returns all results of the run. State ids are numbered anew; their texts are the same.
   RunResults results(const std::string& id);
-  /// Its samples, with the faces of their surfaces, and hashes, in parts, so that they are not in memory at a time.
+  /// Calls `take` with parts of the run's samples, their surfaces' faces, and hashes; they are never in memory as a
+  /// whole.
   void eachRecord(const std::string& id, const RecordSink& take);
   /// Reads only the lineage, state texts and names.
   RunResults lineage(const std::string& id);
@@ -104,29 +103,30 @@ class Store {
   void requireShownIntact(const std::string& id);
   /// Throws StoreError if the rows of any run are not those that were stored, or rows belong to no run.
   void requireAllIntact();
-  /// Lists the changes of a run's record since it was made: documents that do not fit the hashes that
-  /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
+  /// Lists the changes of a run's record since it was made: documents that do not match their hashes, a run_id or
+  /// build_id that does not follow from the row. Empty for an unchanged record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
   /// Lists the signs that cells of an ended run are gone: a cell without its mother, a mother without both daughters,
   /// fewer leaves than the run counted. Empty for a whole lineage.
   std::vector<ValueDifference> lostCells(const StoredRun& run);
-  /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`: all tables that
-  /// results are made of, in the order of the schema, by their keys; of `run` what the computation decides. Equal
-  /// means: the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is no number as NULL). Left out:
-  /// `checkpoint`, which a finished run does not have, `bullet_sample`, and of `check_result` the kinds golden and
-  /// bullet, which depend on what is not stored. Throws StoreError.
+  /// Compares the results of a run with those of its repetition, stored in `again` as `idAgain`: all tables of results,
+  /// in the order of the schema, by their keys. Of `run` it compares the columns that the computation decides. Equal
+  /// means the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, NaN as NULL). Left out are `checkpoint`,
+  /// which a finished run does not have, `bullet_sample`, and check results of the kinds golden and bullet, which
+  /// depend on data that is not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
-  /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone, "": of all.
+  /// Returns all tables, in the order of the schema; those in `known` with their purpose. `id`: counts only this run's
+  /// rows; "": all rows.
   std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
-  /// The columns of a table, apart from bytes (BLOB); none if there is no such table.
+  /// Returns the columns of a table, but those of bytes (BLOB); none if there is no such table.
   std::vector<std::string> columns(const std::string& table);
-  /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: rows with this
-  /// run_id alone, if the table has that column; "": all. Throws StoreError for values of another type than the
+  /// Calls `take` for each row, with the values of `columns`, in the order of the table's key. `id`: only rows with
+  /// this run_id, if the table has that column; "": all rows. Throws StoreError for values of another type than the
   /// column's.
   void eachRow(const std::string& table, const std::string& id, const std::function<void(const TableRow&)>& take);
 
-  /// Makes a file that holds this run alone. It must not be there yet.
+  /// Makes a file that holds only this run. The file must not exist.
   void copyRun(const std::string& id, const std::filesystem::path& file);
 
   const std::filesystem::path& file() const { return db_.file(); }
@@ -136,19 +136,19 @@ class Store {
   struct Attempt {
     RunRecord record;
     std::string started;
-    bool storesOnTheWay = false;  // its records go into the file while it runs
-    RecordedUntil until = {};     // of those that did
-    double flushed = 0;           // [s] by the wall clock, when they did
+    bool storesOnTheWay = false;  // true: its records are stored while it runs
+    RecordedUntil until = {};     // the last records stored while it ran
+    double flushed = 0;           // [s] by the wall clock: when they were stored
   };
   void flush(const std::string& id, Attempt& attempt);
-  /// The last sample and hash that the file holds up to this step.
+  /// Returns the last sample and hash that the file holds up to this step.
   RecordedUntil recordedUntil(const std::string& id, std::uint64_t step);
   /// Copies the records that `record` took after `until` into the file.
   void takeOver(const std::string& id, const RecordedUntil& until = {});
   explicit Store(Database db) : db_(std::move(db)) {}
   Database db_;
-  std::map<std::string, Attempt> attempts_;  // begun here and not finished, by id
-  std::optional<Database> recorded_;         // what `record` took
+  std::map<std::string, Attempt> attempts_;  // attempts begun by this Store and not finished, by id
+  std::optional<Database> recorded_;         // the records that `record` took
 };
 
 }  // namespace morula

@@ -1,4 +1,4 @@
-// Runs that stop on the way, and go on.
+// Stopping a run at a checkpoint, and resuming it.
 #include "base/error.h"
 #include "store/rows.h"
 #include "store/run_tables.h"
@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-/// The step of the checkpoint that the file has, if samples and hashes were recorded for it in the same way.
+/// Returns the step of the file's checkpoint, if its samples and hashes were recorded at the same intervals.
 std::optional<std::uint64_t> keptStep(Database& db, const std::string& id, const Checkpoint& c) {
   Statement s(db, "SELECT step FROM checkpoint WHERE run_id = ? AND every IS ? AND hash_every IS ?");
   if (!s.start(id, c.every, c.hashEvery).next()) return std::nullopt;
@@ -48,7 +48,7 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
   else if (status.text(0) == name(RunStatus::done)) return false;
   const auto kept = keptStep(db_, id, checkpoint);
   if (kept && *kept > checkpoint.step) return true;
-  attempt->second.storesOnTheWay = false;  // from now on the file has records up to the checkpoint, and no more
+  attempt->second.storesOnTheWay = false;  // from now on the file has only records up to the checkpoint
   attempt->second.until = {};
   if (!kept) {
     deleteRows(db_, id);

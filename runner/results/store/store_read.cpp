@@ -1,4 +1,4 @@
-// Reads the content of a file back as plain data, and checks that it is what was stored.
+// Reads the content of a file as plain data, and checks that it is as stored.
 #include <algorithm>
 #include <set>
 
@@ -76,7 +76,7 @@ void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& mesh
   }
 }
 
-/// To `samples`, which are there; so are the faces.
+/// Reads surfaces into the samples of `results`, which must have its samples and faces.
 void readSurfaces(Database& db, const std::string& id, RunResults& results) {
   Statement s(db, sqlTable<CellSurface>().select(db));
   for (Sample& sample : results.samples)
@@ -95,7 +95,7 @@ void eachLink(Database& db, const std::string& id, const std::function<void(Chai
   std::optional<std::uint64_t> last;
   for (links.start(id); links.next();) {
     ChainLink link = links.row<ChainLink>();
-    // Their distances divide: equal steps, which the key of a whole table excludes, must not get that far.
+    // Readers divide by the distance of steps. A damaged table may hold equal steps, although its key excludes them.
     if (last && link.step <= *last) links.refuse(0, "needs steps that ascend");
     last = link.step;
     for (cell.start(id, link.step); cell.next();) link.state.cells.push_back(cell.row<CellHash>());
@@ -184,13 +184,13 @@ std::vector<SourceText> Store::documents(const std::string& id) {
 
 namespace {
 
-/// The runs whose rows this process has checked, by file.
+/// Returns the runs whose rows this process has checked, by file.
 std::set<std::pair<std::filesystem::path, std::string>>& intactRuns() {
   static std::set<std::pair<std::filesystem::path, std::string>> intact;
   return intact;
 }
 
-/// Tables with row numbers are searched by an index of their own, which may lead astray while the rows are whole.
+/// Throws StoreError if an index of a table with row numbers is damaged: a search by it could then miss whole rows.
 void requireIndexes(Database& db) {
   for (const SqlTable* t : runTables()) {
     if (!t->info.hasRowNumbers) continue;

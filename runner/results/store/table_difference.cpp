@@ -1,4 +1,4 @@
-// Two stored runs, table by table.
+// Compares two stored runs, table by table.
 #include <algorithm>
 #include <bit>
 
@@ -10,17 +10,17 @@
 namespace morula {
 namespace {
 
-/// How rows of a table are found and ordered, and what of them is compared.
+/// The columns of a table by which rows are found and ordered, and those that are compared.
 struct Form {
   std::string table;
   std::vector<FileColumn> key, values;
   std::string where = "run_id = ?";
 };
 
-/// A key that holds across two files: numbers of rows are given anew where other rows stand between.
+/// Returns a key that holds across two files, in which numbers of rows may differ.
 const char* naturalKey(const std::string& table) { return table == "check_result" ? "kind check" : nullptr; }
 
-/// Returns true for columns of the row `run` that the computation decides. The others say where and when it was made.
+/// Returns true for columns of the row `run` that the computation decides, not its circumstances.
 bool isDecided(const std::string& column) {
   return partOf(column) == RunPart::result || partOf(column) == RunPart::scene;
 }
@@ -35,7 +35,7 @@ Form formOf(Database& db, const std::string& table) {
     if (column.name == "run_id") continue;
     const bool isKey = natural ? isIn(natural, column.name) : column.key > 0;
     if (isKey) form.key.push_back(column);
-    else if (column.key > 0) continue;  // the number that stands in for a key
+    else if (column.key > 0) continue;  // a row number in place of a key
     else if (table != "run" || isDecided(column.name)) form.values.push_back(column);
   }
   if (table == "check_result") form.where += " AND kind NOT IN ('golden', 'bullet')";

@@ -1,5 +1,5 @@
 #pragma once
-// Two stored runs, table by table: which rows differ, and in what.
+// The differences of two stored runs: their differing rows and values, table by table.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,20 +7,20 @@
 
 namespace morula {
 
-/// One value that is not what it should be. Numbers are written so that they read back with the same bits.
+/// One value that is not as expected. Numbers are written so that they read back with the same bits.
 struct ValueDifference {
   std::string table;
   std::string row;     // its key: "time 0.25, path AB"
-  std::string column;  // "" where one of the two has no such row
+  std::string column;  // "" if one of the two runs lacks the row
   std::string stored, recomputed;
 };
 
 struct TableDifference {
   std::string table;
   std::uint64_t rows = 0, recomputedRows = 0;
-  std::uint64_t differing = 0;           // rows that differ or that only one of the two has
+  std::uint64_t differing = 0;           // rows that differ or that one of the runs lacks
   std::optional<ValueDifference> first;  // in the order of the table's key
-  std::vector<std::string> missing{};    // columns that the stored table lacks, of measures that it is older than
+  std::vector<std::string> missing{};    // columns of newer measures, which the stored table lacks
 };
 
 }  // namespace morula
