@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-/// The axis that is told by colour; none without axes.
+/// Returns the axis that is shown by colour; absent without axes.
 std::optional<std::size_t> colourAxis(const StudyComparison& c) {
   if (c.by.empty()) return std::nullopt;
   return c.by.front();
@@ -23,7 +23,7 @@ std::size_t colourLevel(const StudyComparison& c, std::size_t condition) {
   return axis ? c.results.conditions[condition].levels[*axis] : 0;
 }
 
-/// The levels of the other axes; of the only axis its own.
+/// Returns the levels of the other axes; with one axis, its level.
 std::string labelOf(const StudyComparison& c, std::size_t condition) {
   const auto& levels = c.results.conditions[condition].levels;
   const auto axis = colourAxis(c);
