@@ -26,12 +26,12 @@ namespace {
       fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that", exactText(time), end));
 }
 
-/// Pictures of the world while it runs, evenly from the start to the planned end.
+/// Takes pictures of the world while it runs, evenly from the start to the planned end.
 class Times {
  public:
   Times(PictureMaker& maker, int count, double end) : maker_(maker), count_(count), end_(end) {}
   void observe(const World& world) {
-    // A tolerance far below the time between two pictures: the last step may end a rounding before the end.
+    // The tolerance is far below the time between two pictures: rounding may end the last step before the end.
     while (next_ < count_ && world.clock.time >= next_ * end_ / (count_ - 1) * (1 - 1e-9)) maker_.add(world), ++next_;
   }
 
@@ -77,18 +77,18 @@ std::vector<std::string> drawTree(const World& world, const Scenario& scenario, 
   return {file};
 }
 
-/// A scenario that was run as far as asked for.
+/// A scenario that was run as far as the options ask.
 struct Shown {
-  std::unique_ptr<const Scenario> scenario;  // stays where it is: pictures refer to it
+  std::unique_ptr<const Scenario> scenario;  // at a fixed address: pictures refer to it
   std::optional<Simulation> run;
-  int code = fine;  // else the program's exit code: there is nothing to show
+  int code = fine;  // else the program's exit code, without anything to show
 };
 
-/// `watch` sees the world while it runs, with the planned end or --time [time].
+/// Runs the scenario. `watch` makes an observer of the world, by the planned end or --time [time].
 Shown show(const std::string& file, const RenderOptions& options,
            const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
   const bool isTree = options.style == PictureStyle::lineage;
-  // Positions are not stored: the same bits come out of running again.
+  // Positions are not stored: running again gives the same bits.
   Shown shown{std::make_unique<const Scenario>(
                   anyScenario(file, file == options.file ? options.run : "", options.input.allowOutside)),
               {}};
@@ -100,7 +100,7 @@ Shown show(const std::string& file, const RenderOptions& options,
   if (time && planned && *time > *planned) failAfterEnd(*time, *planned);
   World world = makeScenarioWorld(scenario, execution(options.execution));
   if (time)
-    world.model.stop.time = time;  // of the world, not of the scenario: it runs as it always does, only not so far
+    world.model.stop.time = time;  // the world's stop, not the scenario's: the run is as usual, but ends earlier
   shown.run = simulate(scenario, std::move(world),
                        {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
   const Simulation& run = *shown.run;
@@ -109,13 +109,13 @@ Shown show(const std::string& file, const RenderOptions& options,
     tellError(run.end.failure);
     shown.code = numerical;
   }
-  // A run may end before its planned end: by its number of cells, or when all have died.
+  // A run may end before its planned end by its number of cells, or by the death of all.
   else if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9))
     failAfterEnd(*time, run.end.time);
   return shown;
 }
 
-/// Draws the same moment of two runs side by side, with the distance of their surfaces.
+/// Draws two runs at one moment side by side, with the distance of their surfaces.
 int compare(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::vector<OrganismPicture> pictures;
   double radius = 1;

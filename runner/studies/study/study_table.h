@@ -20,8 +20,7 @@ struct Key {
   std::function<void(Study&, const scenario::Node&, scenario::Problems&)> read;
 };
 
-/// Returns the keys in the order in which people should meet them. The keys in the maps `keep` and `limits` follow
-/// their map.
+/// Returns the keys in the order in which people should meet them. Keys in the maps `keep` and `limits` follow them.
 const std::vector<Key>& keys();
 
 /// Fills the study from the document. Everything the table does not allow becomes a problem.
