@@ -1,5 +1,5 @@
 #pragma once
-// The values that decide a scenario's results, so that two scenarios can be told apart by names of keys.
+// The values that decide a scenario's results, by keys, to list the differences of two scenarios.
 #include <string>
 #include <utility>
 #include <vector>

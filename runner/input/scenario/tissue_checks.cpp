@@ -35,8 +35,8 @@ void checkConnecting(const SceneCheck& check) {
                  "write a gene such as g9(connect|a0), or set this to at-division");
 }
 
-// [1] Of the contact stiffness and of the membranes'. Heaps of 27 meshes and of 64 spheres bore as much; with 0.13 of
-// the one spheres slipped into each other by and by, with 0.25 of the other meshes folded where they touched.
+// [1] Max adhesion over the contact stiffness, and over the membranes'. Heaps of 27 meshes and of 64 spheres bore it.
+// With 0.13 of the first, spheres slipped into each other; with 0.25 of the second, touching meshes folded.
 constexpr double overContact = 0.1, overMembrane = 0.2;
 
 }  // namespace

@@ -44,7 +44,7 @@ struct BulletCheck {
   std::optional<double> radius;      // [1] of each cell's mean distance of vertices from their centre
   std::optional<double> volume;      // [1] of each cell's volume
   std::optional<double> distance;    // [1] of the distance between touching cells' centres, less Bullet's gap
-  // [1] of each cell's length over its thickness, of the ellipsoid with its moments
+  // [1] of each cell's length over its thickness, by the ellipsoid with its moments
   std::optional<double> aspect;
 
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
@@ -52,12 +52,12 @@ struct BulletCheck {
 
 /// Conditions on a run besides its golden. Nothing here changes what the cells do; absent conditions are not checked.
 struct CheckParameters {
-  // At every step, of every cell
+  // Conditions at every step, on every cell
   std::optional<Bounds> volume;    // [1] over the volume at rest: the egg's mesh with the cell's rest lengths
   std::optional<double> extent;    // [length] max distance of a vertex from the origin
   std::optional<double> energy;    // [force·length] max kinetic and elastic energy of all cells
   std::optional<double> momentum;  // [mass·length/time] max change of the total momentum since the start
-  // At the end
+  // Conditions at the end
   std::optional<Bounds> endVolume;     // [1] as `volume`
   std::optional<double> endRoundness;  // [1] min sphericity of a cell
   std::optional<double> endOverlap;    // [1] max mean share of a cell's volume that lies in another cell too
@@ -80,7 +80,7 @@ struct Scenario {
   std::string summary;
   Scene scene;  // ready for makeWorld: DNA parsed, mesh built and scaled
   EggMesh mesh;
-  /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
+  /// Colours '#rrggbb', in lower case, by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   CellNames names;                       // names of cells, by path
   Units units;                           // units that people see
@@ -104,8 +104,8 @@ struct Scenario {
   std::string bytes;          // content of the file
   // Canonical JSON of every parameter, defaults included; can be read as a scenario
   std::string resolved;
-  Hash meaning;  // of all that decides results; format, comments, key order and colours do not count
-  std::optional<Hash> referenceMeaning;  // of check.reference, which decides measures and no state; absent if not given
+  Hash meaning;  // hash of all that decides results; format, comments, key order and colours do not count
+  std::optional<Hash> referenceMeaning;  // hash of check.reference, which decides measures and no state
 };
 
 }  // namespace morula

@@ -77,7 +77,7 @@ Parameter shellMesh();
 Parameter shellFill();
 Parameter divisionSize();
 Parameter divisionPlane();
-/// [degree] More than a turn is refused as a slip.
+/// The range of angles [degree]: more than a turn is probably a slip.
 constexpr Range chiralAngle{-360, 360};
 /// Reads {angle: 20, time: 0.5} of a rule.
 std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems);

@@ -9,7 +9,7 @@ namespace morula::scenario {
 
 struct WordLine {
   int line, column;                // place of the first word, 1-based; columns in bytes
-  std::vector<std::string> words;  // one at least
+  std::vector<std::string> words;  // at least one
 };
 
 /// Returns the lines that hold words. Line ends are LF, CR LF or CR; a byte order mark is skipped. A file that is not

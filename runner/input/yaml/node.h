@@ -21,9 +21,9 @@ struct Node {
   };
   Kind kind = Kind::null;
   Place place;
-  std::string text;    // of a scalar
-  char style = ' ';    // of a scalar: ' ' plain, '"', '\'', '|' or '>' as written
-  int textColumn = 1;  // of a '|' scalar: the column where its lines begin
+  std::string text;    // text of a scalar
+  char style = ' ';    // style of a scalar: ' ' plain, '"', '\'', '|' or '>' as written
+  int textColumn = 1;  // column at which the lines of a '|' scalar begin
   std::vector<Node> items;
   std::vector<Member> members;
 

@@ -98,9 +98,9 @@ class TreeBuilder : public YAML::EventHandler {
  private:
   struct Open {
     Node* node;           // a map or list that is being filled; its address is valid until it is closed
-    bool hasKey = false;  // of a map: the last member waits for its value
-    std::string key{};    // of the member whose value is awaited or open
-    std::unordered_map<std::string, int> lines{};  // of the map's keys so far
+    bool hasKey = false;  // in a map: the last member waits for its value
+    std::string key{};    // key of the member whose value is awaited or open
+    std::unordered_map<std::string, int> lines{};  // lines of the map's keys so far
   };
 
   std::string path() const {

@@ -21,13 +21,13 @@ namespace morula {
 namespace {
 
 struct ForceWork {
-  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  // The name: "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
   std::string force;
   double work = 0;  // [force·length] on the cell's vertices; negative: the force resisted
 };
 
-/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell, with f the mean of the forces at
-/// both ends of the step.
+/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell; f is the mean of the force at both
+/// ends of the step.
 class WorkMeter {
  public:
   /// The cell must exist in the world as long as the meter observes.

@@ -1,5 +1,5 @@
 #pragma once
-// Why a run failed, and what helps, as measured in a rerun.
+// The cause of a failure, and remedies, as measured in a rerun.
 #include <string>
 
 #include "simulation/body_failure.h"

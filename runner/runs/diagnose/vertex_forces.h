@@ -10,7 +10,7 @@
 namespace morula {
 
 struct VertexForces {
-  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  // The name: "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
   std::string name;
   std::vector<Vector> onVertex;  // [force]
 };

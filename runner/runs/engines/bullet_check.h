@@ -8,7 +8,7 @@
 namespace morula {
 
 struct BulletFindings {
-  std::vector<CheckResult> results;   // of kind "bullet"
+  std::vector<CheckResult> results;   // results of kind "bullet"
   std::optional<ExternalRun> bullet;  // if Bullet reached the same end
 };
 

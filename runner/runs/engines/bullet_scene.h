@@ -22,7 +22,7 @@ struct BulletScene {
   double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes the step as a float, even in double precision
   bool contact = true;       // vertices of a cell against faces of others
   double margin = 0.01;      // [length] of each surface: cells at rest against each other are two margins apart
-  int iterations = 1;        // of Bullet's position solver in each step: contacts, and B2's links
+  int iterations = 1;        // iterations of Bullet's position solver in a step: contacts, B2's links
 
   bool touching() const { return contact && cells.size() > 1; }
 };
@@ -36,7 +36,7 @@ struct BulletRequest {
 struct BulletResult {
   std::vector<Body> cells;                      // after the last step
   std::vector<double> stepSeconds;              // CPU time of each step
-  std::vector<std::vector<Body>> reports = {};  // as requested
+  std::vector<std::vector<Body>> reports = {};  // after the requested steps
 };
 
 /// Returns true if this program was built with Bullet in double precision.

@@ -164,7 +164,7 @@ BulletResult runRequest(const BulletRequest& request) {
 Json answerTo(const Json& question, std::ostream& out) {
   if (!question.contains("scenario")) return toJson(runRequest(bulletRequestFrom(question)));
   return toJson(runHere(question, [&](std::uint64_t step) {
-    out << jsonText({{"step", step}}) << std::endl;  // a process that dies has then told its last step
+    out << jsonText({{"step", step}}) << std::endl;  // the last step is known if the process dies
   }));
 }
 

@@ -58,11 +58,11 @@ struct ExternalRun {
   End end = End::silent;
   std::string why;  // "" if done or broken
   std::uint64_t step = 0;
-  std::vector<CheckResult> results;        // of the scenario's check; or what is broken
+  std::vector<CheckResult> results;        // results of the scenario's check; if broken, the broken conditions
   Bounds volumes;                          // [1] of all cells, over their volumes at rest
   std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
-  std::vector<Sample> samples;             // as the scenario records, and at the end; without states and contacts
-  std::vector<ExternalFrame> frames = {};  // as requested; none after maxFrameVertices
+  std::vector<Sample> samples;             // as in the scenario's `record`, and at the end; without states and contacts
+  std::vector<ExternalFrame> frames = {};  // at the requested times; none after maxFrameVertices
 };
 
 /// Returns the vertices of all cells [length], by path.

@@ -16,7 +16,7 @@ struct StateDifference {
   bool lineage = false;             // living cells, their biology or their births; else physics
   std::optional<std::string> cell;  // path; "" is the egg; absent: the field belongs to no cell
   std::string field;                // "position", "substances", "clock.time step"
-  std::optional<int> vertex;        // of the cell's mesh
+  std::optional<int> vertex;        // index in the cell's mesh
   std::string component;            // "x", "y" or "z" of a vector
   std::string expected, actual;     // numbers in decimal, shortest
   std::string text;                 // for people, one line; numbers also in hexadecimal and ulps
@@ -34,7 +34,7 @@ struct Explanation {
   std::optional<std::string> cell;         // the first cell that differs
   std::vector<std::string> cells;          // all cells whose hashes differ at `step`
   std::optional<StateDifference> difference;  // absent if only a run's hashes are known
-  std::optional<Hash> expectedEnd;            // of the expected run's last state; absent if unknown
+  std::optional<Hash> expectedEnd;            // hash of the expected run's last state; absent if unknown
   std::string text;                           // for people, several lines
 };
 

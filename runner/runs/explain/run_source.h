@@ -14,7 +14,7 @@ namespace morula {
 /// The hashes of a run's states at regular steps.
 struct HashTrace {
   std::vector<ChainLink> links;  // a chain that begins with its first link
-  std::uint64_t lastStep = 0;    // where the run ended, or where the question stopped
+  std::uint64_t lastStep = 0;    // last step of the run, or of the question
   std::string failure;           // why the run failed there; "" if it did not
 };
 

@@ -48,7 +48,7 @@ std::vector<LegendEntry> Palette::legend() const {
 
 namespace {
 
-constexpr double shellOpacity = 0.15;  // of a shell that is a mesh, which is drawn like a cell
+constexpr double shellOpacity = 0.15;  // opacity of a shell that is a mesh, which is drawn like a cell
 
 /// Returns the surface with separate vertices for each face, so that edges are drawn; cells are drawn smooth. The copy
 /// is slightly larger, or it would lie in the flat sides of cells that are pressed against it.

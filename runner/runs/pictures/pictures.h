@@ -33,8 +33,8 @@ class Palette {
 
 /// Returns the organism as it is now. Requires bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// Reserves room for all legend entries in all pictures of a sequence, each of which shows its own, so that the
-/// organism does not move when a colour comes or goes.
+/// Reserves room for all legend entries in all pictures of a sequence. Each picture shows its own, and the organism
+/// does not move when a colour comes or goes.
 void shareLegend(std::vector<OrganismPicture>& frames);
 /// Returns the lineage so far. Cells with a name are labelled with the name, others with their substances. `describe`
 /// returns a state's substances; `end`: present time of the living cells [time].

@@ -20,7 +20,7 @@ struct SmallMultiples;
 struct CompareOptions {
   std::vector<std::string> by = {};        // axes whose levels are compared; none: all axes
   std::vector<std::string> measures = {};  // none: all
-  std::vector<std::string> margins = {};   // as parseMargins takes them; none: equivalence is not tested
+  std::vector<std::string> margins = {};   // texts for parseMargins; none: equivalence is not tested
   bool within = false;  // compare levels also at each level of the other axes, not only in their mean
 };
 
@@ -109,7 +109,7 @@ struct StudyComparison {
   /// Pairs of axes that interact with another axis: their levels at each level of that axis. For Holm they are a family
   /// of their own.
   std::vector<PairComparison> split;
-  std::vector<TimeCourse> courses;  // of measures that were taken at several times
+  std::vector<TimeCourse> courses;  // courses of measures that were taken at several times
 
   const std::string& measureName(std::size_t m) const { return results.measures[m]; }
 };
@@ -138,11 +138,11 @@ std::string toCsv(const StudyComparison& comparison);
 /// words. `units`: units of the numbers.
 SmallMultiples stripsOf(const StudyComparison& comparison, const Units& units = {});
 
-/// Replaces the lines `statistic` of the scenarios' goldens: for each measure the difference of the first level of the
-/// compared axis, which is the scenario's own settings, from each other level. `study`: the merged database with
-/// `results`. In a study of several bases, only runs of a scenario count for its golden. Throws UsageError unless
-/// exactly one axis besides `base` is compared. Throws InputError before any file is written if the study is of another
-/// scenario, or a golden is not of this very scenario or must not be written; FileError if writing fails.
+/// Replaces the lines `statistic` of the scenarios' goldens: for each measure the difference between the first level of
+/// the compared axis, the scenario's own settings, and each other level. `study`: the merged database with `results`.
+/// In a study of several bases, only runs of a scenario count for its golden. Throws UsageError unless exactly one axis
+/// besides `base` is compared. Throws InputError before any file is written if the study is of another scenario, or a
+/// golden is not of this very scenario or must not be written; FileError if writing fails.
 void writeIntoGoldens(const StudyResults& results, CompareOptions options, const std::filesystem::path& study,
                       const std::vector<std::string>& scenarios);
 

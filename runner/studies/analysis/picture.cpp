@@ -40,7 +40,7 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure, const Units& units
   Panel panel{titleOfMeasure(name, units), {}, {}};
   panel.counts = factor == 1;
   std::map<std::string, std::vector<Strip>> byLabel;
-  std::vector<std::string> order;  // of labels
+  std::vector<std::string> order;  // labels in their order
   for (const ConditionSummary& s : c.conditions) {
     if (s.measure != measure || s.values.empty()) continue;
     for (const double v : s.values) panel.counts = panel.counts && v == std::floor(v);

@@ -22,7 +22,7 @@ struct ResultTask {
   std::string id, status;                       // done, failed or missing
   std::string reason;                           // why the run failed; of a run that is done, why its end is not sane
   std::string runId;                            // "" if missing
-  std::string stateHash;                        // of the last state; "" unless done
+  std::string stateHash;                        // hash of the last state; "" unless done
   std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
   std::size_t cells = 0;                        // at the end; 0 unless done
   bool isSane = true;                           // the end passed all checks of kind sanity (check_result)
@@ -44,7 +44,7 @@ inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
 
 struct StudyResults {
   std::string name, summary;
-  std::string buildId;                // of the program that computed all runs; "" without runs
+  std::string buildId;                // build of the program that computed all runs; "" without runs
   AllowedRuns allowed;                // failed and insane runs, by the study file
   std::vector<ResultAxis> axes;       // in the order of the study file and of levels
   std::vector<std::string> measures;  // the measures that the study asks for, in its order
@@ -57,7 +57,7 @@ struct StudyResults {
   std::optional<double> end(std::size_t measure, std::size_t task) const;
   /// Returns "longest, none"; "the scenario as it is" without axes.
   std::string nameOf(const ResultCondition& condition) const;
-  StateCounts counts() const;  // of all tasks
+  StateCounts counts() const;  // states of all tasks
 };
 
 /// A run that failed, is missing or is not sane, with its first condition and seed.

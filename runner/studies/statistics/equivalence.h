@@ -16,18 +16,18 @@ inline constexpr auto choices<Equivalent> =
                                        {Equivalent::no, "different", "apart by more than the margin"},
                                        {Equivalent::undecided, "not decided", "neither is shown"}});
 
-/// A test of equivalence with a margin > 0. The means are equivalent if both one-sided tests at 5 % agree: then the 90
-/// % interval of their difference lies within ±margin. They are different if their difference exceeds the margin at 5
-/// %; with a margin far below the error this is the two-sided test of a difference, far above it a one-sided test. A
-/// difference that does not vary has p-values of the exact test of its signs; a difference of single runs that no seed
-/// changes is compared with the margin itself.
+/// A test of equivalence with a margin > 0. The means are equivalent if both one-sided tests at 5 % agree: then the
+/// 90 % interval of their difference lies within ±margin. They are different if their difference exceeds the margin at
+/// 5 %. With a margin far below the error this is the two-sided test of a difference, far above the error a one-sided
+/// test. A difference that does not vary has p-values of the exact test of its signs. A difference of single runs that
+/// no seed changes is compared with the margin itself.
 struct Equivalence {
   double margin = 0;
-  double pAbove = 1;                   // of a difference at −margin or below: small if the difference lies above
-  double pBelow = 1;                   // of a difference at +margin or above: small if the difference lies below
-  double p = 1;                        // of equivalence: the larger of both
-  double pBeyond = 1;                  // of chance, for a difference beyond the margin on either side
-  std::optional<Interval> interval{};  // of the difference, at 90 %; absent if it does not vary
+  double pAbove = 1;                   // p of a difference at −margin or below: small if the difference lies above
+  double pBelow = 1;                   // p of a difference at +margin or above: small if the difference lies below
+  double p = 1;                        // p of equivalence: the larger of both
+  double pBeyond = 1;                  // p of chance, for a difference beyond the margin on either side
+  std::optional<Interval> interval{};  // interval of the difference, at 90 %; absent if it does not vary
 };
 Equivalence testEquivalence(const MeanDifference& d, double margin);
 
@@ -36,7 +36,7 @@ Equivalent verdictOf(double p, double pBeyond);
 
 /// Corrects the p-values of a family of tests: if values below 0.05 are called differences, at most 5 % of such
 /// families have any false one [Holm 1979]. In rising order the i-th of m (from 0) is multiplied by m − i, is at least
-/// the one before, and at most 1. The result is in the order given.
+/// its predecessor, and at most 1. The result is in the order given.
 std::vector<double> correctHolm(std::span<const double> p);
 
 }  // namespace morula

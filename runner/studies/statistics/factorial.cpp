@@ -73,7 +73,7 @@ struct Contrasts {
 /// Returns ε of deviations [replicate][group] from the effect's means.
 double epsilonOf(std::span<const double> deviations, std::size_t groups, double d) {
   const std::size_t n = deviations.size() / groups;
-  double trace = 0, squares = 0;  // of the covariance matrix, times n − 1
+  double trace = 0, squares = 0;  // traces of the covariance matrix and its square, times n − 1
   for (std::size_t g = 0; g < groups; ++g)
     for (std::size_t h = 0; h < groups; ++h) {
       double sum = 0;

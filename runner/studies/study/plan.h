@@ -22,14 +22,14 @@ struct Condition {
   /// times replace its `record`. Its own file and those that it names are relative to the study's folder.
   Scenario scenario;
   bool usesSeed = false;  // other seeds give other results
-  Hash meaning;           // of all that decides results but the seed, and of the reference of measures
+  Hash meaning;           // hash of all that decides results but the seed, and of the reference
 };
 
 /// One distinct run.
 struct Task {
   std::string id;  // 16 hex digits: of the condition's meaning, the seed if it is used, measures, when and keep
-  std::size_t condition = 0;  // of the first replicate that needs the task
-  std::uint64_t seed = 0;     // of the same replicate
+  std::size_t condition = 0;  // condition of the first replicate that needs the task
+  std::uint64_t seed = 0;     // seed of that replicate
   friend bool operator==(const Task&, const Task&) = default;
 };
 

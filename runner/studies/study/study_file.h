@@ -30,7 +30,7 @@ struct StudyAxis {
 struct Base {
   std::string label;      // in the axis `base`, if there are several: given, or the file's name without ".yaml"
   std::string file;       // relative to the study's folder
-  scenario::Place place;  // where the study file names it
+  scenario::Place place;  // place of the base in the study file
 };
 
 enum class HashesKept { none, end, all };

@@ -15,7 +15,7 @@ struct TaskOutcome {
   TaskRow task;  // with id, number, condition and seed; the rest is filled in
   RunRecord record;
   RunEnd end;          // done or failed
-  RunResults results;  // as far as they are kept
+  RunResults results;  // the part that is kept
   std::vector<ResultRow> values;
   TimingRow timing;
 };

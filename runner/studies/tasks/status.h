@@ -15,7 +15,7 @@ struct StudyStatus {
   std::vector<FailedTask> insane;      // done, with an end that is not sane, and why
   std::vector<std::size_t> missing;    // by number
   std::vector<FailedTask> unreadable;  // files that are no results; their tasks are also missing
-  std::uint64_t bytes = 0;             // of all files of the study
+  std::uint64_t bytes = 0;             // size of all files of the study
   double cpuSeconds = 0;               // [s] CPU time of the results
   // [s] CPU time for missing tasks: the prediction, corrected by the times of finished tasks; without a prediction,
   // their mean. Absent if nothing is known.
