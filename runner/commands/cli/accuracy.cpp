@@ -37,13 +37,13 @@ struct AccuracyWords {
   OutputOptions output;
 };
 
-/// [time] Where the scene is after so many steps, at its end or at `latest`. It may stop at a number of cells.
+/// Returns the time [time] after so many steps, at the scene's end, or at `latest`, whichever comes first.
 double timeReached(World world, std::uint64_t steps, double latest) {
   for (; steps > 0 && world.clock.time < latest && !finished(world); --steps) step(world);
   return world.clock.time;
 }
 
-/// [time] The scene's end if it comes before `time`; of one that fails on the way nothing is known.
+/// Returns the scene's end [time] if it comes before `time`; absent if the run fails on the way.
 std::optional<double> endBefore(World world, double time) {
   try {
     const double end = plannedEnd(world.model).value_or(0);
@@ -61,7 +61,7 @@ AccuracyOptions optionsOf(const AccuracyWords& words, const Scenario& scenario, 
   if (options.integrators.empty())
     for (const auto integrator : valuesOf<Integrator>())
       if (!kindOf(integrator).settles) options.integrators.push_back(integrator);  // others have no time step
-  // The next coarser mesh, unless others are asked for.
+  // The next coarser mesh is tried, unless others are asked for.
   const auto own = scenario.mesh.icosphere;
   if (options.levels.empty() && !only && !scenario.mesh.file &&
       !(scenario.scene.mechanics && scenario.scene.mechanics->physics.coarsen) && own && *own > 1)
@@ -74,7 +74,7 @@ AccuracyOptions optionsOf(const AccuracyWords& words, const Scenario& scenario, 
   return options;
 }
 
-/// Reads one scenario with the changes that were asked for, and further ones.
+/// Makes a reader of the scenario, with the changes asked for and further ones.
 ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
   return [&words, file](const std::vector<std::string>& changes) {
     auto all = overrides(words.scene);
@@ -83,7 +83,7 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
       std::erase_if(all, [&](const Override& o) { return o.path == path; });
       all.push_back(parseOverride(change));
     }
-    if (!changes.empty()) {  // these are of the scenario as it is; measures may need what a check compares with
+    if (!changes.empty()) {  // for variants; a check's reference may not fit them
       all.push_back(parseOverride("check={}"));
       all.push_back(parseOverride("record.measures=null"));
     }
@@ -101,7 +101,7 @@ Json provenance(const Scenario& scenario, const Execution& how) {
   return json;
 }
 
-/// A scene without a time step: its error is how far from rest it is.
+/// Reports a scene without a time step, whose error is its distance from rest.
 int tellSettlings(const AccuracyWords& words, const Scenario& scenario) {
   const Table settlings = measureSettlings(scenario, execution(words.execution));
   if (words.output.json)
@@ -114,7 +114,7 @@ int tellSettlings(const AccuracyWords& words, const Scenario& scenario) {
   return fine;
 }
 
-/// One scenario, whose report goes to stdout.
+/// Measures one scenario and prints its report to stdout.
 int actOn(const AccuracyWords& words, const std::string& file) {
   const ReadScenario read = readerOf(words, file);
   const Scenario scenario = read({});
@@ -123,7 +123,7 @@ int actOn(const AccuracyWords& words, const std::string& file) {
     return tellSettlings(words, scenario);
   if (words.intoGolden) refuseIntoGolden(scenario);
   else refuseWithoutError(scenario);
-  World start = makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
+  World start = makeScenarioWorld(scenario, execution(words.execution));  // mistakes are reported with their places
   const auto options = optionsOf(words, scenario, std::move(start));
   if (words.options.until)
     if (const auto end = endBefore(makeScenarioWorld(scenario, execution(words.execution)), *options.until))
@@ -164,7 +164,7 @@ int tellStated(const AccuracyWords& words) {
   return fine;
 }
 
-/// Several, into their goldens: what has none to state is said, and the others go on.
+/// Measures several scenarios, into their goldens. A scenario without an error to state is reported and skipped.
 int actOnAll(const AccuracyWords& words) {
   int code = fine;
   for (const std::string& file : words.scenarios) {

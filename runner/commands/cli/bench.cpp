@@ -1,4 +1,4 @@
-// morula bench: what each stage costs, beside what the machine could do.
+// morula bench: the costs of stages, beside the limits of the machine.
 #include "bench/bench.h"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ std::vector<T> sorted(std::vector<T> list) {
   return list;
 }
 
-/// The icosphere with so many vertices.
+/// Returns the level of the icosphere with so many vertices.
 int readLevel(const std::string& text) {
   const auto vertices = natural(42, 642)(text);
   for (const unsigned level : {1u, 2u, 3u})
@@ -68,7 +68,7 @@ BenchOptions optionsOf(const BenchWords& words) {
   return options;
 }
 
-/// Null of rows that are not Bullet's.
+/// Writes the part of a row that Bullet has; null for other rows.
 Json bulletJson(const BenchRow& row) {
   if (row.bulletSettings.empty()) return {};
   const auto one = [](const BulletSettingRow& s) {

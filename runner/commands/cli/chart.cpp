@@ -1,4 +1,4 @@
-// morula chart: what was measured of a run, as a chart.
+// morula chart: measured values of a run, as a chart.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ struct RunToDraw {
 RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
   if (isDatabase(options.file)) {
     auto store = Store::openForReading(options.file);
-    const auto run = store.find(options.run);  // whose rows anyScenario has held against their digests
+    const auto run = store.find(options.run);  // anyScenario has checked the digests of its rows
     return {store.results(run.id), run.time};
   }
   auto run = simulate(scenario, execution(options.execution),

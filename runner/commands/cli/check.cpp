@@ -1,4 +1,4 @@
-// morula check: run scenarios again and hold them against their golden files.
+// morula check: runs scenarios again and compares them with their golden files.
 #include <algorithm>
 #include <map>
 
@@ -46,7 +46,7 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   return json;
 }
 
-/// All scenarios below the folder `scenarios` of the project, sorted. Studies are named on stderr: other verbs check
+/// Returns all scenarios below the project's folder `scenarios`, sorted. Studies are named on stderr: other verbs check
 /// them. Throws FileError if there is no such folder, InputError if it holds nothing to check.
 std::vector<std::string> projectScenarios(bool quiet) {
   if (!isFolder("scenarios"))
@@ -65,7 +65,7 @@ std::vector<std::string> projectScenarios(bool quiet) {
   return files;
 }
 
-/// Why files of the same golden cannot be checked; "" where no other file has it.
+/// Returns why files with one golden cannot be checked; "" if no other file has this golden.
 std::string sharedGolden(const std::vector<std::string>& files, const std::string& file) {
   for (const std::string& other : files)
     if (other != file && goldenPath(other) == goldenPath(file))
@@ -76,12 +76,12 @@ std::string sharedGolden(const std::vector<std::string>& files, const std::strin
 /// One scenario of a check.
 struct Checked {
   std::string file;
-  std::optional<Scenario> scenario;  // absent: it cannot be read
+  std::optional<Scenario> scenario;  // absent if it cannot be read
   CheckReport report = {};
-  bool isFileError = false;  // why it cannot be read
+  bool isFileError = false;  // the file itself cannot be read
 };
 
-/// A scenario that cannot be read, or of which no run can be made, is a check that failed; the others go on.
+/// Makes a failed check of a scenario that cannot be read, or of which no run can be made. The others go on.
 void noteUnread(Checked& checked, const std::string& why, bool isFileError) {
   checked.scenario.reset();
   checked.isFileError = isFileError;
@@ -104,7 +104,7 @@ std::vector<Checked> readAll(const std::vector<std::string>& files, bool allowOu
   return all;
 }
 
-/// A run that could not end is a check that failed.
+/// Reports a run that could not end: a failed check, or, if the scenario must stop, a check of the reason.
 CheckReport failed(const Scenario& scenario, const Simulation& run) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, run.end.failure);
   CheckResult result = failedCheck("run", "COMPUTATION", "done", name(run.end.status), run.end.failure);
@@ -135,8 +135,8 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet)
   return report;
 }
 
-/// Returns the names under which results are reported: "thesis/unique-four" for …/scenarios/thesis/…, the path
-/// as it was given for a file that lies elsewhere, or whose name another one has, too.
+/// Returns the names under which results are reported: "thesis/unique-four" for …/scenarios/thesis/…; the path as given
+/// for a file that lies elsewhere, or whose name another file has, too.
 std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   std::map<std::string, int> count;
   for (const Checked& c : all) ++count[goldenName(c.file)];
@@ -152,7 +152,7 @@ std::vector<std::string> reportNames(const std::vector<Checked>& all) {
   return names;
 }
 
-/// Adds what `morula report` needs beyond the contract: what differs in words, where the scenarios are, and their end
+/// Adds what `morula report` needs beyond the contract: differences in words, the scenarios' places, and their end
 /// states.
 void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   std::size_t i = 0;
@@ -187,8 +187,8 @@ CheckReport withNames(CheckReport report, const CellNames& names) {
 
 constexpr const char* reportFiles[] = {"junit.xml", "report.json", "summary.md", "report.html"};
 
-/// Removes the reports of an earlier check, which must not be taken for this one's, however it ends. Files of others
-/// stay.
+/// Removes the reports of an earlier check, which must not be taken for those of this check, however it ends. Other
+/// files stay.
 void removeReports(const std::filesystem::path& folder) {
   makeFolder(folder);
   for (const char* name : reportFiles) {
@@ -199,7 +199,7 @@ void removeReports(const std::filesystem::path& folder) {
   }
 }
 
-/// `told`: the reports as people read them. `table`: what stands beside, or "".
+/// `told`: the reports with names for people. `table`: the comparison with other engines, or "".
 void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
                   const std::vector<CheckReport>& told, const Json& found, const std::string& table) {
   writeFile(folder / "junit.xml", junitXml(told), Content::report);
@@ -210,7 +210,7 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
   writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)), Content::report);
 }
 
-/// Reports of goldens that belong to no scenario.
+/// Returns reports on goldens that belong to no scenario.
 std::vector<CheckReport> orphans() {
   std::vector<CheckReport> reports;
   for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
@@ -221,7 +221,7 @@ std::vector<CheckReport> orphans() {
   return reports;
 }
 
-/// The exit code that follows from the states of all results. Files that cannot be opened are told as by all verbs.
+/// Returns the exit code for the states of all results. Files that cannot be opened have the exit code of all verbs.
 int exitCode(const std::vector<Checked>& all, const std::vector<CheckReport>& reports) {
   std::vector<ResultState> states;
   for (const CheckReport& r : reports) states.push_back(stateOf(r));
@@ -240,7 +240,7 @@ int act(const CheckOptions& options) {
   if (!options.reports.empty()) removeReports(options.reports);
   std::vector<CheckReport> reports, told;
   std::vector<Checked> all;
-  std::string nothing;  // why there is nothing to check
+  std::string nothing;  // the reason if there is nothing to check
   try {
     all = readAll(options.scenarios.empty() ? projectScenarios(quiet) : options.scenarios, options.input.allowOutside);
   } catch (const InputError& error) {
@@ -252,7 +252,7 @@ int act(const CheckOptions& options) {
 
   Json results = Json::array();
   std::vector<Verdict> own;
-  std::vector<Scenario> compared;  // with other engines
+  std::vector<Scenario> compared;  // to be compared with other engines
   const auto names = reportNames(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Checked& c = all[i];
@@ -260,14 +260,14 @@ int act(const CheckOptions& options) {
       if (c.scenario) c.report = checkOne(*c.scenario, how, quiet);
     } catch (const InputError& error) { noteUnread(c, error.what(), false); } catch (const FileError& error) {
       noteUnread(c, error.what(), true);
-    } catch (const NumericalError& error) {  // pictures for which there is no memory
+    } catch (const NumericalError& error) {  // no memory for pictures
       c.report = {"", {failedCheck("run", "COMPUTATION", "done", "failed", error.what())}};
     }
     c.report.scenario = c.scenario ? names[i] : c.file;
     if (c.scenario) c.report.file = c.file;
     const CellNames cells = c.scenario ? c.scenario->names : CellNames{};
     const std::string words = morula::withNames(describe(c.report), cells.function());
-    if (!c.scenario) {  // it is told on stderr
+    if (!c.scenario) {  // reported on stderr
     } else if (!options.output.json && beside.engines.empty()) print(words);
     else if (!c.report.passed()) tell(words, quiet);
     reports.push_back(c.report), told.push_back(withNames(c.report, cells));

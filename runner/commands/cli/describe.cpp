@@ -1,4 +1,4 @@
-// morula describe: the command line for shells and for man(1), as the installation keeps it.
+// morula describe: the command line for shells and for man(1), as it is installed.
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "options/command_tree.h"
@@ -40,7 +40,7 @@ void addDescribe(CLI::App& app, Action& action) {
     return fine;
   });
   verb.needs("form", *form, "FORM", parseChoice<DescriptionFor>, namesOf<DescriptionFor>());
-  verb.hide();  // the installation asks for it, once
+  verb.hide();  // called once, by the installation
 }
 
 }  // namespace morula::cli

@@ -1,5 +1,5 @@
-// morula export: stored runs for others, as tables, trees, surfaces or a folder that describes itself; without one,
-// which runs there are.
+// morula export: stored runs for other programs, as tables, trees, surfaces or a folder that describes itself.
+// Without any of these, lists the runs.
 #include <fmt/format.h>
 
 #include "base/error.h"

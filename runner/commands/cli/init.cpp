@@ -1,4 +1,4 @@
-// morula init: something to begin with.
+// morula init: a scenario, a DNA or a study to begin with.
 #include <filesystem>
 
 #include "base/error.h"
@@ -23,7 +23,7 @@ struct InitOptions {
   bool force = false;
 };
 
-/// To a file, or to stdout without one.
+/// Writes to a file, or to stdout without a file.
 int write(const std::string& text, const std::string& file, bool force) {
   if (file.empty()) {
     print(text);
@@ -44,7 +44,7 @@ std::string readDnaKind(const std::string& text) {
 int act(const InitOptions& options) {
   const auto file = options.file + options.output;
   if (!options.dna.empty()) return write(makeFullTreeDna(options.levels), file, options.force);
-  // Written files have no mistakes: a name or a base that would make one is refused here.
+  // Written files have no mistakes: a name or a base that would cause one is rejected here.
   if (!options.study.empty()) {
     const std::string text = starterStudy(options.study, options.base);
     readStudy(text, file.empty() ? "init --study" : file);

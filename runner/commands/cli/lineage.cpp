@@ -1,4 +1,4 @@
-// morula lineage: the tree of cells as text, and as a picture.
+// morula lineage: the tree of cells as text and as a picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,14 +28,14 @@ namespace {
 struct Tree {
   std::string scenario;
   double end = 0;      // [time] of the run
-  RunResults results;  // only the lineage, the states' texts and the names
+  RunResults results;  // only lineage, texts of states, and names
 };
 
 /// A cell of a run, with its relatives. The run must outlive it.
 struct CellLife {
   const LineageEntry* cell;
-  const LineageEntry *mother = nullptr, *sister = nullptr;  // null: it has none
-  std::vector<const LineageEntry*> daughters = {};          // none: it did not divide
+  const LineageEntry *mother = nullptr, *sister = nullptr;  // null: none
+  std::vector<const LineageEntry*> daughters = {};          // empty: the cell did not divide
 };
 
 const LineageEntry* entryOf(const Tree& tree, const CellPath& path) {
@@ -54,12 +54,12 @@ NameOf nameIn(const Tree& tree) {
 CellPath pathOf(const CellNames& names, const std::string& text) {
   try {
     return cellCalled(names, text, "--cell");
-  } catch (const InputError& error) {  // the command line is wrong, not a file
+  } catch (const InputError& error) {  // a mistake on the command line, not in a file
     throw UsageError(error.what());
   }
 }
 
-/// Throws that there never was such a cell, and says where its line of descent ends.
+/// Throws that there never was such a cell, and names the last cell of its line of descent.
 [[noreturn]] void refuseUnborn(const Tree& tree, const NameOf& nameOf, const CellPath& path) {
   CellPath last = path;
   while (!entryOf(tree, last) && !last.isEgg()) last = last.mother();
@@ -76,8 +76,8 @@ Json relative(const LineageEntry* cell, const NameOf& nameOf) {
   return {{"path", cell->path.text()}, {"name", orNull(nameOf(cell->path))}};
 }
 
-/// The cell that `text` means by name or path [cellCalled]. Throws UsageError that begins with "--cell" if it means
-/// none, or one that the run never had.
+/// Returns the cell that `text` means by name or path [cellCalled]. Throws UsageError that begins with "--cell" if
+/// there is none, or the run never had it.
 CellLife lifeOf(const Tree& tree, const CellNames& names, const std::string& text) {
   const CellPath path = pathOf(names, text);
   CellLife life{entryOf(tree, path)};
@@ -86,14 +86,13 @@ CellLife lifeOf(const Tree& tree, const CellNames& names, const std::string& tex
     life.mother = entryOf(tree, path.mother());
     life.sister = entryOf(tree, path.mother().daughter(!path.letter(path.depth() - 1)));
   }
-  if (life.cell->fate == Fate::divided)  // a path at its greatest depth has no daughters, and never divides
+  if (life.cell->fate == Fate::divided)  // a path of the greatest depth has no daughters, and never divides
     for (const bool b : {false, true})
       if (const LineageEntry* daughter = entryOf(tree, path.daughter(b))) life.daughters.push_back(daughter);
   return life;
 }
 
-/// A line for each of path, name, born, ended, fate, state, mother, daughters and sister; what it does not have has
-/// none.
+/// Writes a line for each of path, name, born, ended, fate, state, mother, daughters and sister, if the cell has it.
 std::string lifeAsText(const CellLife& life, const Tree& tree, const Units& units) {
   const NameOf nameOf = nameIn(tree);
   const LineageEntry& cell = *life.cell;
@@ -115,8 +114,8 @@ std::string lifeAsText(const CellLife& life, const Tree& tree, const Units& unit
   return text;
 }
 
-/// A cell of the whole tree: "path", "name", "parent", "born", "ended", "fate", "state". The `ended` of a living one is
-/// the run's end.
+/// Writes a cell of the whole tree: "path", "name", "parent", "born", "ended", "fate", "state". The `ended` of a living
+/// cell is the run's end.
 Json cellAsJson(const LineageEntry& cell, const Tree& tree) {
   return {{"path", cell.path.text()},
           {"name", orNull(nameIn(tree)(cell.path))},
@@ -128,7 +127,7 @@ Json cellAsJson(const LineageEntry& cell, const Tree& tree) {
 }
 
 /// Writes a cell as JSON: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree;
-/// "mother" and "sister" as {"path", "name"}, or null; "daughters", a list of such.
+/// "mother" and "sister" as {"path", "name"}, or null; "daughters" as a list of {"path", "name"}.
 Json lifeAsJson(const CellLife& life, const Tree& tree) {
   const NameOf nameOf = nameIn(tree);
   Json json = cellAsJson(*life.cell, tree);
@@ -155,7 +154,7 @@ Tree stored(const LineageOptions& options) {
   return {run.record.scenario, run.time, options.colour ? store.results(run.id) : store.lineage(run.id)};
 }
 
-/// The tree as a picture, in the scenario's or the wanted colours.
+/// Draws the tree in the scenario's colours or the colours asked for.
 void draw(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
@@ -166,8 +165,8 @@ void draw(const Tree& tree, const LineageOptions& options) {
   writePicture(drawLineage(picture), options.picture);
 }
 
-/// Computes the lineage by genes alone: without bodies a thousand cells take a moment. If cells sense or wait for a
-/// size, bodies decide, too.
+/// Computes the lineage by genes alone: without bodies a thousand cells take a moment. Bodies are computed if cells
+/// sense or wait for a size.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;
@@ -203,7 +202,7 @@ int act(const LineageOptions& options) {
   if (!options.picture.empty()) draw(tree, options);
   if (!options.picture.empty() && options.output.quiet && !options.output.json) return fine;
   auto& cells = tree.results.lineage;
-  // Sorted by path: a mother stands before her daughters, and a subtree is one block of lines.
+  // Paths in order put a mother before her daughters, and a subtree into one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   const Units units =
       options.output.json ? Units{} : anyScenario(options.file, options.run, options.input.allowOutside).units;

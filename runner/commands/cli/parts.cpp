@@ -1,4 +1,4 @@
-// morula parts: what a scenario engages, why, and what each part will cost.
+// morula parts: the parts that a scenario uses, why, and what each will cost.
 #include "parts/parts.h"
 
 #include "base/error.h"
@@ -27,7 +27,7 @@ struct PartsOptions {
   bool noPictures = false;
 };
 
-/// [s] of CPU time that drawing takes: of a small picture of the egg, and most of it goes with the pixels.
+/// Estimates the CPU time of a picture [s] by small pictures of the egg: most of it is proportional to pixels.
 double secondsPerPicture(const Scenario& scenario, const World& world) {
   auto picture = pictureOf(world, scenario);
   const auto secondsOf = [&](int width) {
@@ -67,7 +67,7 @@ int act(const PartsOptions& options) {
   how.execution = execution(options.execution);
   how.ask.search = how.execution.search.method;
   if (options.scene.empty() && fileExists(goldenFile(scenario))) how.ask.golden = goldenFile(scenario).string();
-  const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
+  const World world = makeScenarioWorld(scenario, how.execution);  // mistakes are reported with their places
   how.ask.pictures = !options.noPictures;
   if (options.rehearsal) how.trial = *options.rehearsal;
   if (world.bodies && how.ask.pictures) how.secondsPerPicture = secondsPerPicture(scenario, world);

@@ -1,4 +1,4 @@
-// morula playground: one page to try scenarios in a browser, which needs neither this program nor a network.
+// morula playground: one page to try scenarios in a browser, without this program or a network.
 #include "report/playground.h"
 
 #include "cli/verbs.h"

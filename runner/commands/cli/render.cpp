@@ -82,11 +82,11 @@ std::vector<std::string> drawTree(const World& world, const Scenario& scenario, 
   return {file};
 }
 
-/// A scenario that was run as far as asked for.
+/// A scenario that was run as far as the options ask.
 struct Shown {
-  std::unique_ptr<const Scenario> scenario;  // stays where it is: pictures refer to it
+  std::unique_ptr<const Scenario> scenario;  // at a fixed address: pictures refer to it
   std::optional<Simulation> run;
-  int code = fine;  // else the program's exit code: there is nothing to show
+  int code = fine;  // else the program's exit code, without anything to show
 };
 
 /// Runs a scenario or a stored run as far as asked for. `observerOf` makes an observer for the scenario and the planned
@@ -94,7 +94,7 @@ struct Shown {
 Shown show(const std::string& file, const RenderOptions& options,
            const std::function<Observer*(const Scenario&, std::optional<double>)>& observerOf) {
   const bool isTree = options.style == PictureStyle::lineage;
-  // Positions are not stored: the same bits come out of running again.
+  // Positions are not stored: running again gives the same bits.
   Shown shown{std::make_unique<const Scenario>(
                   anyScenario(file, file == options.file ? options.run : "", options.input.allowOutside)),
               {}};
@@ -115,13 +115,13 @@ Shown show(const std::string& file, const RenderOptions& options,
     tellError(run.end.failure);
     shown.code = numerical;
   }
-  // A run may end before its planned end: by its number of cells, or when all have died.
+  // A run may end before its planned end by its number of cells, or by the death of all.
   else if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9))
     failAfterEnd(*time, run.end.time);
   return shown;
 }
 
-/// Draws the same moment of two runs side by side, with the distance of their surfaces.
+/// Draws two runs at one moment side by side, with the distance of their surfaces.
 int compare(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::vector<OrganismPicture> pictures;
   double radius = 1;

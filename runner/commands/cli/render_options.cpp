@@ -16,7 +16,7 @@
 namespace morula::cli {
 namespace {
 
-/// A finite number, or nothing.
+/// Reads a finite number; absent for anything else.
 std::optional<double> finite(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

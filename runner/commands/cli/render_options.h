@@ -17,9 +17,9 @@ struct RenderOptions {
   std::optional<PictureSize> size;
   PictureWishes wishes;
   std::vector<std::vector<ForceKind>> forces;
-  /// How many pictures: of one time all around (turntable), or of so many times (frames). 0: not asked for; not both.
+  /// Number of pictures: of one time all around (turntable), or of so many times (frames). At most one is not 0.
   int turntable = 0, frames = 0;
-  std::optional<double> perSecond;  // of a film
+  std::optional<double> perSecond;  // pictures of a film
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions messages;
@@ -31,7 +31,7 @@ void add(Verb& verb, RenderOptions& options);
 /// Returns the wishes for the picture. Throws UsageError for pictures that take too much memory.
 PictureWishes wishesOf(const RenderOptions& options);
 
-/// Throws UsageError unless `output` has an ending that can be written: films only of what moves, and where ffmpeg is.
+/// Throws UsageError if `output` has an unknown ending, or one for films if nothing moves or ffmpeg is missing.
 void checkOutput(const RenderOptions& options);
 
 }  // namespace morula::cli

@@ -1,4 +1,4 @@
-// morula replay: a stored run once more, from its record alone: under which other conditions, and the same bits?
+// morula replay: runs a stored run again from its record alone, also under other conditions, and compares all bits.
 #include "check/replay.h"
 
 #include "base/error.h"
@@ -16,7 +16,7 @@ namespace {
 
 struct ReplayOptions {
   std::string what, run, database, databaseOut;
-  ExecutionOptions execution{.threads = std::nullopt};  // as then
+  ExecutionOptions execution{.threads = std::nullopt};  // default: the stored number
   OutputOptions output;
 };
 

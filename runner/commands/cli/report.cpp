@@ -1,4 +1,4 @@
-// morula report: one page of stored runs, which opens anywhere and needs no network.
+// morula report: one page on stored runs, which opens anywhere and needs no network.
 #include "report/report.h"
 
 #include "base/error.h"
@@ -27,7 +27,7 @@ struct ReportOptions {
   OutputOptions messages;
 };
 
-/// results/unique-four-5/run.db → report.html beside it.
+/// Returns results/unique-four-5/report.html for results/unique-four-5/run.db.
 fs::path defaultName(const std::string& what) {
   const fs::path path = what;
   return (isFolder(path) ? path : path.parent_path()) / "report.html";
@@ -39,7 +39,7 @@ int act(const ReportOptions& options) {
   question.execution = execution(options.execution);
   question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;
-  // A study file stands for the results that it has; where it lies decides nothing here.
+  // A study file stands for its results; its scenarios may lie anywhere.
   for (std::string& what : question.what)
     if (isStudyFile(what) && isPlainFile(what) && isStudy(what)) what = databaseOf(what, true).string();
   findExplorer(question);

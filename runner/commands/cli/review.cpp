@@ -1,4 +1,4 @@
-// morula review: what goldens would change, and with a reason the change itself.
+// morula review: shows how goldens would change, and with a reason changes them.
 #include <cstdlib>
 
 #include "base/error.h"
@@ -35,7 +35,7 @@ struct ReviewOptions {
   std::string why, by = usersName();
 };
 
-/// Returns the scenarios to look at: the named ones, or those whose results wait. `--accept` and `--reject` need names.
+/// Returns the named scenarios, or else those whose results wait. `--accept` and `--reject` need names.
 std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   if (!options.scenarios.empty()) return options.scenarios;
   std::vector<std::string> waiting;
@@ -66,7 +66,7 @@ GoldenData resultToReview(const Scenario& scenario, const ReviewOptions& options
   return observed;
 }
 
-/// Tolerances are people's to edit; what they loosened since the last commit must be seen.
+/// Describes tolerances that were loosened since the last commit: people may edit them, but reviewers must see it.
 std::string describeLoosened(const Golden& golden, const std::filesystem::path& file) {
   const auto committed = committedText(file);
   if (!committed) return {};
@@ -80,7 +80,7 @@ std::string describeLoosened(const Golden& golden, const std::filesystem::path& 
   }
 }
 
-/// 0 if nothing would change.
+/// Shows the changes of a golden. Returns 0 if there are none.
 int show(const Scenario& scenario, const GoldenData& observed, const OutputOptions& output, Json& results) {
   const auto file = goldenFile(scenario);
   Json json{{"scenario", goldenName(scenario.file)}, {"golden", file.string()}};

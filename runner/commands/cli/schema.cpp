@@ -1,4 +1,4 @@
-// morula schema: what a scenario or a study may say, and what is measured.
+// morula schema: the keys of scenarios and studies, and the measures.
 #include "scenario/schema.h"
 
 #include "cli/verbs.h"

@@ -1,4 +1,4 @@
-// morula trail: where a run goes, in hashes; one Morula asks another so (explain --with).
+// morula trail: the hashes of a run's states, for another Morula program that asks (explain --with).
 #include <limits>
 
 #include "base/error.h"
@@ -54,7 +54,7 @@ void addTrail(CLI::App& app, Action& action) {
              "Instead, the whole state after this step, as bytes");
   add(verb, options.input);
   add(verb, options.execution);
-  verb.hide();  // not for people
+  verb.hide();  // for programs
 }
 
 }  // namespace morula::cli

@@ -1,4 +1,4 @@
-// morula validate: are these scenarios and studies right?
+// morula validate: checks scenarios and studies without running them.
 
 #include "base/error.h"
 #include "cli/verbs.h"
@@ -25,7 +25,7 @@ struct ValidateOptions {
   std::string sceneFile;
 };
 
-/// A study is right if all its conditions are.
+/// Checks a study with all its conditions.
 Json validateStudy(const std::string& file, const ValidateOptions& options, const Execution& how) {
   if (!options.scene.empty()) throw UsageError("--set and --seed are for scenarios, and '" + file + "' is a study");
   if (!options.sceneFile.empty())
@@ -57,7 +57,7 @@ int act(const ValidateOptions& options) {
         continue;
       }
       const auto scenario = loadScenario(file, overrides(options.scene), options.input.allowOutside);
-      makeScenarioWorld(scenario, how);  // the time step may be above the stability limit
+      makeScenarioWorld(scenario, how);  // throws for a time step above the stability limit
       list.push_back({{"file", file},
                       {"valid", true},
                       {"scenario", scenario.scene.name},

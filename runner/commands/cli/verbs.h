@@ -1,5 +1,5 @@
 #pragma once
-// The verbs of the program, each in the file of its name; `run`: run_verb/run_verb.h; those of studies:
+// The verbs of the program, each in the file of its name; `run` in run_verb/run_verb.h, the verbs of studies in
 // study_verbs/study_verbs.h.
 #include <span>
 
@@ -10,7 +10,7 @@ namespace morula::cli {
 AddVerb addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart, addLineage,
     addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addDescribe;
 
-/// All of them, in the order in which the help shows them.
+/// All verbs, in the order in which the help shows them.
 extern const std::span<AddVerb* const> verbs;
 
 }  // namespace morula::cli

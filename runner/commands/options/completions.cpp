@@ -1,4 +1,4 @@
-// Completions for bash, zsh and fish, out of the command line's declarations.
+// Completions for bash, zsh and fish, from the command line's declarations.
 #include <fmt/format.h>
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace {
 
 using Visit = std::function<void(const CommandInfo& command, const std::string& words)>;
 
-/// Each command that does something, with its words: "run", "study plan".
+/// Visits each command that has an action, with its words: "run", "study plan".
 void eachCommand(const CommandInfo& of, const Visit& visit, const std::string& before = "") {
   for (const CommandInfo& command : of.commands)
     if (command.commands.empty()) visit(command, before + command.name);

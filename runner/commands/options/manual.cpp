@@ -1,4 +1,4 @@
-// The manual for man(1), out of the command line's declarations.
+// The manual for man(1), from the command line's declarations.
 #include "options/command_tree.h"
 
 namespace morula::cli {
@@ -20,7 +20,7 @@ std::string optionEntry(const OptionInfo& option) {
   return text + "\n";
 }
 
-/// "morula study plan [OPTION]... STUDY".
+/// Returns "morula study plan [OPTION]... STUDY".
 std::string synopsis(const CommandInfo& command, const std::string& words) {
   std::string text = "\\fBmorula " + roffText(words) + "\\fR";
   bool takesOptions = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Options that several verbs share, and readers of kinds of values.
+// Options that several verbs share, and readers of values.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,19 +16,19 @@ struct OutputOptions {
   bool json = false, quiet = false;
 };
 
-/// The files that a scenario may reach.
+/// Access to files outside of the scenario's folder.
 struct InputOptions {
   bool allowOutside = false;
 };
 
-/// Changes of the scene.
+/// Changes of the scene by --set and --seed.
 struct SceneOptions {
   std::vector<std::string> set;
   std::optional<std::uint64_t> seed;
   bool empty() const { return set.empty() && !seed; }
 };
 
-/// How to compute; changes no result.
+/// Options of the computation, which change no result.
 struct ExecutionOptions {
   std::optional<int> threads = 1;
   std::optional<Isa> isa = {};
@@ -40,40 +40,40 @@ void add(Verb& verb, OutputOptions& options);
 void add(Verb& verb, InputOptions& options);
 void add(Verb& verb, SceneOptions& options);
 void add(Verb& verb, ExecutionOptions& options);
-/// `--memory-limit` alone: for verbs that make a world and do not run it.
+/// Adds `--memory-limit` alone, for verbs that make a world and do not run it.
 void addMemoryLimit(Verb& verb, ExecutionOptions& options);
-/// "Which run of the database; default: the latest".
+/// Adds `--run`: "Which run of the database; default: the latest".
 void addRunChoice(Verb& verb, std::string& run);
 
 std::vector<Override> overrides(const SceneOptions& options);
 Execution execution(const ExecutionOptions& options);
 
-/// The one or the other on stdout, as --json says.
+/// Prints `json` or `text` to stdout, as --json asks.
 void printEither(const OutputOptions& options, const Json& json, const std::string& text);
 
-/// A whole number in [low, high].
+/// Reads a whole number in [low, high].
 Reader<std::uint64_t> natural(std::uint64_t low, std::uint64_t high);
 Reader<double> number(const scenario::Range& range);
-/// [byte] "500M", "8G", "1.5G", "200000000".
+/// [byte] Reads "500M", "8G", "1.5G", "200000000".
 double readSize(const std::string& text);
 
 struct PictureSize {
   int width, height;  // [pixel]
 };
-/// "1920x1080"; "900": a square. Each side in [low, high].
+/// Reads "1920x1080", or "900" for a square. Each side is in [low, high].
 Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high);
 
-/// "1..50": the numbers from 1 to 50.
+/// Reads "1..50": the numbers from 1 to 50.
 std::vector<std::uint64_t> readSeeds(const std::string& text);
 
-/// Throws InputError unless the file's ending asks for what `verb` writes: PNG, and where it is a `drawing` (a chart or
-/// a tree) SVG and PDF.
+/// Throws InputError unless the file's ending is one that `verb` writes: PNG, and for a `drawing` (a chart or a tree)
+/// also SVG and PDF.
 void checkPictureName(const std::string& verb, const std::string& file, bool drawing);
 
-/// A file's name for which checkPictureName holds.
+/// Reads a file's name that passes checkPictureName.
 Reader<std::string> pictureName(const std::string& verb, bool drawing);
 
-/// The name of a page. Throws InputError unless it ends in .html.
+/// Reads the name of a page. Throws InputError unless the name ends in .html.
 std::string readPageName(const std::string& name);
 
 }  // namespace morula::cli

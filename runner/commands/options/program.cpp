@@ -34,19 +34,19 @@ std::vector<std::string> verbNames(const CLI::App& app) {
   return names;
 }
 
-/// The innermost verb that was chosen, or the program.
+/// Returns the innermost verb that was chosen, or the program.
 const CLI::App* chosenOf(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   return chosen.empty() ? &app : chosenOf(*chosen.front());
 }
 
-/// "run", "study plan".
+/// Returns "run" or "study plan".
 std::string titleOf(const CLI::App& verb) {
   const auto* above = verb.get_parent();
   return (above && above->get_parent() ? titleOf(*above) + " " : "") + verb.get_name();
 }
 
-/// CLI11 says of a misspelt verb only that one is required, so look at it before CLI11 does.
+/// Throws for a misspelt verb, since CLI11 would only say that a verb is required.
 void checkVerb(const CLI::App& app, const std::string& word) {
   const std::string before = app.get_parent() ? titleOf(app) + ": " : "";
   if (word.empty()) throw UsageError(before + "no verb; one of " + join(verbNames(app)) + ", or --help");
@@ -62,10 +62,10 @@ void checkVerb(const CLI::App& app, const std::string& word) {
                    (near.empty() ? "one of " + join(names) : "did you mean " + near + "?"));
 }
 
-/// Throws for words that the verb did not expect, with the option that was probably meant.
+/// Throws for words that the verb did not expect, and suggests an option.
 void checkLeftovers(const CLI::App& verb) {
   auto leftovers = verb.remaining();
-  std::erase(leftovers, "--");  // CLI11 took what follows it as files, and left the mark itself
+  std::erase(leftovers, "--");  // CLI11 takes the words after this mark as files, and leaves the mark itself
   if (leftovers.empty()) return;
   const auto word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> options;
@@ -88,7 +88,7 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& verb) {
 }
 
 Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
-  // It lives as long as the action, which asks it what was given.
+  // The app lives as long as the action, which reads its options.
   const auto owner =
       std::make_shared<CLI::App>("Morula grows organisms from one cell, the same bits every time.", "morula");
   CLI::App& app = *owner;
@@ -96,7 +96,7 @@ Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
       "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
       "incomplete, 6 file or database,\n"
       "70 bug, 130 and 143 interrupted.");
-  app.require_subcommand(0, 1);  // a file may be called as another verb is
+  app.require_subcommand(0, 1);  // a file may have the name of another verb
   app.set_version_flag("--version", versionText());
   Action action;
   const std::string word = argc > 1 ? argv[1] : "";
@@ -140,8 +140,8 @@ int runProgram(int argc, char** argv, std::span<AddVerb* const> verbs) {
   setFloatingPoint();
   endOutOfMemoryWith(numerical);
   std::signal(SIGXFSZ,
-              SIG_IGN);           // then a write beyond the limit of file sizes fails, as one to a full disk does
-  std::signal(SIGCHLD, SIG_DFL);  // who started us may ignore it, and then no process could be waited for
+              SIG_IGN);           // a write beyond the limit of file sizes then fails, as on a full disk
+  std::signal(SIGCHLD, SIG_DFL);  // a caller may have set it to ignore, which makes waiting for processes impossible
   try {
     for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
     reserveStandardStreams();
@@ -166,7 +166,7 @@ int runProgram(int argc, char** argv, std::span<AddVerb* const> verbs) {
   } catch (const std::bad_alloc&) {
     tellError(std::string("there is no more memory; ") + outOfMemoryRemedy);
     return numerical;
-  } catch (const std::system_error& error) {  // of files that the standard library looked at, or of threads
+  } catch (const std::system_error& error) {  // from the standard library, on files or threads
     tellError(error.what());
     return file;
   } catch (const std::exception& error) {

@@ -7,10 +7,10 @@
 
 namespace morula::cli {
 
-/// The whole program: reads the command line, acts, turns exceptions into exit codes. Help shows `verbs` in that order.
+/// Reads the command line, acts, and turns exceptions into exit codes. Help shows `verbs` in this order.
 int runProgram(int argc, char** argv, std::span<AddVerb* const> verbs);
 
-/// The command line as typed, for the record of a run.
+/// Returns the command line as typed, for the record of a run.
 std::string commandLine();
 
 }  // namespace morula::cli

@@ -10,28 +10,27 @@
 namespace morula::cli {
 namespace {
 
-/// An empty word is a slip in a script (an unset variable), never an answer: it must not pass for an option
-/// that was not given.
+/// Rejects an empty word: it is a slip in a script (an unset variable), and must not pass for an option that was not
+/// given.
 std::string refuseEmpty(const std::string& word) { return word.empty() ? "is empty; needs a value" : ""; }
 
-/// Returns true if an option was given, or for "--style lineage" if it was given this value.
+/// Returns true if an option was given; for "--style lineage", if it was given this value.
 bool isGiven(const CLI::App& verb, const std::string& option) {
   const auto blank = option.find(' ');
   const auto& words = verb.get_option(option.substr(0, blank))->results();
   return blank == option.npos ? !words.empty() : !words.empty() && words.back() == option.substr(blank + 1);
 }
 
-/// Hands each value that the option was given to `take`.
+/// Passes each given value of the option to `take`.
 void takeAll(const CLI::Option& option, const std::function<void(const std::string&)>& take) {
   for (const std::string& text : option.results()) try {
       take(text);
-    } catch (const InputError& error) {  // the command line is wrong, not a file
+    } catch (const InputError& error) {  // a mistake on the command line, not in a file
       throw UsageError(option.get_name() + ": " + error.what());
     }
 }
 
-/// CLI11 keeps what it checks, not what it completes. Of all options of the command line, while it is declared and
-/// afterwards.
+/// Returns the choices of all options of the command line, which CLI11 does not keep.
 std::map<const CLI::Option*, std::vector<std::string>>& choicesOfOptions() {
   static std::map<const CLI::Option*, std::vector<std::string>> all;
   return all;
@@ -50,7 +49,7 @@ void Verb::setChoices(const std::string& name, const std::vector<std::string>& n
 }
 
 struct Verb::Checks {
-  std::vector<std::function<void()>> ofOptions, ofValues;  // which were given together; what each was given
+  std::vector<std::function<void()>> ofOptions, ofValues;  // on options given together; on given values
 };
 
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose) {
@@ -82,7 +81,7 @@ void Verb::add(const std::string& name, const std::string& type, const std::stri
 void Verb::addList(const std::string& name, const std::string& type, const std::string& help, Take take) {
   auto* option = declare(*verb_, name, type, help)->expected(CLI::detail::expected_max_vector_size);
   if (type.ends_with(",...")) option->delimiter(',');
-  else if (name.starts_with("-")) option->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
+  else if (name.starts_with("-")) option->allow_extra_args(false);  // else --set a=1 FILE would swallow FILE
   checks_->ofValues.push_back([option, take = std::move(take)] { takeAll(*option, take); });
 }
 

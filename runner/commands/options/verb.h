@@ -1,7 +1,7 @@
 #pragma once
-// A verb's place on the command line. Each option is declared once: name, type and range, default, help, and what it
-// excludes; the verb's function gets values that have been checked. CLI11 stays in verb.cpp, since its header takes
-// longer to compile than most verbs.
+// A verb on the command line. Each option is declared once: name, type and range, default, help, and excluded options.
+// The verb's function gets checked values. CLI11 stays in verb.cpp, since its header takes longer to compile than most
+// verbs.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,19 +19,19 @@ class Option;
 
 namespace morula::cli {
 
-/// All that may be given for an option, where that is a list of names; else empty.
+/// Returns all allowed values of an option, if they are a list of names; else an empty list.
 const std::vector<std::string>& choicesOf(const CLI::Option& option);
 
 /// The action of a verb, called once the command line is understood. Returns the exit code.
 using Action = std::function<int()>;
 
-/// Adds a verb, and what is to be done when it is chosen, to the program or to the verb above.
+/// Adds a verb to the program or to the verb above, and sets `chosen` when the verb is chosen.
 using AddVerb = void(CLI::App& above, Action& chosen);
 
-/// A verb that only groups others, as `study` in `morula study plan`. Add those to what is returned.
+/// Adds a verb that only groups others, as `study` in `morula study plan`, and returns it.
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);
 
-/// Makes a value of an option's text. Throws InputError without the option's name.
+/// Reads a value from an option's text. Throws InputError without the option's name.
 template <class T>
 using Reader = std::function<T(const std::string& text)>;
 
@@ -56,16 +56,16 @@ class Verb {
     require(name);
   }
 
-  /// Declares an option: a word, of which the help shows what stands in it as the default; or as many as wanted, where
-  /// the type ends in ",..." also several with commas or blanks between.
+  /// Declares an option with a word, whose present value is the default in the help; or with any number of words. If
+  /// the type ends in ",...", several words may be separated by commas or blanks.
   template <class Words>
   void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
     takes(
         name, words, type, [](const std::string& text) { return text; }, help);
   }
-  /// Given or not.
+  /// Declares a flag.
   void takes(const std::string& name, bool& given, const std::string& help);
-  /// A value; one that may be absent; or a list of them, one for each word.
+  /// Declares an option with a value, a value that may be absent, or a list of values, one for each word.
   template <class T>
   void takes(const std::string& name, T& value, const std::string& type, std::type_identity_t<Reader<T>> read,
              const std::string& help) {
@@ -85,7 +85,7 @@ class Verb {
     setChoices(name, namesOfChoices<T>());
   }
 
-  /// Sets the default that the help shows if it is no value which could be given: "as then".
+  /// Sets the default in the help if no value can express it: "as then".
   void showDefault(const std::string& name, const std::string& text);
 
   /// Allows at most one of these options.
@@ -93,10 +93,10 @@ class Verb {
   /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a
   /// sentence.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
-  /// Each of `names` says something only where one of `owners` is given, too.
+  /// Requires one of `owners` beside each of `names`.
   void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);
 
-  /// Takes the verb out of the list for people.
+  /// Hides the verb from people.
   void hide();
 
  private:
@@ -127,7 +127,7 @@ class Verb {
 
   CLI::App* verb_;
   Action* chosen_;
-  struct Checks;                    // what is done before the action
+  struct Checks;                    // checks before the action
   std::shared_ptr<Checks> checks_;  // lives as long as the action
 };
 

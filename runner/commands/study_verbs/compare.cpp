@@ -1,4 +1,4 @@
-// morula compare: what a study has found; or how different two pictures look.
+// morula compare: the findings of a study; or the difference of two pictures.
 #include <algorithm>
 #include <utility>
 
@@ -34,7 +34,7 @@ struct CompareCommand {
   OutputOptions output;
 };
 
-/// Two pictures that should look the same. Nothing of a study is asked for.
+/// Compares two pictures that should look the same. Throws if options of studies are given.
 int actOnPictures(const CompareCommand& command) {
   const CompareOptions& options = command.options;
   if (command.csv || command.tidy || !command.organisms.empty() || !command.intoGolden.empty() || !options.by.empty() ||
@@ -133,7 +133,7 @@ std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
   return file / "study.db";
 }
 
-/// To the program or to `study`: the same verb.
+/// Adds the verb to the program, or to `study`.
 void addCompare(CLI::App& above, Action& action) {
   Verb verb(above, action, "compare",
             "Compare the conditions of a study, with confidence intervals; or compare two pictures");

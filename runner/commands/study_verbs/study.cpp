@@ -5,7 +5,7 @@ namespace morula::cli {
 
 void addStudy(CLI::App& app, Action& action) {
   auto& study = addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
-  // In the order in which they are used.
+  // The verbs in the order of their use.
   for (AddVerb* add :
        {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyCheck, addStudyEmit})
     add(study, action);

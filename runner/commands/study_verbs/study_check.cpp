@@ -1,4 +1,4 @@
-// morula study check: do the claims of a study file hold of its results?
+// morula study check: checks the claims of a study file against its results.
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ struct CheckCommand {
   OutputOptions output;
 };
 
-/// The claims and the states of the runs, for continuous integration.
+/// Returns the claims and the states of the runs as checks, for continuous integration.
 CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings, const StudyState& state) {
   CheckReport report{study.name, checksOf(state, study.file)};
   for (const ClaimFinding& f : findings)
@@ -54,7 +54,7 @@ int act(const CheckCommand& command) {
                      "[{measure: clone-radius, a: {division: longest}, b: {division: random}, says: lower}]");
   const StudyResults results = readStudyResults(database);
   const StudyState state = stateOf(results, study.allowed, isFile ? differenceFrom(database, study) : PlanDifference{});
-  // Claims on other axes than the results have cannot be held against them: the results are stale.
+  // Results that are stale may have other axes than the claims, which then cannot be checked.
   const auto findings = state.counts.of(ResultState::stale) && !canHold(results, study) ? std::vector<ClaimFinding>{}
                                                                                         : findClaims(results, study);
   const auto hold = std::size_t(std::ranges::count(findings, true, &ClaimFinding::holds));

@@ -1,4 +1,4 @@
-// morula study emit: what a cluster, a workflow or GNU parallel runs a study with.
+// morula study emit: files with which a cluster, a workflow or GNU parallel runs a study.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ int act(const EmitCommand& command) {
   const std::string text = emit(study, command.emit);
   if (!command.output.empty() && !(command.force && fileExists(out))) requireNewFile(out);
   keepPlan(study);
-  // In the study's own folder stands what an earlier call has written.
+  // A file in the study's own folder was written by an earlier call, and may be replaced.
   if (command.output.empty() || command.force) overwriteFile(out, text);
   else writeNewFile(out, text);
   if (command.emit.site == Site::slurm && command.emit.shares > maxArrayJobs && study.plan.tasks.size() > maxArrayJobs)

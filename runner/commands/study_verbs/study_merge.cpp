@@ -1,4 +1,4 @@
-// morula study merge: all runs of a study in one database.
+// morula study merge: merges all runs of a study into one database.
 
 #include "options/exit_codes.h"
 #include "options/options.h"

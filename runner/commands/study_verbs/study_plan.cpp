@@ -1,4 +1,4 @@
-// morula study plan: what a study will compute, and what that will cost.
+// morula study plan: the runs and the costs of a study.
 
 #include "base/error.h"
 #include "options/exit_codes.h"

@@ -1,4 +1,4 @@
-// morula study run: computes what a study has planned, or a share of it.
+// morula study run: computes the planned runs of a study, or a share of them.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -46,14 +46,14 @@ std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan
   return tasks;
 }
 
-/// Each of the runs has its share of the machine's memory.
+/// Gives each run its share of the machine's memory.
 Execution executionOf(const RunCommand& command) {
   Execution how = execution(command.execution);
   if (!command.execution.memoryLimit) how.memoryLimit /= command.jobs;
   return how;
 }
 
-/// Returns the limits of the study file as it is now, if one is named; a plan that is continued may hold an older text.
+/// Returns the limits of the study file as it is now, if one is named; a continued plan may hold an older text.
 AllowedRuns allowedOf(const RunCommand& command, const Plan& plan) {
   return isFolder(command.of.study) ? plan.study.allowed
                                     : loadStudy(command.of.study, command.of.input.allowOutside).allowed;
@@ -75,7 +75,7 @@ int tellPlan(const RunCommand& command, const PlannedStudy& study, const std::ve
   return fine;
 }
 
-/// The states of a whole study decide; a share of it is complete or not, and is judged once it is merged.
+/// Returns the exit code by the states of a whole study. A share is complete or not, and is judged once it is merged.
 int exitCodeOf(const RunStudyReport& report, const MergeReport* merged, const AllowedRuns& allowed) {
   if (report.signal) return signalled + report.signal;
   if (merged && !merged->differing.empty()) return differs;
@@ -87,7 +87,7 @@ int act(const RunCommand& command) {
   PlanOptions planning;
   planning.predict = !command.noPredict;
   planning.execution = execution(command.execution);
-  // Runs are forked off this process, which must therefore have no threads: predictions are made with one.
+  // Runs are forked off this process, which must have no other threads; predictions use one thread.
   planning.execution.threads = 1;
   const PlannedStudy study = openStudy({.what = command.of.study,
                                         .to = command.of.out,

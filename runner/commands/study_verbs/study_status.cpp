@@ -1,4 +1,4 @@
-// morula study status: what has a result, what failed, what is missing, what it takes.
+// morula study status: results, failures, missing runs and the time that they take.
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +16,7 @@ namespace morula::cli {
 namespace {
 
 int act(const StudyOptions& options) {
-  // Whatever the file says by now: the question is about what is there.
+  // The folder's plan is used, whatever the file says now.
   const PlannedStudy study = openStudy({.what = options.study,
                                         .to = options.out,
                                         .allowOutside = options.input.allowOutside,

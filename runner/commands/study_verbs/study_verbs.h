@@ -1,5 +1,5 @@
 #pragma once
-// `morula study`, the verbs below it, and `morula compare`, which is also one of them.
+// `morula study` and the verbs below it, including `morula compare`.
 #include "options/options.h"
 #include "tasks/study_folder.h"
 
@@ -7,10 +7,10 @@ namespace morula::cli {
 
 AddVerb addStudy, addCompare;
 
-// Below `study`.
+// Verbs below `study`.
 AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit, addStudyCheck;
 
-/// The options of all verbs that work on a study's folder.
+/// Options of all verbs that work on a study's folder.
 struct StudyOptions {
   std::string study, out;
   InputOptions input;
@@ -18,7 +18,7 @@ struct StudyOptions {
 };
 
 void add(Verb& verb, StudyOptions& options);
-/// `--out` alone, of `study plan`, which takes no folder of a study.
+/// Adds `--out` alone, for `study plan`, which takes no folder of a study.
 void addStudyFolder(Verb& verb, std::string& out);
 
 /// Returns the database of a study: `named` is the database, the folder of a study, or a study file.

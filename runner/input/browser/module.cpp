@@ -15,15 +15,15 @@
 namespace morula::module {
 namespace {
 
-constexpr double memoryLimit = 1.5e9;      // [byte] browsers have less than programs
-constexpr std::size_t maxCells = 4096;     // that are looked at beforehand
-constexpr double evaluationsToRest = 400;  // of the forces, after a division: 100 to 800 with up to 64 cells
+constexpr double memoryLimit = 1.5e9;      // [byte] limit of a run: browsers have less memory than programs
+constexpr std::size_t maxCells = 4096;     // max cells to which a lineage is followed beforehand
+constexpr double evaluationsToRest = 400;  // force evaluations after a division: 100 to 800 with up to 64 cells
 
 std::optional<Scenario> scenario;
 std::size_t entriesTold = 0;
 
-/// How many time steps of so many vertices a run will be: its lineage runs beforehand without bodies, which takes no
-/// time. Genes that listen to bodies may make more or fewer cells.
+/// Estimates how many steps of how many vertices a run will take. Its lineage runs beforehand without bodies, which
+/// takes no time. Genes that sense bodies may make more or fewer cells.
 Json costOf(const Scenario& of) {
   Scene lineage = of.scene;
   const bool hasBodies = lineage.mechanics.has_value();
@@ -80,7 +80,7 @@ Json shellOf(const Scene& scene) {
 
 }  // namespace
 
-/// Reads {name, text, files: [[role, path, content]…]}. Says what it is, or all mistakes, one a line.
+/// Reads {name, text, files: [[role, path, content]…]}. Answers with main values, or all mistakes, one a line.
 MORULA_EXPORT(readScenario) int read() {
   return outcomeOf([] {
     setFloatingPoint();
@@ -89,7 +89,7 @@ MORULA_EXPORT(readScenario) int read() {
     std::vector<NamedFile> files;
     for (const Json& file : asked["files"]) files.push_back({file[0], file[1], file[2]});
     Scenario read = readScenario(asked["text"], asked["name"], "", {}, files);
-    const Json cost = [&] {  // mistakes that only the world finds have no line
+    const Json cost = [&] {  // errors of makeWorld name no line
       try {
         return costOf(read);
       } catch (const InputError& error) { throw InputError(read.file + ": " + error.what()); }
@@ -122,7 +122,7 @@ MORULA_EXPORT(beginScenario) int beginScenario() {
   });
 }
 
-/// Says the living cells, measures, contacts, and all cells that ever were where one was born since the last time.
+/// Answers with living cells, measures and contacts, and with all cells ever if one was born since the last snapshot.
 MORULA_EXPORT(snapshot) int snapshot() {
   return outcomeOf([] {
     const Observation now(*world);
@@ -151,12 +151,12 @@ MORULA_EXPORT(snapshot) int snapshot() {
   });
 }
 
-/// Says the faces of a living cell's surface.
+/// Answers with the faces of a living cell's surface.
 MORULA_EXPORT(facesOf) int facesOf(std::size_t cell) {
   return outcomeOf([&] { said = jsonText(flat(cellMesh(*world, world->cells.path.at(cell)).faces)); });
 }
 
-/// Says the names of the measures in snapshots, and the units in which people see the scenario's.
+/// Answers with the names of the measures in snapshots, and the units in which people see them.
 MORULA_EXPORT(measureNames) int measureNames() {
   return outcomeOf([] {
     Json names{

@@ -46,7 +46,7 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   differs(!scenario.check.fails.empty(), "a run that must stop has no end to compare", "remove check.fails, or this");
   differs(physics.precision == Precision::binary32, "Bullet computes in double precision",
           "set physics.precision to double");
-  if (const auto& dt = physics.timeStep)  // Bullet takes it as a float
+  if (const auto& dt = physics.timeStep)  // Bullet takes the time step as a float
     differs(static_cast<float>(*dt) != *dt,
             "physics.time_step " + exactText(*dt) + " is no single-precision number, as Bullet needs it",
             "use auto, or a power of two as " + exactText(powerOfTwoBelow(*dt)));

@@ -8,11 +8,11 @@
 namespace morula::scenario {
 
 struct Incompatibility {
-  bool lacks = false;  // Bullet has no such thing; otherwise the two would just not be comparable
+  bool lacks = false;  // true: Bullet cannot compute this; false: the results would not be comparable
   std::string wrong, right;
 };
 
-/// All reasons, or none. The scenario has mechanics.
+/// Returns every reason for which a comparison with Bullet is impossible. The scenario must have mechanics.
 std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, Baseline baseline);
 
 }  // namespace morula::scenario

@@ -21,7 +21,7 @@
 namespace morula::scenario {
 namespace {
 
-/// The parameter's value, or that of the innermost map that is given; and whether it is the parameter's.
+/// Returns the parameter's value and true; or the innermost map on its path that is given, and false.
 std::pair<const Node*, bool> innermost(const Node& root, const std::string& path) {
   const Node* node = &root;
   for (const std::string& key : partsOf(path, '.')) {
@@ -43,11 +43,11 @@ const Node* given(const Node& root, const std::string& path) {
 
 namespace {
 
-constexpr double slack = 1e-9;  // [1] what rounding may make of a shell that just fits
+constexpr double slack = 1e-9;  // [1] rounding error of a shell that just fits
 
 void checkSubstances(const SceneCheck& check) {
   const Dna& dna = check.scene().dna;
-  if (dna.substances.empty()) return;  // it could not be read, which has been said
+  if (dna.substances.empty()) return;  // an unreadable DNA has been reported
   for (const auto& use : check.reading.substances) {
     const auto isMeant = [&](const std::string& s) { return use.isPattern ? fits(use.name, s) : s == use.name; };
     if (std::ranges::any_of(dna.substances, isMeant)) continue;
@@ -63,25 +63,25 @@ void checkSubstances(const SceneCheck& check) {
   }
 }
 
-/// [1] How far out the vertices of the egg's mesh lie, in its radii.
+/// Returns the distance of the egg's farthest vertex from the origin [radii of the egg], at least 1.
 double farthestOf(const MechanicsScene& mechanics) {
   double farthest = mechanics.physics.cell.radius;
   for (const Point& vertex : mechanics.mesh.vertices) farthest = std::max(farthest, norm(vertex));
   return farthest / mechanics.physics.cell.radius;
 }
 
-/// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
-/// for: its vertices lie a little farther out, and the shell puts them onto itself in the first step.
+/// Returns how far out the egg's shape reaches [radii of the egg]. An icosphere counts as the sphere that it
+/// approximates: its vertices lie slightly outside, and the shell moves them onto itself in the first step.
 double reachOf(const Scenario& scenario) {
   return scenario.mesh.file && !scenario.mesh.icosphere ? farthestOf(*scenario.scene.mechanics) : 1;
 }
 
-/// [length]
+/// Returns the smallest semi-axis [length].
 double smallestAxis(const ShellParameters& shell) {
   return std::min({shell.semiAxes[0], shell.semiAxes[1], shell.semiAxes[2]});
 }
 
-/// `most` [length]: what holds the egg, `whose` that is.
+/// Adds the problem that the egg is too large. `most`: max reach [length]; `whose`: the length of the shell, in words.
 void refuseRadius(const SceneCheck& check, double most, const std::string& whose) {
   const double reach = reachOf(check.scenario);
   std::string where = whose + ", " + exactText(most) + " [length]";
@@ -90,7 +90,7 @@ void refuseRadius(const SceneCheck& check, double most, const std::string& whose
                "needs at most " + where);
 }
 
-/// The egg is a sphere, whatever the mesh of its shell.
+/// Checks that the egg, a sphere, fits a shell that is a mesh.
 void checkMeshShell(const SceneCheck& check) {
   const PhysicsParameters& physics = check.physics();
   double nearest = INFINITY;
@@ -121,10 +121,10 @@ void checkStartCells(const SceneCheck& check) {
                                  "stands out of the shell", "move it inward, or make it or its stretch smaller");
 }
 
-/// An egg with the shell's shape is a polyhedron in it, and cannot fill as much as a smooth one.
+/// Checks `fill` of an egg with the shell's shape: a polyhedron in the shell cannot fill as much as a smooth egg.
 void checkFill(const SceneCheck& check) {
   if (!check.physics().shell) return;
-  const double reach = farthestOf(check.mechanics());  // over the radius of the sphere of its volume
+  const double reach = farthestOf(check.mechanics());  // [1] over the radius of a sphere of equal volume
   const double most = 1 / (reach * reach * reach), fill = *check.scenario.shellFill;
   if (fill <= most) return;
   check.refuse("physics.shell.fill",
@@ -136,7 +136,7 @@ void checkFill(const SceneCheck& check) {
 void checkFit(const SceneCheck& check) {
   const Scenario& s = check.scenario;
   const auto& shell = check.physics().shell;
-  if (shell && s.shellMesh && !shell->mesh) return;  // why it could not be read has been said
+  if (shell && s.shellMesh && !shell->mesh) return;  // an unreadable mesh has been reported
   if (shell && shell->mesh && s.scene.cells.empty()) checkMeshShell(check);
   else if (s.eggIsStretched || (s.shellFill && s.scene.cells.empty() && kindOf(check.physics().cell.model).hasMesh))
     checkFill(check);
@@ -222,7 +222,7 @@ void checkVariation(const SceneCheck& check) {
                  "remove this, or give a smaller physics.cell.radius");
 }
 
-/// Who says that an end need not be sane says why.
+/// Checks that a reason is given if, and only if, an end need not be sane.
 void checkReason(const SceneCheck& check) {
   const CheckParameters& c = check.scenario.check;
   if (!c.sane && c.because.empty() && !given(check.root, "check.because"))
@@ -232,7 +232,7 @@ void checkReason(const SceneCheck& check) {
                  "remove it, or write sane: false");
 }
 
-/// A text of a letter or two stands in nearly every message, so that any failure would do.
+/// Checks the length of each text: a text of a letter or two is part of nearly every message.
 void checkFails(const SceneCheck& check) {
   constexpr std::ptrdiff_t minLetters = 3;
   for (const std::string& text : check.scenario.check.fails)
@@ -241,7 +241,7 @@ void checkFails(const SceneCheck& check) {
                    "give words that name the reason, with at least 3 letters or digits");
 }
 
-/// More would be neither stored nor looked at in any reasonable time.
+/// Checks that an interval makes at most `most` of `of`: more could not be stored or viewed in reasonable time.
 void checkInterval(const SceneCheck& check, const std::string& path, std::optional<double> every, double most,
                    const std::string& of) {
   const auto end = plannedEnd(check.scene());
@@ -281,7 +281,7 @@ void checkMeasures(const SceneCheck& check) {
 
 void checkBodies(const SceneCheck& check) {
   checkFit(check);
-  // Contents that nothing presses on have no volume at rest to measure their energy from.
+  // Without outside pressure, contents have no volume at rest from which their energy could count.
   if (check.scenario.check.energy && check.physics().pressure.outside == 0)
     check.refuse("check.energy", "has no zero to count from where physics.pressure.outside is 0",
                  "give a pressure > 0, or remove this");

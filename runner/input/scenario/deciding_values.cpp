@@ -6,8 +6,8 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t longestValue = 160;  // [character] what people still take in on one line
-constexpr std::size_t longestList = 16;    // told item by item
+constexpr std::size_t longestValue = 160;  // [character] max that people take in on one line
+constexpr std::size_t longestList = 16;    // max items of a list that is given item by item
 
 std::string oneLine(const Json& value) {
   if (value.is_number_float()) return exactText(value.get<double>());

@@ -1,5 +1,5 @@
 #pragma once
-// The values that decide a scenario's results, so that two scenarios can be told apart by names of keys.
+// The values that decide a scenario's results, by keys, to list the differences of two scenarios.
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,10 +8,9 @@ namespace morula {
 
 struct Scenario;
 
-/// Path and value of everything that `Scenario::meaning` is a hash of, defaults filled in, in the table's order:
-/// {"physics.pressure.constant", "155"}. Each value is one line. A long one (genes, many cells) is told by its length
-/// and hash; of a mesh from a file so is the content, as `physics.mesh.file.content` (of a shell
-/// `physics.shell.mesh.content`).
+/// Returns path and value of everything that `Scenario::meaning` hashes, defaults filled in, in the table's order:
+/// {"physics.pressure.constant", "155"}. Each value is one line. Long values (genes, many cells) are given by length
+/// and hash. So is the content of a file: `physics.mesh.file.content` and `physics.shell.mesh.content`.
 std::vector<std::pair<std::string, std::string>> decidingValues(const Scenario& scenario);
 
 }  // namespace morula

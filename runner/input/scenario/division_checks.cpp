@@ -1,5 +1,5 @@
-// How cells divide: rules that no cell can follow, and what cannot be done. Planes go by what a scene may lack:
-// contacts, connections, a long shell. So does chirality, by drag.
+// Checks of how cells divide: rules that no cell can follow, and impossible cuts. Planes and chirality are checked
+// against the scene: contacts, connections, a long shell, drag.
 #include <algorithm>
 
 #include "base/number_text.h"
@@ -29,7 +29,7 @@ class DivisionCheck {
       checkPlane(division_.otherwise, placeOf(check_.root, "division.plane"), "division.plane");
     checkShare({}, placeOf(check_.root, "variation.share"), "variation.share");
     if (!divides) refuseUnused();
-    if (check_.reading.rules.size() != division_.rules.size()) return;  // some could not be read, which has been said
+    if (check_.reading.rules.size() != division_.rules.size()) return;  // an unreadable rule has been reported
     for (std::size_t i = 0; i < division_.rules.size(); ++i) {
       const DivisionRule& rule = division_.rules[i];
       const Place place = check_.reading.rules[i];
@@ -60,7 +60,7 @@ class DivisionCheck {
   }
 
   void refuseUnused() {
-    if (check_.scene().dna.substances.empty()) return;  // it could not be read, which has been said
+    if (check_.scene().dna.substances.empty()) return;  // an unreadable DNA has been reported
     const VariationParameters& variation = check_.scene().variation;
     for (const auto& [path, isGiven] : {std::pair("division.rules", !division_.rules.empty()),
                                         {"variation.share", variation.share > 0},
@@ -70,8 +70,8 @@ class DivisionCheck {
                       "write a gene such as g1(divide|a0), or remove this");
   }
 
-  /// Returns true if a cell can hold this when it divides: its genes have just made all that it holds, but for what the
-  /// simulator lets it sense, which neither it begins with nor a division gives it.
+  /// Returns true if a cell can hold the substance when it divides: if a gene makes it, or if the simulator lets cells
+  /// sense it. No start and no division gives a sensed substance.
   bool canHold(const std::string& name) const {
     const Dna& dna = check_.scene().dna;
     const auto id = findSubstance(dna, name);
@@ -90,7 +90,7 @@ class DivisionCheck {
     const std::string path = pathOf(i) + ".of";
     for (const std::string& pattern : rule.of) {
       const auto isMeant = [&](const std::string& s) { return fits(pattern, s); };
-      if (std::ranges::none_of(check_.scene().dna.substances, isMeant)) return;  // unknown, which has been said
+      if (std::ranges::none_of(check_.scene().dna.substances, isMeant)) return;  // reported as unknown
       if (std::ranges::any_of(check_.scene().dna.substances,
                               [&](const std::string& s) { return isMeant(s) && canHold(s); }))
         continue;
@@ -146,7 +146,7 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   if (a == b && b == c) refuse("a sphere has no longest axis", right);
 }
 
-/// Returns true if the scene has no drag. A value that could not be read has been told.
+/// Returns true if the scene has no drag. An unreadable value has been reported.
 bool hasNoDrag(const SceneCheck& check) {
   if (check.physics().drag > 0) return false;
   const Node* drag = given(check.root, "physics.drag");
@@ -172,7 +172,7 @@ void checkPlanes(const SceneCheck& check) {
   };
   checkPlane(division.otherwise, check.mechanics(), at("division.plane"));
   if (division.chirality) checkChirality(*division.chirality, false, check, at("division.chirality"));
-  if (check.reading.rules.size() != division.rules.size()) return;  // some could not be read, which has been said
+  if (check.reading.rules.size() != division.rules.size()) return;  // an unreadable rule has been reported
   for (std::size_t i = 0; i < division.rules.size(); ++i) {
     const DivisionRule& rule = division.rules[i];
     const auto of = [&](const char* key) -> Refuse {

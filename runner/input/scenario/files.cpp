@@ -19,7 +19,7 @@ namespace {
 
 constexpr int coarsestLevel = 2;  // a sphere's area on 42 vertices is off by more than 1 %
 
-/// Calls `read`; its InputErrors become problems. Line for line they name their own places.
+/// Calls `read` and turns its InputErrors into problems; each line of an error names its own place.
 template <class Read>
 void guarded(Problems& problems, const Place& place, Read read) {
   try {
@@ -27,8 +27,8 @@ void guarded(Problems& problems, const Place& place, Read read) {
   } catch (const InputError& error) { problems.addForeign(place, error.what()); }
 }
 
-/// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come
-/// to stand in messages and in the database, so a stranger's scenario must not reach files of others.
+/// Adds a file that the scenario names to its files, and returns it; null and a problem if it cannot be read. The
+/// content may reach messages and the database, so a stranger's scenario must not read files of others.
 const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name, const Place& place,
                                const Places& places, Problems& problems) {
   for (const auto& stored : places.stored)
@@ -66,7 +66,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
   }
   around.sensed = reading.senses;
   const auto& mechanics = scenario.scene.mechanics;
-  if (!mechanics) return around;  // a lineage alone may be asked of a DNA that does more
+  if (!mechanics) return around;  // a DNA made for bodies may run as a lineage alone
   if (!mechanics->physics.growth)
     for (const auto& name : {substance::grow, substance::shrink})
       around.inert[name] =
@@ -97,7 +97,7 @@ void readDna(Scenario& scenario, const Reading& reading, const Places& places) {
       if (!place.option.empty()) parse(text.text, place.option);
       else if (text.style == '|') parse(text.text, problems.file(), place.line + 1, text.textColumn, "dna");
       else
-        // In quotes a line of DNA has no line of its own; its number within the text still helps.
+        // DNA in quotes has no lines in the file; line numbers within the text still help.
         parse(text.text, problems.file() + ":" + std::to_string(place.line) + ": dna");
     });
   }
@@ -120,7 +120,7 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Pl
   for (auto& mesh : mechanics.coarser) mesh = scaleToRadius(std::move(mesh), radius);
 }
 
-/// A shell that cannot be read stays without its mesh.
+/// Reads the shell's mesh; the shell stays without a mesh if the file cannot be read.
 void readShell(Scenario& scenario, const Node& root, Problems& problems, const Places& places) {
   if (!scenario.shellMesh || !scenario.scene.mechanics->physics.shell) return;
   const auto& place = root.find("physics")->value.find("shell")->value.find("mesh")->value.place;

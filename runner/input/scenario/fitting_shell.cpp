@@ -1,4 +1,4 @@
-// A shell that is given as a shape, and is as large as the egg needs.
+// Sizes a shell that is given as a shape, by the egg's radius and physics.shell.fill.
 #include <numbers>
 
 #include "base/maths.h"
@@ -9,9 +9,9 @@
 namespace morula::scenario {
 namespace {
 
-constexpr double rounding = 1e-9;  // a size that has been worked out before is not worked out again
+constexpr double rounding = 1e-9;  // [1] a size that has been computed before is kept
 
-/// The axes with abc = r³ / fill, so that 4π/3 r³ is `fill` of 4π/3 abc.
+/// Scales the axes to abc = r³ / fill, so that 4π/3 r³ is `fill` of 4π/3 abc.
 void scaleShell(ShellParameters& shell, double radius, double fill) {
   double* axes = shell.semiAxes.data();
   const double r3 = radius * radius * radius;
@@ -20,7 +20,7 @@ void scaleShell(ShellParameters& shell, double radius, double fill) {
   for (int i = 0; i < 3; ++i) axes[i] *= scale;
 }
 
-/// The mesh, about the origin, with the sphere's volume over `fill`.
+/// Scales the mesh about the origin, to the sphere's volume over `fill`.
 void scaleMesh(ShellParameters& shell, double radius, double fill) {
   const Mesh& mesh = shell.mesh->mesh;
   const double egg = 4 * std::numbers::pi / 3 * radius * radius * radius;
@@ -42,7 +42,7 @@ void fitShell(Scenario& scenario) {
   const double* axes = mechanics.physics.shell->semiAxes.data();
   const bool isRound = axes[0] == axes[1] && axes[1] == axes[2];
   if (isRound || !scenario.scene.cells.empty() || !kindOf(mechanics.physics.cell.model).hasMesh) return;
-  // The shell's shape, cbrt(fill) times as large: with abc·fill = r³ the product of the three is 1.
+  // The egg gets the shell's shape, cbrt(fill) times as large: with abc·fill = r³ the product of its stretches is 1.
   const double share = cubeRoot(fill) / radius;
   StartCell egg;
   egg.stretch = {share * axes[0], share * axes[1], share * axes[2]};

@@ -11,42 +11,42 @@ namespace morula::scenario {
 /// Fills the scenario from the document. Everything the table does not allow becomes a problem.
 void readTable(const Node& root, Scenario& scenario, Reading& reading);
 
-/// The places of named files.
+/// The places in which named files are looked for.
 struct Places {
-  std::filesystem::path folder;          // "": nowhere, only what is stored
-  const std::vector<NamedFile>& stored;  // first, by role
-  bool allowOutside;                     // of the folder
+  std::filesystem::path folder;          // "": only stored files are known
+  const std::vector<NamedFile>& stored;  // looked up first, by role
+  bool allowOutside;                     // files may lie outside of the folder
 };
 
-/// Parses the DNA and builds the mesh, from the scenario itself or from files. What is wrong in them is
-/// reported with their own lines.
+/// Parses the DNA and builds the mesh, from the scenario itself or from files. Mistakes in files are reported with the
+/// files' own lines.
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places);
 
 /// Sizes the shell by physics.shell.fill, and stretches the egg to an ellipsoid's shape (fitting_shell.cpp).
 void fitShell(Scenario& scenario);
 
-/// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
+/// Checks values against each other, such as substances that the DNA lacks, or an egg that does not fit its shell.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);
 
-/// The place of a parameter's value, or of the innermost map that is given.
+/// Returns the place of a parameter's value, or of the innermost map on its path that is given.
 Place placeOf(const Node& root, const std::string& path);
 
-/// The parameter's value, or else null.
+/// Returns the parameter's value; null if it is not given.
 const Node* given(const Node& root, const std::string& path);
 
-/// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the same again.
+/// Returns every parameter of every part that exists, in the table's order, as a scenario that reads the same.
 Json resolve(const Scenario& scenario);
 
-/// Every parameter that decides results, as `hashMeaning` takes them.
+/// Returns every parameter that decides results, as `hashMeaning` takes them.
 Json resolveMeaning(const Scenario& scenario);
 
-/// The hash of all that decides results, the mesh's vertices among it.
+/// Returns the hash of all that decides results, including the vertices of meshes.
 Hash hashMeaning(const Scenario& scenario);
 
-/// Adds what `check.reference` says, nothing without.
+/// Adds the values of `check.reference`, if given.
 void addReference(Hasher& hasher, const Scenario& scenario);
 
-/// JSON with two spaces per level and numbers as std::to_chars writes them, the same on every machine.
+/// Writes JSON with two spaces a level and numbers as std::to_chars writes them, alike on every machine.
 std::string writeJson(const Json& value);
 
 }  // namespace morula::scenario

@@ -33,13 +33,13 @@ Parameter presentation(Parameter p) {
   return p;
 }
 
-/// A choice, and what it is of.
+/// Puts the subject of a choice before its meaning.
 Parameter of(const char* what, Parameter choice) {
   choice.meaning = what + ("; " + choice.meaning);
   return choice;
 }
 
-/// One that joined the format later [Parameter::later].
+/// Marks a parameter that joined the format later [Parameter::later].
 Parameter later(Parameter p) {
   p.later = true;
   return p;

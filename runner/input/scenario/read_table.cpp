@@ -18,13 +18,13 @@ std::vector<std::string> keysOf(const std::string& section) {
   return keys;
 }
 
-/// Returns true if a key refines another of its section, or any, instead of standing for itself.
+/// Returns true if a key only refines or accompanies other keys of its section.
 bool refines(const std::string& section, const std::string& key) {
   const auto* parameter = parameterTable().parameter(inside(section, key));
   return parameter && (!parameter->needs.empty() || parameter->beside);
 }
 
-/// The path of a section or a parameter elsewhere that has this key; "" if there is none.
+/// Returns the path of a section or a parameter elsewhere that has this key; "" if there is none.
 std::string pathElsewhere(const std::string& key) {
   for (const auto& s : parameterTable().sections)
     if (s.key() == key) return s.path;
@@ -33,8 +33,8 @@ std::string pathElsewhere(const std::string& key) {
   return {};
 }
 
-/// Suggests what an unknown key was probably meant to be. A key at the top that belongs into a section has been
-/// misplaced; one within a section may have been meant there, whatever else is called so.
+/// Suggests what an unknown key was meant to be. At the top, a key of some section has probably been misplaced. Within
+/// a section, a namesake elsewhere is only mentioned.
 std::string remedy(const std::string& section, const std::string& key) {
   const auto here = keysOf(section);
   if (const auto near = closest(key, here); !near.empty()) return "did you mean " + near + "?";
@@ -89,7 +89,7 @@ class TableReader {
   }
 
  private:
-  /// False for a section that is given and could not be read, which has been said: nothing may be put into it.
+  /// Returns false for a section that could not be read, which has been reported: nothing may be put into it.
   bool isThere(const std::string& path) const {
     const Section* section = parameterTable().section(path);
     return section && section->existsIn(scenario_);
@@ -101,7 +101,7 @@ class TableReader {
 
   void checkKeys(const Section& section, const Node& node) {
     const auto known = keysOf(section.path);
-    std::vector<const Member*> good;  // those that count
+    std::vector<const Member*> good;  // known keys that stand for themselves
     bool unknown = false;
     for (const auto& member : node.members) {
       if (member.key.empty()) continue;

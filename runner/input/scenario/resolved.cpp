@@ -4,8 +4,8 @@
 namespace morula::scenario {
 namespace {
 
-/// All of a section; or with `defaults` what decides results. What joined the format later then counts only where it is
-/// used, so that a new parameter leaves the hashes of all scenarios as they are.
+/// Returns all of a section; with `defaults`, only what decides results. Parameters that joined the format later then
+/// count only if they differ from `defaults`, so that new ones leave all hashes as they are.
 Json resolveSection(const Section& section, const Scenario& scenario, const Scenario* defaults) {
   if (section.entries) return section.entries->write(scenario);
   Json map = Json::object();

@@ -4,7 +4,7 @@
 
 namespace morula::scenario {
 
-/// The scenario that a check looks at, and the problems that it adds.
+/// A scenario to check, and the problems that checks add.
 struct SceneCheck {
   const Scenario& scenario;
   Reading& reading;
@@ -15,38 +15,38 @@ struct SceneCheck {
   const MechanicsScene& mechanics() const { return *scenario.scene.mechanics; }
   const PhysicsParameters& physics() const { return mechanics().physics; }
 
-  /// Says it of a parameter, at its place.
+  /// Adds a problem at the place of a parameter.
   void refuse(const std::string& path, const std::string& wrong, const std::string& right) const {
     reading.problems.add(placeOf(root, path), path, wrong, right);
   }
 };
 
-/// Senses that no gene reads, that lack a part of the scene, or that start cells hold already.
+/// Checks for senses that no gene reads, that lack a part of the scene, or that start cells already hold.
 void checkSenses(const SceneCheck& check);
 
-/// A size at division that cells without growth are to reach.
+/// Checks that cells with a size at division can grow.
 void checkDivisionSize(const SceneCheck& check);
-/// A size that nothing can reach: "file:line:column: path: what; what would be right".
+/// Returns warnings of sizes that no cell can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
-/// Warnings of intervals in `record` that are shorter than the steps of a scene that settles.
+/// Returns warnings of intervals in `record` that are shorter than the steps of a scene that settles.
 std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root);
 
-/// Connections that nothing could make, or with two forces.
+/// Checks for connections that nothing could make, or that have two forces.
 void checkConnections(const SceneCheck& check);
 
-/// How cells divide: rules that no cell follows, shares and tilts that cannot be.
+/// Checks how cells divide: for rules that no cell follows, and for impossible shares and tilts.
 void checkDivision(const SceneCheck& check);
 
 /// Checks that a scene has the parts that its division planes and chirality need.
 void checkPlanes(const SceneCheck& check);
 
-/// Adhesion: what sticks must give way, and the law must know how.
+/// Checks that adhesive cells can give way, and that the contact law supports adhesion.
 void checkAdhesion(const SceneCheck& check);
 
-/// Cells that crawl where nothing bears them.
+/// Checks that cells that crawl have something to crawl on.
 void checkMotility(const SceneCheck& check);
 
-/// Quasi-static growth, with parts that act for a time or have no energy to come to rest at.
+/// Checks quasi-static growth for parts that act in time, or have no energy that could be minimal.
 void checkSettling(const SceneCheck& check);
 
 }  // namespace morula::scenario

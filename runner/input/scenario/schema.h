@@ -4,13 +4,13 @@
 
 namespace morula {
 
-/// A JSON Schema (draft 2020-12): editors complete and check scenarios by it. Ends with a newline.
+/// Returns a JSON Schema (draft 2020-12), by which editors complete and check scenarios. The text ends with a newline.
 std::string scenarioSchema();
 
-/// Writes the parameters as Markdown tables: scenarios/PARAMETERS.md.
+/// Returns the parameters as Markdown tables: scenarios/PARAMETERS.md.
 std::string scenarioParametersAsMarkdown();
 
-/// A commented scenario to begin with, named `name`. It loads.
+/// Returns a commented scenario to begin with, named `name`, that loads without problems.
 std::string starterScenario(const std::string& name);
 
 }  // namespace morula

@@ -19,7 +19,7 @@ bool hasSettling(const Scenario& s) {
   return s.scene.mechanics && kindOf(s.scene.mechanics->physics.integrator).settles;
 }
 
-/// Also where `physics` stands there and could not be read, which has been said.
+/// Makes the mechanics, also if the scenario's `physics` could not be read, which has been reported.
 void makeMechanics(Scenario& s) {
   if (!s.scene.mechanics) s.scene.mechanics.emplace();
 }

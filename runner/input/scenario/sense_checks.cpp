@@ -1,4 +1,4 @@
-// Senses and the size at division, held against the scene and its genes.
+// Checks senses and the size at division against the scene and its genes.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -74,7 +74,7 @@ void checkSenses(const SceneCheck& check) {
     const std::string path = "senses." + sense.substance;
     const auto [wrong, right] = findLack(row.needs, check.scene());
     if (!wrong.empty()) check.refuse(path + "." + row.name, wrong, right);
-    if (dna.substances.empty() || isRead(dna, sense.substance)) continue;  // empty: it could not be read
+    if (dna.substances.empty() || isRead(dna, sense.substance)) continue;  // empty: an unreadable DNA
     check.refuse(path, "no gene reads '" + sense.substance + "'",
                  "write a gene that does, as g9(a1|a0, " + sense.substance + "), or remove this");
   }

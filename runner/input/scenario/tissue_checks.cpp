@@ -1,4 +1,4 @@
-// Checks of what holds cells together, lets them crawl and brings them to rest.
+// Checks of adhesion, connections, motility and settling.
 #include <algorithm>
 
 #include "base/number_text.h"
@@ -12,7 +12,7 @@
 namespace morula::scenario {
 namespace {
 
-/// Cells that are to connect when they touch need contact; genes that are to connect them need to want it.
+/// Checks that cells that connect by touch have contact, and that a gene produces 'connect' if genes decide.
 void checkConnecting(const SceneCheck& check) {
   const Dna& dna = check.scene().dna;
   const MakeConnections make = check.mechanics().connections->make;
@@ -30,13 +30,13 @@ void checkConnecting(const SceneCheck& check) {
                                   std::ranges::any_of(check.reading.substances, [](const SubstanceUse& use) {
                                     return use.path.starts_with("cells") && use.name == substance::connect;
                                   }));
-  if (!wanted && !dna.substances.empty())  // empty: it could not be read, which has been said
+  if (!wanted && !dna.substances.empty())  // empty: an unreadable DNA, which has been reported
     check.refuse("connections.make", "no gene produces 'connect', so genes never connect cells",
                  "write a gene such as g9(connect|a0), or set this to at-division");
 }
 
-// [1] Of the contact stiffness and of the membranes'. Heaps of 27 meshes and of 64 spheres bore as much; with 0.13 of
-// the one spheres slipped into each other by and by, with 0.25 of the other meshes folded where they touched.
+// [1] Max adhesion over the contact stiffness, and over the membranes'. Heaps of 27 meshes and of 64 spheres bore it.
+// With 0.13 of the first, spheres slipped into each other; with 0.25 of the second, touching meshes folded.
 constexpr double overContact = 0.1, overMembrane = 0.2;
 
 }  // namespace

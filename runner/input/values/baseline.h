@@ -3,16 +3,15 @@
 
 namespace morula {
 
-/// How much of the physics is Bullet's.
+/// The part of the physics that Bullet computes.
 enum class Baseline {
-  b1,  // our forces; Bullet's integrator and contact. The primary one: it differs in nothing else
+  b1,  // our forces; Bullet's integrator and contact. The primary baseline: nothing else differs
   b2,  // Bullet's own links and pressure too, mapped to our constants; another spring law, so other
        // equilibria
-  b3,  // our springs and pressure in Bullet's implicit world: where a cell rests, in large time steps; no
+  b3,  // our springs and pressure in Bullet's implicit world: equilibria, in large time steps; no
        // contact, no shell
 };
 
-/// "b1", "b2", "b3".
 inline const char* name(Baseline baseline) {
   constexpr const char* names[] = {"b1", "b2", "b3"};
   return names[static_cast<int>(baseline)];

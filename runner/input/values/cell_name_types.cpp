@@ -25,7 +25,7 @@ std::optional<std::string> readName(const Node& node, const std::string& path, c
   return {};
 }
 
-/// "names.cells.AB", or for one from a file its line in it.
+/// Returns "names.cells.AB", or for a name from a file its line there.
 std::string whereOf(const NameUse& use) { return use.inFile.empty() ? use.key : use.inFile; }
 
 void complain(const NameUse& use, const std::string& wrong, const std::string& right, Problems& problems) {
@@ -115,7 +115,7 @@ Parameter namesFile() {
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     if (const auto file = readWords(node, path, allowed, reading.problems)) reading.namesFile = {*file, node.place};
   };
-  p.write = [](const Scenario&) { return Json(); };  // what it holds stands in cells
+  p.write = [](const Scenario&) { return Json(); };  // written as names.cells
   return p;
 }
 
@@ -147,7 +147,7 @@ void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root
     const std::string& name = names.given.at(use.path);
     for (const CellPath& other : names.find(name)) {
       const bool otherIsGiven = names.given.contains(other) && names.given.at(other) == name;
-      if (other == use.path || (otherIsGiven && other < use.path)) continue;  // said once, of the first
+      if (other == use.path || (otherIsGiven && other < use.path)) continue;  // report each pair once
       complain(use, "'" + name + "' is also the name of " + words(other) + (otherIsGiven ? "" : ", by names.daughters"),
                "give each cell a name of her own", reading.problems);
     }

@@ -16,10 +16,10 @@ bool isAsciiWord(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
-/// True for control characters, blanks, and characters that show as nothing or as a blank.
+/// Returns true for control characters, blanks, and characters that show as nothing or as a blank.
 bool isUnseen(char32_t c) { return c <= 0x20 || (c >= 0x7F && c < 0xA0) || !nameOfInvisible(c).empty(); }
 
-/// The descendants of `cell` whose names add `rest` to hers, among those without a name of their own.
+/// Adds to `found` the descendants of `cell` whose names add `rest` to hers, among those without a name of their own.
 void findBelow(const CellNames& names, const CellPath& cell, std::string_view rest, std::vector<CellPath>& found) {
   if (rest.empty()) {
     found.push_back(cell);
@@ -39,7 +39,7 @@ const char* const nameAllowed =
     "1 to 40 characters without blanks and control characters, the first of them none of / = + - @";
 
 bool isCellName(std::string_view text) {
-  // A path begins with the one; a spreadsheet that opens a table takes what begins with the others for a formula.
+  // A path begins with '/'. A spreadsheet takes a text that begins with one of the others for a formula.
   if (!text.empty() && std::string_view("/=+-@").find(text.front()) != std::string_view::npos) return false;
   int characters = 0;
   while (!text.empty()) {

@@ -12,38 +12,38 @@
 
 namespace morula {
 
-/// A cell's name by its path; absent: it has none.
+/// A function that returns a cell's name by its path; absent: the cell has none.
 using NameOf = std::function<std::optional<std::string>(const CellPath&)>;
 
 struct CellNames {
-  std::map<CellPath, std::string> given;  // by path; the egg's among them
-  std::vector<std::string> daughters;     // what a daughter A, and B, adds to her mother's name; or none
+  std::map<CellPath, std::string> given;  // by path; the egg's included
+  std::vector<std::string> daughters;     // endings that daughters A and B add to their mother's name; or none
 
   bool empty() const { return given.empty() && daughters.empty(); }
 
-  /// The name that is given for the path, or else the mother's with the daughter's ending. Absent where no rule
-  /// leads to one.
+  /// Returns the name that is given for the path, or else the mother's with the daughter's ending. Absent if no rule
+  /// gives a name.
   std::optional<std::string> of(const CellPath& path) const;
 
-  /// The cells that go by this name, by path: at most one in a scenario that was read without problems.
+  /// Returns the cells with this name, by path: at most one in a scenario that was read without problems.
   std::vector<CellPath> find(std::string_view name) const;
 
   NameOf function() const;
 };
 
-/// The cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and "/" and
-/// "egg" are the egg. Throws InputError that begins with `where` ("--cell"; may be empty) for a text that is neither,
-/// with the name that was probably meant.
+/// Returns the cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and
+/// "/" and "egg" are the egg. Otherwise throws InputError, which begins with `where` ("--cell"; may be empty) and
+/// suggests a name.
 CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where);
 
-/// "ABa (path AAB)", or without a name what base/cell_path.h calls it: "cell AAB".
+/// Returns "ABa (path AAB)", or for a cell without a name the words of base/cell_path.h: "cell AAB".
 std::string cellWords(const NameOf& nameOf, const CellPath& path);
 
-/// A message with "ABa (path AAB)" for each "cell AAB" in it that has a name.
+/// Returns a message with "ABa (path AAB)" for each "cell AAB" in it that has a name.
 std::string withNames(std::string_view message, const NameOf& nameOf);
 
 /// Returns true if a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character,
-/// the first none of / = + - @. In words: nameAllowed.
+/// the first none of / = + - @. `nameAllowed` says so in words.
 bool isCellName(std::string_view text);
 extern const char* const nameAllowed;
 

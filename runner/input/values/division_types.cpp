@@ -1,5 +1,5 @@
 // How cells divide: the plane, and the rules for some cells.
-// Chirality is here as a rule spells it; that of all divisions is two parameters as any.
+// Chirality is read here for rules; for all divisions it consists of two ordinary parameters.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -9,7 +9,7 @@
 namespace morula::scenario {
 namespace {
 
-/// "a or b"; "a, b, or c".
+/// Joins choices: "a or b"; "a, b, or c".
 std::string inWords(const std::vector<std::string>& choices) {
   std::string text;
   for (std::size_t i = 0; i < choices.size(); ++i)
@@ -24,7 +24,7 @@ std::string spell(const DivisionPlaneKind& kind) {
 
 Json axisSchema() { return listSchema({{"type", "number"}}, 3); }
 
-/// An axis alone, or one that turns.
+/// Returns the schema of an axis alone, or of one that turns.
 Json polaritySchema() {
   const auto turning = [](const char* key) {
     return mapSchema({{"start", axisSchema()}, {key, {{"type", "string"}}}}, {"start", key});
@@ -46,7 +46,7 @@ Json planeSchema() {
   return {{"oneOf", forms}};
 }
 
-/// {start: [x, y, z], turns-towards: a0}, or turns-away-from.
+/// Reads {start: [x, y, z], turns-towards: a0}, or turns-away-from.
 void readTurning(const Node& node, const std::string& path, Reading& reading, PlaneChoice& choice) {
   const std::string allowed = "start, and either turns-towards or turns-away-from with a substance";
   refuseUnknown(node, path, {"start", "turns-towards", "turns-away-from"}, reading.problems);
@@ -67,7 +67,7 @@ void readTurning(const Node& node, const std::string& path, Reading& reading, Pl
   if (const auto name = readPattern(turns->value, path + "." + turns->key, reading)) choice.substance = *name;
 }
 
-/// Reads what stands behind the name of a plane that takes something.
+/// Reads the value behind the name of a plane that takes one.
 std::optional<PlaneChoice> readTaken(const DivisionPlaneKind& kind, const Node& node, const std::string& path,
                                      Reading& reading) {
   PlaneChoice choice{.plane = kind.plane};
@@ -170,7 +170,7 @@ class RuleReader {
     }
   }
 
-  /// `axis: v` is short for `plane: {axis: v}`.
+  /// Reads the plane; `axis: v` is short for `plane: {axis: v}`.
   void readDirection(DivisionRule& rule) {
     const auto *axis = node_.find("axis"), *plane = node_.find("plane");
     if (axis && plane)

@@ -8,9 +8,9 @@
 
 namespace morula {
 
-/// scenarios/MEASURES.md
+/// Returns the text of scenarios/MEASURES.md.
 std::string measuresAsMarkdown();
-/// {"world": [{"name", "unit", "meaning", "needs", "sampled"}, …], "cell": …, "pair": …}
+/// Returns {"world": [{"name", "unit", "meaning", "needs", "sampled"}, …], "cell": …, "pair": …}.
 std::string measuresAsJson();
 
 struct Scenario;

@@ -1,5 +1,5 @@
 #pragma once
-// The description of one parameter, and what is kept while the values are read.
+// The description of one parameter, and the state of reading values.
 #include <functional>
 #include <set>
 #include <string>
@@ -29,9 +29,9 @@ struct DnaSource {
 /// The place at which a cell got its name.
 struct NameUse {
   CellPath path;
-  Place place;         // in the scenario, of the name or of the file that it stands in
+  Place place;         // in the scenario, of the name or of the file with the name
   std::string key;     // "names.cells.AB", "names.file"
-  std::string inFile;  // "names.txt:3:1"; "": it stands in the scenario itself
+  std::string inFile;  // "names.txt:3:1"; "": the name stands in the scenario itself
 };
 
 /// The nodes of check.reference, which are read once cells have their names.
@@ -39,15 +39,15 @@ struct ReferenceSource {
   std::optional<Node> contacts, positions, file;
 };
 
-/// The state of reading: what values need and leave behind besides the Scenario.
+/// The state of reading: all that values need and produce besides the Scenario.
 struct Reading {
   Problems& problems;
   std::vector<SubstanceUse> substances;
   DnaSource dna;
-  std::vector<Place> startCells;  // where each of `cells` stands
+  std::vector<Place> startCells;  // the places of `cells`
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
-  std::vector<Place> rules{};      // where each of `division.rules` stands
+  std::vector<Place> rules{};      // the places of `division.rules`
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
   std::vector<Node> experiments{};  // the entries of `experiments`, which are read once cells have their names
@@ -67,22 +67,22 @@ struct Parameter {
   Decides decides = Decides::results;
   Json schema{};         // JSON Schema of the value
   std::string absent{};  // for people: what holds if an optional value is not given
-  std::string needs{};   // the key of a neighbour that it refines and makes no sense without
-  bool joins = false;    // where exactly one of its section is wanted, it may stand beside that one, or alone
-  bool beside = false;   // where exactly one of its section is wanted, it is none, and may stand beside any
-  bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
+  std::string needs{};   // the key of a neighbour that this one refines and needs
+  bool joins = false;    // in a section of exactly one key: may stand beside that key, or alone
+  bool beside = false;   // in a section of exactly one key: is not counted, and may stand beside any
+  bool later = false;    // joined the format when there were goldens: no part of the meaning at its default
   std::function<void(Scenario&, const Node&, Reading&)> read{};
-  std::function<Json(const Scenario&)> write{};  // null: not given
+  std::function<Json(const Scenario&)> write{};  // returns null if not given
 
   std::string key() const { return path.substr(path.rfind('.') + 1); }
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
 };
 
-/// Names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp). What is
-/// wrong is reported with the file's lines.
+/// Reads names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp).
+/// Mistakes are reported with the file's lines.
 void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
                    Reading& reading);
-/// Finds cells that share a name, and endings for daughters (names.daughters) where no cell has a name.
+/// Reports cells that share a name, and endings for daughters (names.daughters) in a scenario without names of cells.
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
 
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).

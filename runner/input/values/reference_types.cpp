@@ -1,4 +1,4 @@
-// check.reference: what the organism is compared with, by cells' names or paths, in the scenario or in a file.
+// check.reference: contacts and positions to compare the organism with, in the scenario or in a file.
 #include <algorithm>
 
 #include "base/error.h"
@@ -13,7 +13,7 @@ constexpr const char* contactsAllowed = "a list of pairs of cells, by names or p
 constexpr const char* positionsAllowed = "a map of cells, by names or paths, to centres, as {ABa: [1, 0, 0]}";
 constexpr const char* lineAllowed = "needs a line 'contact CELL CELL' or 'position CELL X Y Z'";
 
-/// Reads the parts once all else is read, since cells go by their names.
+/// Reads the parts once all else is read, since they call cells by name.
 class ReferenceReader {
  public:
   ReferenceReader(Scenario& scenario, Reading& reading) : scenario_(scenario), reading_(reading) {}
@@ -44,7 +44,7 @@ class ReferenceReader {
     }
   }
 
-  /// Lines 'contact CELL CELL' and 'position CELL X Y Z'; '#' begins a comment.
+  /// Reads lines 'contact CELL CELL' and 'position CELL X Y Z'; '#' begins a comment.
   void readFile(const std::string& text, const std::string& file, const Place& place) {
     for (const auto& [line, column, words] : readWordFile(text, file, place, reading_.problems)) try {
         addLine(words);
@@ -67,7 +67,7 @@ class ReferenceReader {
     addPosition(words[1], {xyz[0], xyz[1], xyz[2]});
   }
 
-  /// Puts what the call throws to its place.
+  /// Calls `call` and reports its InputError at `place`.
   template <class Call>
   void complain(const Place& place, const std::string& path, Call call) {
     try {
@@ -139,7 +139,7 @@ Parameter referenceFile() {
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     if (readWords(node, path, allowed, reading.problems)) keep(&ReferenceSource::file, node, reading);
   };
-  p.write = [](const Scenario&) { return Json(); };  // what it holds stands in the two others
+  p.write = [](const Scenario&) { return Json(); };  // written as the two others
   return p;
 }
 

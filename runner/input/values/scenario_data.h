@@ -26,8 +26,8 @@ struct EggMesh {
 struct RecordParameters {
   std::optional<double> every;         // [time] between samples; absent: only the start and the end
   std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
-  std::vector<std::uint64_t> atCells;  // rising; also when first so many cells live
-  std::vector<std::string> measures;   // on demand [simulation/measures.h], at every sample
+  std::vector<std::uint64_t> atCells;  // rising; the first step with so many cells is a sample too
+  std::vector<std::string> measures;   // names of measures on demand [simulation/measures.h], taken at every sample
   std::optional<double> meshes;        // [time] between surfaces in the database; absent: none are kept
 };
 
@@ -35,16 +35,16 @@ struct Bounds {
   double least = 0, most = 0;
 };
 
-/// The comparison with the same scene in Bullet, and how far apart the two may be at the end. Without any tolerance,
-/// tolerances that fit the scene hold (engines/bullet_check.h).
+/// The comparison with the same scene in Bullet, and its tolerances at the end. If none is given, tolerances that fit
+/// the scene hold (engines/bullet_check.h).
 struct BulletCheck {
-  Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
-  double margin = 0.01;              // [radii of the egg] of each surface in Bullet: what touches is two of them apart
-  std::optional<double> positions;   // [length] of the vertex farthest off
-  std::optional<double> radius;      // [1] of each cell: the mean distance of its vertices from their centre
-  std::optional<double> volume;      // [1] of each cell
-  std::optional<double> distance;    // [1] of the centres of cells that touch, less Bullet's gap
-  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
+  Baseline baseline = Baseline::b1;  // b1 or b3; b2's springs rest at another length
+  double margin = 0.01;              // [radii of the egg] of each surface in Bullet: touching cells are two margins off
+  std::optional<double> positions;   // [length] of the vertex that is farthest off
+  std::optional<double> radius;      // [1] of each cell's mean distance of vertices from their centre
+  std::optional<double> volume;      // [1] of each cell's volume
+  std::optional<double> distance;    // [1] of the distance between touching cells' centres, less Bullet's gap
+  // [1] of each cell's length over its thickness, by the ellipsoid with its moments
   std::optional<double> aspect;
 
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
@@ -52,26 +52,26 @@ struct BulletCheck {
 
 /// Conditions on a run besides its golden. Nothing here changes what the cells do; absent conditions are not checked.
 struct CheckParameters {
-  // At every step, of every cell
+  // Conditions at every step, on every cell
   std::optional<Bounds> volume;    // [1] over the volume at rest: the egg's mesh with the cell's rest lengths
-  std::optional<double> extent;    // [length] of the vertex farthest from the origin
-  std::optional<double> energy;    // [force·length] kinetic and elastic, of all cells
-  std::optional<double> momentum;  // [mass·length/time] how far the sum of all may stray from the start's
-  // At the end
-  std::optional<Bounds> endVolume;     // [1] as volume
-  std::optional<double> endRoundness;  // [1] the least sphericity of a cell
-  std::optional<double> endOverlap;    // [1] mean share of a cell's volume that lies in another too
-  std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
-  bool sane = true;                    // false: the scene is about an end that is not (core/simulation/sanity.h)
-  std::string because;                 // why it is not; "" if it is
-  std::optional<BulletCheck> bullet;   // held against Bullet
-  std::optional<Reference> reference;  // what some measures compare the organism with
+  std::optional<double> extent;    // [length] max distance of a vertex from the origin
+  std::optional<double> energy;    // [force·length] max kinetic and elastic energy of all cells
+  std::optional<double> momentum;  // [mass·length/time] max change of the total momentum since the start
+  // Conditions at the end
+  std::optional<Bounds> endVolume;     // [1] as `volume`
+  std::optional<double> endRoundness;  // [1] min sphericity of a cell
+  std::optional<double> endOverlap;    // [1] max mean share of a cell's volume that lies in another cell too
+  std::vector<std::string> fails;      // texts that must all be part of the reason for which the run stops; or none
+  bool sane = true;                    // false: the scene is about an end that is not sane (core/simulation/sanity.h)
+  std::string because;                 // the reason for sane = false; else ""
+  std::optional<BulletCheck> bullet;   // the comparison with Bullet
+  std::optional<Reference> reference;  // the reference of measures that compare the organism
 };
 
 /// A file that a scenario names.
 struct NamedFile {
   std::string role;  // "dna", "mesh", "shell", "names" or "reference"
-  std::string path;  // where it was read from
+  std::string path;  // path from which the file was read
   std::string content;
 };
 
@@ -80,15 +80,15 @@ struct Scenario {
   std::string summary;
   Scene scene;  // ready for makeWorld: DNA parsed, mesh built and scaled
   EggMesh mesh;
-  /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
+  /// Colours '#rrggbb', in lower case, by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
-  CellNames names;                       // of cells, by their paths
-  Units units;                           // that people see
+  CellNames names;                       // names of cells, by path
+  Units units;                           // units that people see
   std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names
-  /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have
-  /// been scaled.
+  /// [1] The egg's share of the shell's volume. If present, the shell's semi-axes, or its mesh, were given as a shape
+  /// alone and have been scaled.
   std::optional<double> shellFill;
-  bool eggIsStretched = false;  // to the shell's shape: the egg in scene.cells is that one, not from the file
+  bool eggIsStretched = false;  // the egg in scene.cells has the shell's shape and is not from the file
   RecordParameters record;
   CheckParameters check;
 
@@ -99,13 +99,13 @@ struct Scenario {
   /// The place at which each value was written, for messages about them: "file:line:column" or "--set path", by path.
   std::map<std::string, std::string> places;
 
-  std::string file;           // as given by the user
-  bool allowOutside = false;  // files that it names may lie anywhere
-  std::string bytes;          // the file, byte by byte
-  // Canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  std::string file;           // path of the scenario, as given by the user
+  bool allowOutside = false;  // files that the scenario names may lie anywhere
+  std::string bytes;          // content of the file
+  // Canonical JSON of every parameter, defaults included; can be read as a scenario
   std::string resolved;
-  Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
-  std::optional<Hash> referenceMeaning;  // of check.reference, which decides measures and no state; absent without
+  Hash meaning;  // hash of all that decides results; format, comments, key order and colours do not count
+  std::optional<Hash> referenceMeaning;  // hash of check.reference, which decides measures and no state
 };
 
 }  // namespace morula

@@ -128,7 +128,7 @@ class SenseReader {
     const auto complain = [&](const std::string& wrong, const std::string& right) {
       problems().add(node.place, path_, wrong, right);
     };
-    if (!below && !above && !atMost && !atLeast && hasUnknown(row, node)) return;  // which may be meant to be one
+    if (!below && !above && !atMost && !atLeast && hasUnknown(row, node)) return;  // perhaps a misspelt bound
     if (!below && !above && !atMost && !atLeast)
       return complain("says of no number that it is noted", "needs below, above, at-most or at-least");
     if (below && atMost) return complain("has two upper bounds", "give below or at-most");
@@ -165,7 +165,7 @@ class SenseReader {
   SenseParameters sense_;
 };
 
-/// Names that the simulator knows already.
+/// Returns true for names that the simulator already uses.
 bool isTaken(const std::string& name) {
   return name == substance::a || name == substance::b || name == "START" ||
          std::ranges::find(substance::acting, name) != substance::acting.end();

@@ -26,7 +26,7 @@ class CellReader {
     triple("velocity", {}, "three numbers [length/time], as [0, 0, 0]", cell.velocity);
     triple("turn", degrees, "three numbers from -360 to 360 [degree], as [0, 0, 30]", cell.turn);
     triple("stretch", positive, "three numbers > 0, as [1, 1, 0.5]", cell.stretch);
-    // One cell among others may be out of all proportion.
+    // A cell's scale and mass are not limited to ordinary numbers.
     constexpr Range anyPositive{.low = 0, .openLow = true};
     cell.scale = readMember(node_, "scale", anyPositive, "", path_, reading_.problems).value_or(cell.scale);
     cell.mass = readMember(node_, "mass", anyPositive, "mass", path_, reading_.problems);

@@ -4,7 +4,7 @@
 namespace morula::scenario {
 namespace {
 
-/// Calls `read` for each member of a map whose keys are substances, or also patterns.
+/// Calls `read` for each member of a map whose keys are substances; with `patterns`, also patterns.
 template <class Read>
 void readPerSubstance(const Node& node, const std::string& path, const std::string& allowed, bool patterns,
                       Reading& reading, Read read) {

@@ -34,7 +34,7 @@ bool covers(const Pair& wide, const Pair& narrow) {
          (includes(wide[0], narrow[1]) && includes(wide[1], narrow[0]));
 }
 
-/// True, with a problem, if one of the pairs before takes all that this one would.
+/// Returns true, and adds a problem, if an earlier pair covers this one.
 bool refuseCovered(const Pair& pair, const std::vector<Pair>& before, const Place& place, const std::string& path,
                    Problems& problems) {
   const auto at = std::ranges::find_if(before, [&](const Pair& wide) { return covers(wide, pair); });

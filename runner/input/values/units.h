@@ -1,6 +1,6 @@
 #pragma once
-// In which units people see lengths and times: in pictures, charts, pages and sentences. What is computed, stored,
-// exported and given to programs stays in the scene's own.
+// Units in which people see lengths and times: in pictures, charts, pages and sentences. Results are computed, stored,
+// exported and given to programs in the scene's own units.
 #include <string>
 #include <string_view>
 
@@ -8,23 +8,23 @@ namespace morula {
 
 struct Units {
   std::string length, time;           // "µm", "min"; "": the scene's own
-  double perLength = 1, perTime = 1;  // so many of them are one length, one time of the scene; > 0
+  double perLength = 1, perTime = 1;  // how many of the unit are one length, one time of the scene; > 0
 
   bool any() const { return !length.empty() || !time.empty(); }
   bool operator==(const Units&) const = default;
 };
 
-/// How numbers in a unit of the scene are shown: times `factor`, in `name`.
+/// A unit for people: numbers in a unit of the scene, times `factor`, are in `name`.
 struct ShownUnit {
   double factor = 1;
   std::string name;  // "µm³"; "": a pure number
 
-  /// "volume [µm³]".
+  /// Returns "volume [µm³]".
   std::string after(const std::string& title) const { return name.empty() ? title : title + " [" + name + "]"; }
 };
 
-/// Converts a unit as measures give it: products and quotients of lengths and times, with ² and ³. One with any other
-/// part, as a force, or a part without a name stays what it is: nothing is said of masses.
+/// Converts the unit of a measure: products and quotients of lengths and times, with ² and ³. A unit with any other
+/// part, such as a force, or with a part that has no name stays as it is.
 ShownUnit shownUnit(const Units& units, std::string_view unit);
 
 /// Returns the units that all runs have, where `of` gives those of each run; the scenes' own units if runs differ.
@@ -35,10 +35,10 @@ Units unitsOfAll(const Runs& runs, Of of) {
   return runs.empty() ? Units{} : of(runs.front());
 }
 
-/// "time [min]", or "time" in the scene's own: for an axis.
+/// Returns the title of an axis: "time [min]", or "time" in the scene's own unit.
 std::string timeLabel(const Units& units);
 
-/// "48 min", or "12" in the scene's own time; with so many significant digits.
+/// Returns "48 min", or "12" in the scene's own time, with `digits` significant digits.
 std::string shownTime(const Units& units, double time, int digits = 4);
 
 }  // namespace morula

@@ -18,7 +18,7 @@ std::string naturalAllowed(const NaturalRange& range) {
   return "a whole number from " + std::to_string(range.low) + " to " + std::to_string(range.high);
 }
 
-/// Says what is wrong with a node that is no plain scalar where one is needed; true if it was one.
+/// Returns true for a plain scalar, and adds a problem for anything else.
 bool expectPlain(const Node& node, const std::string& path, const std::string& allowed, Problems& problems) {
   if (node.isPlain()) return true;
   if (node.kind == Node::Kind::scalar)

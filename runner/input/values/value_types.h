@@ -13,8 +13,8 @@ using Field = T& (*)(Scenario&);
 /// The largest whole number that SQLite and most other programs hold.
 inline constexpr std::uint64_t largestNatural = 0x7FFFFFFFFFFFFFFF;
 
-/// A parameter of one field. `take(node, path, allowed, problems)` gives its value, or says what is wrong with
-/// the node and gives none.
+/// Makes a parameter of one field. `take(node, path, allowed, problems)` returns its value, or adds a problem and
+/// returns none.
 template <class T, class Take>
 Parameter ofField(Parameter p, Field<T> field, Take take) {
   p.read = [field, take, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
@@ -33,13 +33,13 @@ struct NaturalRange {
 };
 
 Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field);
-/// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may be empty.
+/// `absent`: what holds if the parameter is not given. `word`: a text that stands for absence, such as "auto"; or "".
 Parameter optionalReal(std::string path, std::string unit, Range range, std::string word, std::string absent,
                        std::string meaning, Field<std::optional<double>> field);
 Parameter natural(std::string path, NaturalRange range, std::string meaning, Field<std::uint64_t> field);
 Parameter optionalNatural(std::string path, NaturalRange range, std::string absent, std::string meaning,
                           Field<std::optional<std::uint64_t>> field);
-/// Free text of one line, or a name made of letters, digits, '-' and '_'.
+/// Parameters of free text of one line, and of names made of letters, digits, '-' and '_'.
 Parameter text(std::string path, std::string meaning, Field<std::string> field);
 Parameter name(std::string path, std::string meaning, Field<std::string> field);
 Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field);
@@ -47,10 +47,10 @@ Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map
 Parameter colourPerSubstance(std::string path, std::string meaning, Field<std::map<std::string, std::string>> field);
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field);
-/// A list of texts; none: not given.
+/// A list of texts; an empty list counts as not given.
 Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field);
 
-/// One of several names; `get` and `set` take their places in the list.
+/// One of several names; `get` and `set` use a name's index in the list.
 Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,
                 std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
 /// An enumeration, by its rows [base/choice.h].
@@ -77,9 +77,9 @@ Parameter shellMesh();
 Parameter shellFill();
 Parameter divisionSize();
 Parameter divisionPlane();
-/// [degree] More than a turn is refused as a slip.
+/// The range of angles [degree]: more than a turn is probably a slip.
 constexpr Range chiralAngle{-360, 360};
-/// {angle: 20, time: 0.5}, of a rule.
+/// Reads {angle: 20, time: 0.5} of a rule.
 std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems);
 Json writeChirality(const Chirality& chirality);
 Json chiralitySchema();
@@ -106,23 +106,23 @@ Parameter recordAtCells();
 Parameter recordMeasures();
 Parameter becauseText();
 
-// Parts for the kinds of parameters themselves.
+// Functions that the kinds of parameters share.
 /// Makes a parameter that is no part of a scenario's meaning; its schema, `read` and `write` are still to be set.
 Parameter presented(std::string path, std::string allowed, std::string absent, std::string meaning);
 /// Returns the schema of a list of these measures; measures of cells may name some cells alone.
 Json measuresSchema(const std::vector<AskedMeasure>& known);
-/// Adds the problem that readMeasure has thrown.
+/// Adds the error of readMeasure as a problem.
 void addReadError(const Place& place, const std::string& path, const InputError& error, Problems& problems);
 
-/// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
-/// which has been said.
+/// Adds the problem that the node is empty or of another kind than is allowed; nothing if the node could not be read,
+/// which has been reported.
 void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
-/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
+/// Reads a map that has exactly one key, of `keys`; null and a problem otherwise.
 const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
                        const std::string& allowed, Problems& problems);
-/// Says which keys of a map are not among those that are known.
+/// Adds a problem for each key of a map that is not in `keys`.
 void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys, Problems& problems);
-/// True for a list with an entry at least; says what is wrong with anything else.
+/// Returns true for a list with an entry at least, and adds a problem for anything else.
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
@@ -134,7 +134,7 @@ Json mapSchema(const Json& members, const std::vector<std::string>& required);
 Json onlySchema(const std::string& key, const Json& value);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
-/// The number that a map has under this key, if it has one.
+/// Returns the number that a map has under this key, if any.
 std::optional<double> readMember(const Node& map, const std::string& key, const Range& range, const std::string& unit,
                                  const std::string& path, Problems& problems);
 std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
@@ -145,17 +145,17 @@ std::optional<std::vector<double>> readReals(const Node& node, std::size_t count
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
                                  const std::string& allowed, Problems& problems);
 
-/// Three numbers, not all 0.
+/// Reads three numbers, not all 0.
 std::optional<Vector> readAxis(const Node& node, const std::string& path, Problems& problems);
 
-/// Texts may be quoted, and may look like numbers.
+/// Reads a text, which may be quoted, and may look like a number.
 std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
                                     Problems& problems);
-/// A text that is not empty.
+/// Reads a text that is not empty.
 std::optional<std::string> readWords(const Node& node, const std::string& path, const std::string& allowed,
                                      Problems& problems);
 
-/// A substance, or the beginning of some and '*'; that the DNA knows one is checked later.
+/// Reads a substance, or the beginning of some and '*'. The DNA's substances are checked later.
 std::optional<std::string> readPattern(const Node& node, const std::string& path, Reading& reading);
 
 }  // namespace morula::scenario

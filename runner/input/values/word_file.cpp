@@ -9,7 +9,7 @@
 namespace morula::scenario {
 namespace {
 
-/// The column, in characters, of the first byte that is not UTF-8; 0 if there is none.
+/// Returns the column, in characters, of the first byte that is not UTF-8; 0 if there is none.
 int columnOfBadByte(std::string_view line) {
   for (int column = 1; !line.empty(); ++column) {
     const int length = utf8Length(line);

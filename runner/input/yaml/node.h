@@ -21,9 +21,9 @@ struct Node {
   };
   Kind kind = Kind::null;
   Place place;
-  std::string text;    // of a scalar
-  char style = ' ';    // of a scalar: ' ' plain, '"', '\'', '|' or '>' as written
-  int textColumn = 1;  // of a '|' scalar: the column where its lines begin
+  std::string text;    // text of a scalar
+  char style = ' ';    // style of a scalar: ' ' plain, '"', '\'', '|' or '>' as written
+  int textColumn = 1;  // column at which the lines of a '|' scalar begin
   std::vector<Node> items;
   std::vector<Member> members;
 
@@ -37,23 +37,23 @@ struct Member {
   Node value;
 };
 
-/// Reads exactly one document. Syntax errors, anchors, tags, merge keys, further documents, keys that are no
-/// text or stand there twice are problems; after a syntax error the node is broken.
+/// Reads exactly one document. Problems are syntax errors, anchors, tags, merge keys, further documents, and keys that
+/// are no text or occur twice. After a syntax error the node is broken.
 Node readYaml(const SourceText& source, Problems& problems);
 
 /// Reads the value of an override: YAML's flow notation after [ { " or ', anything else as plain text.
 Node readYamlValue(const std::string& value, const std::string& option, Problems& problems);
 
-/// Puts `value` where `path` ("physics.time_step") points to, and makes the maps that are missing on the way.
+/// Puts `value` at `path` ("physics.time_step"), and makes the maps that are missing on the way.
 void assign(Node& root, const std::string& path, Node value);
 
-/// Takes away what `path` points to. False if there is nothing.
+/// Removes the value at `path`. Returns false if there is none.
 bool remove(Node& root, const std::string& path);
 
-/// Says of a node and all in it that it was written in an option.
+/// Sets the place of a node, and of all nodes in it, to an option.
 void relocate(Node& node, const std::string& option);
 
-/// "a map", "a list", "nothing", or the text in quotes, for messages.
+/// Returns "a map", "a list", "nothing", or the text in quotes, for messages.
 std::string describe(const Node& node);
 
 }  // namespace morula::scenario

@@ -14,7 +14,7 @@ std::size_t digitsAt(std::string_view text, std::size_t from) {
   return count;
 }
 
-/// The length of the decimal number that the text begins with, sign included; 0 if it begins with none.
+/// Returns the length of the decimal number that the text begins with, sign included; 0 if there is none.
 std::size_t numberLength(std::string_view text) {
   std::size_t at = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
   const auto whole = digitsAt(text, at);

@@ -1,6 +1,6 @@
 #pragma once
-// Numbers as people write them, and nothing else: no octal or hexadecimal, no units, no .inf, no trailing
-// text. The same text gives the same number on every machine and in every locale.
+// Numbers as people write them: no octal or hexadecimal, no units, no .inf, no trailing text. A text gives the same
+// number on every machine and in every locale.
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace morula::scenario {
 
-/// A number or what is wrong with the text, as half a sentence: "has a leading zero".
+/// A number, or the mistake in its text as half a sentence: "has a leading zero".
 template <class T>
 struct Parsed {
   T value{};
-  std::string wrong;  // empty: all is well
+  std::string wrong;  // empty: no mistake
 };
 
-/// Decimal notation with '.', optional sign, optional exponent; finite.
+/// Parses a finite number in decimal notation with '.', optional sign, optional exponent.
 Parsed<double> parseReal(std::string_view text);
-/// Decimal digits.
+/// Parses decimal digits.
 Parsed<std::uint64_t> parseNatural(std::string_view text);
 
-/// [byte] "500M", "8G", "1.5G", "200000000": k, M, G and T are powers of 1000.
+/// [byte] Parses "500M", "8G", "1.5G", "200000000": k, M, G and T are powers of 1000.
 Parsed<double> parseSize(std::string_view text);
 
 /// An interval of numbers. Open ends exclude their value.
@@ -33,7 +33,7 @@ struct Range {
   bool ordinary = false;  // and nothing that is smaller or larger than ordinary numbers
 
   bool holds(double value) const { return (openLow ? value > low : value >= low) && value <= high; }
-  /// "> 0", "≥ 0", "from 0 to 4"; empty if everything is allowed.
+  /// Returns "> 0", "≥ 0", "from 0 to 4"; "" if everything is allowed.
   std::string text() const;
 };
 

@@ -10,13 +10,13 @@
 namespace morula::scenario {
 namespace {
 
-/// True if the option already says the path: "--set stop.cycles" and "stop.cycles", "--seed" and "seed".
+/// Returns true if the option already names the path: "--set stop.cycles" and "stop.cycles", "--seed" and "seed".
 bool saysPath(std::string_view option, std::string_view path) {
   return option.ends_with(path) && option.size() > path.size() &&
          (option[option.size() - path.size() - 1] == ' ' || option[option.size() - path.size() - 1] == '-');
 }
 
-/// Takes ":<number>" off the front of the text; 0 if there is none.
+/// Removes ":<number>" from the front of the text and returns the number; 0 if there is none.
 int takeNumber(std::string_view& text) {
   int value = 0;
   if (text.empty() || text[0] != ':') return 0;

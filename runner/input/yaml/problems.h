@@ -13,11 +13,11 @@ struct Place {
   std::string option;  // "--set physics.time_step"; not empty: line and column mean nothing
 };
 
-/// "file:line:column", or the option.
+/// Returns "file:line:column", or the option.
 std::string placeText(const std::string& file, const Place& place);
 
-/// Collects mistakes, each one line: "<place>: <path>: <what>; <right>". Path and right may be empty. What the parts
-/// hold of control characters becomes visible, so that no text of a file can pass for a line of ours.
+/// Collects mistakes, each one line: "<place>: <path>: <what>; <right>". Path and right may be empty. Control
+/// characters become visible, so that no text of a file can pass for a line of the program.
 class Problems {
  public:
   explicit Problems(const std::string& file);
@@ -30,7 +30,7 @@ class Problems {
   bool empty() const { return lines_.empty(); }
   std::size_t size() const { return lines_.size(); }
   const std::string& file() const { return file_; }
-  /// Throws InputError with all lines, options last, unless there are none.
+  /// Throws InputError with all lines, options last, if there are any.
   void throwIfAny() const;
 
  private:

@@ -1,4 +1,4 @@
-// The only file that knows yaml-cpp, and only its events: structure, places and text, which 0.7 and 0.8 report alike.
+// The only file that uses yaml-cpp, and only its events: structure, places and text, which 0.7 and 0.8 report alike.
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
@@ -13,11 +13,11 @@ namespace morula::scenario {
 namespace {
 
 constexpr std::size_t maxDepth = 32;
-constexpr std::size_t longestKey = 100;  // [byte] so that messages can show it; a substance has no more either
+constexpr std::size_t longestKey = 100;  // [byte] max that messages can show, as for substances
 
 struct TooDeep {};
 
-/// Free of what terminals and programs that read our output would obey. Line ends and tabs are text: DNA has them.
+/// Returns true if no character of the text controls terminals or programs. Line ends and tabs are text: DNA has them.
 bool isPlainText(const std::string& text) { return printable(text) == text; }
 const char* const notPlainText =
     "holds a control character, one that changes the direction of text, or bytes that are not UTF-8";
@@ -28,13 +28,13 @@ template <class Style>
 Style styleOf(void (YAML::EventHandler::*)(const YAML::Mark&, const std::string&, YAML::anchor_t, Style));
 using Style = decltype(styleOf(&YAML::EventHandler::OnMapStart));
 
-/// Builds the tree from events, and knows the path that it is at, for messages.
+/// Builds the tree from events, and keeps the current path for messages.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(const SourceText& source, Problems& problems) : source_(source), problems_(problems) {}
 
   Node root;
-  bool garbled = false;  // what follows a place is not what its author meant: only complain about that place
+  bool garbled = false;  // after a mistake that garbles the rest, only that mistake is reported
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     open_.clear();
@@ -70,7 +70,7 @@ class TreeBuilder : public YAML::EventHandler {
         garbled = true;
       }
     }
-    // Written as "\x00" or "\e": the bytes of the file itself are looked at by SourceText.
+    // Escapes such as "\x00" and "\e" are found here; SourceText checks the bytes of the file itself.
     if (!isPlainText(value)) {
       problems_.add(scalar.place, path(), "'" + printableLine(value) + "' " + notPlainText, plainTextNeeded);
       scalar.kind = Node::Kind::broken;
@@ -97,10 +97,10 @@ class TreeBuilder : public YAML::EventHandler {
 
  private:
   struct Open {
-    Node* node;           // a map or list that is being filled; stays where it is until it is closed
-    bool hasKey = false;  // of a map: the last member waits for its value
-    std::string key{};    // of that member, or of the one whose value is open
-    std::unordered_map<std::string, int> lines{};  // of the map's keys so far
+    Node* node;           // a map or list that is being filled; its address is valid until it is closed
+    bool hasKey = false;  // in a map: the last member waits for its value
+    std::string key{};    // key of the member whose value is awaited or open
+    std::unordered_map<std::string, int> lines{};  // lines of the map's keys so far
   };
 
   std::string path() const {
@@ -111,7 +111,7 @@ class TreeBuilder : public YAML::EventHandler {
     return text;
   }
 
-  /// False if the text begins with a quote that it does not close. yaml-cpp would read on, if need be to the end.
+  /// Returns false if the text begins with a quote that it does not close. yaml-cpp would read on, even to the end.
   static bool isClosed(std::string_view text) {
     if (text.empty() || (text[0] != '"' && text[0] != '\'')) return true;
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -121,7 +121,7 @@ class TreeBuilder : public YAML::EventHandler {
     return false;
   }
 
-  /// The column where the lines of a block scalar begin, whose first line is `line`.
+  /// Returns the column at which the lines of a block scalar begin, whose first line is `line`.
   int blockColumn(int line) const {
     while (source_.line(line).find_first_not_of(' ') == std::string_view::npos && source_.hasLine(line)) ++line;
     return static_cast<int>(std::min(source_.line(line).find_first_not_of(' '), source_.line(line).size())) + 1;
@@ -145,7 +145,7 @@ class TreeBuilder : public YAML::EventHandler {
     open_.push_back({node});
   }
 
-  /// Puts a node where it belongs and returns it there.
+  /// Adds a node to the open map or list, or as the root, and returns its address.
   Node* put(Node node) {
     if (open_.empty()) return documents_ == 1 ? &(root = std::move(node)) : &unread_.emplace_back(std::move(node));
     auto& frame = open_.back();
@@ -162,7 +162,7 @@ class TreeBuilder : public YAML::EventHandler {
     return &(member.value = std::move(node));
   }
 
-  /// Members whose key is wrong get the key "", which later readers pass over.
+  /// Adds a key to a map. A wrong key becomes "", which later readers skip.
   Node* putKey(Node& map, Node key) {
     const auto owner = path();
     const bool isText = key.kind == Node::Kind::scalar && !key.text.empty();

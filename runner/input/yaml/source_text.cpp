@@ -48,7 +48,7 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
       indenting = true;
       continue;
     }
-    // Invisible characters are at home in texts; where a line begins, and behind the colon of a key, they are mistaken
+    // Invisible characters are allowed in texts. At the beginning of a line, and behind the colon of a key, they pass
     // for blanks.
     if (length > 1 && (indenting || text_.ends_with(':')))
       if (const std::string name = nameOfInvisible(utf8Value(bytes, length)); !name.empty())

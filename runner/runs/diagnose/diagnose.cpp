@@ -21,22 +21,22 @@ namespace morula {
 namespace {
 
 struct ForceWork {
-  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  // The name: "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
   std::string force;
-  double work = 0;  // [force·length] on the cell's vertices; negative: it resisted
+  double work = 0;  // [force·length] on the cell's vertices; negative: the force resisted
 };
 
-/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell: f the mean of the forces
-/// at both ends of the step.
+/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell; f is the mean of the force at both
+/// ends of the step.
 class WorkMeter {
  public:
-  /// The cell must live in the world and go on living.
+  /// The cell must exist in the world as long as the meter observes.
   WorkMeter(World& world, const CellPath& cell)
       : cell_(cell), before_(positions(world)), forces_(measureForces(world, slotIn(world))) {
     for (const VertexForces& f : forces_) works_.push_back({f.name, 0});
   }
 
-  /// To be called after each step; the forces that it measures come from the world's last evaluation.
+  /// Call after each step: the measured forces are those of the world's last evaluation.
   void observe(World& world) {
     const std::vector<Point> now = positions(world);
     std::vector<VertexForces> forces = measureForces(world, slotIn(world));
@@ -47,7 +47,7 @@ class WorkMeter {
     forces_ = std::move(forces);
   }
 
-  /// Largest first; only forces that the scene has.
+  /// Returns the works, largest first, of forces that the scene has.
   std::vector<ForceWork> works() const {
     std::vector<ForceWork> sorted = works_;
     std::ranges::stable_sort(sorted, std::ranges::greater(), &ForceWork::work);
@@ -70,16 +70,16 @@ class WorkMeter {
   std::vector<ForceWork> works_;
 };
 
-// Steps in which the work of forces is measured: all from the last good state on, or if these are more than
-// maxStepsMeasured the last few.
+// The work of forces is measured in all steps from the last good state on, or in the last few steps if these would be
+// more than maxStepsMeasured.
 constexpr std::uint64_t maxStepsMeasured = 512;
 constexpr std::uint64_t fewStepsMeasured = 16;
-constexpr std::uint64_t statesKept = 32;  // of a run, to find the last good one among
+constexpr std::uint64_t statesKept = 32;  // max states of a run that are checked for the last good one
 
-/// [1] Within these shares of its volume at rest a cell is as it should be.
+/// [1] The range of a good cell's volume over its volume at rest.
 constexpr double goodLeast = 0.5, goodMost = 2;
 
-/// Counts what a diagnosis costs. [vertices times evaluations of the forces]
+/// Counts the cost of a diagnosis [vertices times evaluations of the forces].
 class Budget {
  public:
   bool allows(const World& world, std::uint64_t steps) const {
@@ -103,16 +103,16 @@ bool cellsAreWithin(const World& world, double least, double most) {
   });
 }
 
-/// A state of the run that failed.
+/// A stored state of the run that failed.
 struct Kept {
   std::uint64_t step = 0;
   double time = 0;
   std::string state;
 };
 
-/// The run once more, up to the step before the one that failed.
+/// The run again, up to the step before its failure.
 struct Rerun {
-  Kept start, good, last;  // `good`: the latest of those kept in which all cells are as they should be;
+  Kept start, good, last;  // `good`: the latest stored state with good cells;
                            // `last`: a few steps before the failure
 };
 
@@ -146,7 +146,7 @@ World restored(const Scene& scene, const Execution& execution, const std::string
 
 std::string share(double part, double whole) { return std::to_string(std::lround(100 * part / whole)) + " %"; }
 
-/// "in its last 16 steps contacts did 91 % of the work on it, springs 9 %"
+/// Returns "in the 16 steps before contacts did 91 % of the work that drove it, springs 9 %".
 std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t steps) {
   double all = 0;
   for (const ForceWork& w : works)
@@ -159,7 +159,7 @@ std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t step
   return text;
 }
 
-/// Describes what drove the cell before its end; "" if the cell has only just been born.
+/// Describes the work of forces on the cell before its end; "" if the cell has just been born.
 std::string measureWork(World& world, const CellPath& cell, std::uint64_t failedStep) {
   std::optional<WorkMeter> meter;
   std::uint64_t steps = 0;
@@ -171,7 +171,7 @@ std::string measureWork(World& world, const CellPath& cell, std::uint64_t failed
   return meter && steps > 0 ? describeWork(meter->works(), steps) : "";
 }
 
-/// "the time step 0.01 is 0.4 of the stability limit of its springs, which is the lowest"
+/// Returns "the time step 0.01 is 0.4 of the lowest stability limit, that of its springs".
 std::string describeLimit(const World& world, const CellPath& cell) {
   const int number = cellNumber(world.cells, cell);
   if (number < 0) return "";
@@ -198,8 +198,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Tries if the run goes on with the change: past the failure, by as much time again as lies between the state and the
-/// failure.
+/// Tries if the run with the change goes on past the failure: as long again as from the state to the failure.
 Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {
@@ -219,7 +218,7 @@ Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& 
   return cellsAreWithin(world, sanity::minVolume, sanity::maxVolume) ? Outcome::holds : Outcome::fails;
 }
 
-/// "physics.time_step 0.001 or 0.0005": the values of one key are told together.
+/// Returns "physics.time_step 0.001 or 0.0005", with the values of one key together.
 std::string list(const std::vector<const Remedy*>& remedies) {
   std::string text;
   const std::string* key = nullptr;

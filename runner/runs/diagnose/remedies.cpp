@@ -13,7 +13,7 @@ void add(std::vector<Remedy>& remedies, const char* key, double value, std::func
   remedies.push_back({key, exactText(value), std::move(apply)});
 }
 
-/// A number that is easy to read and to type.
+/// Rounds a number so that it is easy to read and to type.
 double rounded(double a) { return std::stod(numberText(a, 3)); }
 
 void addTimeSteps(std::vector<Remedy>& remedies, const World& world, double advised) {
@@ -44,7 +44,7 @@ void setOutside(World& w, double outside) {
   w.bodies->parameters.pressure.outside = w.bodies->kernelParameters.outsidePressure = outside;
 }
 
-/// Contents that are at rest with the volume that the membrane is at rest with.
+/// Adds a pressure with which contents are at rest at the volume at which the membrane is at rest.
 void addPressure(std::vector<Remedy>& remedies, const World& world) {
   const Bodies& b = *world.bodies;
   if (!b.model().hasMembrane) return;
@@ -83,7 +83,7 @@ void addConnections(std::vector<Remedy>& remedies, const World& world) {
   remedies.push_back({"connections.strength", "shared", [](World& w) { w.connections->parameters.strength.reset(); }});
 }
 
-/// So much that the motion of a few hundred time steps dies away.
+/// Adds so much drag that the motion of a few hundred time steps dies away.
 void addDrag(std::vector<Remedy>& remedies, const World& world) {
   const double drag = rounded(world.bodies->parameters.drag + 0.01 / world.clock.timeStep);
   add(remedies, "physics.drag", drag, [drag](World& w) {

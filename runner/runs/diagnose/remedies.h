@@ -10,11 +10,11 @@ namespace morula {
 
 struct Remedy {
   std::string key;                    // "physics.time_step"
-  std::string value;                  // what would stand there
-  std::function<void(World&)> apply;  // to a world in the middle of its run
+  std::string value;                  // the value for the key
+  std::function<void(World&)> apply;  // changes a world in the middle of its run
 };
 
-/// The changes that make sense for the scene, the mildest first; `timeStep`, unless 0, before all others.
+/// Returns the changes that make sense for the scene, the mildest first. `timeStep`, unless 0, comes before all others.
 std::vector<Remedy> remediesFor(const World& world, double timeStep);
 
 }  // namespace morula

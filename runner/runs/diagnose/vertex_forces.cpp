@@ -17,7 +17,7 @@
 namespace morula {
 namespace {
 
-/// [force] Of the membrane's springs [Nilsson 2008, eq. 4.2].
+/// Returns the forces of the membrane's springs [force] [Nilsson 2008, eq. 4.2].
 std::vector<Vector> springForces(const Bodies& b, int slot) {
   std::vector<Vector> force(b.vertexCount(slot));
   const MembraneParameters& m = b.parameters.membrane;
@@ -32,7 +32,7 @@ std::vector<Vector> springForces(const Bodies& b, int slot) {
   return force;
 }
 
-/// [length²] ∇V of each vertex: a third of the area vectors of its faces [Nilsson 2008, eq. 4.5].
+/// Returns ∇V of each vertex [length²]: a third of the area vectors of its faces [Nilsson 2008, eq. 4.5].
 std::vector<Vector> volumeGradients(const Bodies& b, int slot) {
   std::vector<Vector> gradient(b.vertexCount(slot));
   for (const auto& [i, j, k] : b.meshOf(slot).mesh.faces) {
@@ -65,12 +65,12 @@ Reals addedToAll(Bodies& b, Add add) {
   return kept;
 }
 
-/// [force] Mass times acceleration.
+/// Returns mass times acceleration [force].
 std::vector<Vector> wholeForces(const Bodies& b, int slot) {
   return ofSlot(b, slot, b.acceleration, b.vertexMass[slot]);
 }
 
-/// [force] Of the medium, in proportion to mass.
+/// Returns the forces of the medium [force], in proportion to mass.
 std::vector<Vector> dragForces(const Bodies& b, int slot) {
   return ofSlot(b, slot, b.velocity, -b.parameters.drag * b.vertexMass[slot]);
 }
@@ -83,8 +83,8 @@ void takeFrom(std::vector<Vector>& sum, const std::vector<Vector>& less) {
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] -= less[v];
 }
 
-/// Returns the shell's force against the one that presses a vertex on it outwards (physics/shell_kernel.h); none for a
-/// vertex that does not lie on it.
+/// Returns the shell's force against a force that presses vertices outwards (physics/shell_kernel.h); zero for vertices
+/// that do not lie on the shell.
 std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vector>& pressing) {
   const double* a = b.parameters.shell->semiAxes.data();
   const double within = b.parameters.precision == Precision::binary64 ? 1e-12 : 1e-6;
@@ -100,7 +100,7 @@ std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vec
 
 /// The outer forces of a whole world, each evaluated once.
 struct OuterForces {
-  std::optional<Reals> contact, bareContact, connections;  // bareContact: without the cells' stickiness
+  std::optional<Reals> contact, bareContact, connections;  // bareContact: without adhesion
   std::vector<Reals> others;
 };
 
@@ -150,7 +150,7 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
   add(ForceKind::adhesion, outer.connections);
   for (const Reals& forces : outer.others) add(ForceKind::other, forces);
 
-  std::vector<Vector> left = wholeForces(b, slot), sum(vertices);  // what has no name yet; what has one
+  std::vector<Vector> left = wholeForces(b, slot), sum(vertices);  // forces without a name yet, and with one
   for (const auto& force : of) addTo(sum, force);
   takeFrom(left, sum);
   const ShellShape shape = shellShapeOf(b.parameters);
@@ -189,7 +189,7 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
   if (world.connections) add("connections", [&] { addConnectionForces(*world.connections, world.cells.path, b); });
   if (world.motility) add("crawling", [&] { addMotility(world); });
   if (b.model().hasRestShape) {
-    VertexForces shape{"its shape", wholeForces(b, slot)};  // what is left of the whole
+    VertexForces shape{"its shape", wholeForces(b, slot)};  // the rest of the whole
     for (const VertexForces& other : all) takeFrom(shape.onVertex, other.onVertex);
     all.push_back(std::move(shape));
   }

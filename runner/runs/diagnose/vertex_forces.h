@@ -10,13 +10,13 @@
 namespace morula {
 
 struct VertexForces {
-  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  // The name: "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
   std::string name;
   std::vector<Vector> onVertex;  // [force]
 };
 
-/// The forces of the world's last evaluation on the cell in this slot; only those that the scene has. The world
-/// is as before afterwards.
+/// Returns the forces of the world's last evaluation on the cell in this slot, of those that the scene has. The world
+/// is afterwards as before.
 std::vector<VertexForces> measureForces(World& world, int slot);
 
 /// Kinds of forces, for people.
@@ -31,17 +31,17 @@ inline constexpr auto choices<ForceKind> = std::to_array<Choice<ForceKind>>({
     {ForceKind::other, "other", "drag, crawling, chirality, and where a cell's shape is kept in another way that"},
 });
 
-/// [ForceKind][vertex] of one cell [force]; all kinds add up to mass times acceleration.
+/// The forces on the vertices of one cell, [ForceKind][vertex] [force]; all kinds add up to mass times acceleration.
 using ForcesByKind = std::array<std::vector<Vector>, choices<ForceKind>.size()>;
 
-/// Throws InputError for an integrator that solves for its forces and has none between two steps.
+/// Throws InputError for an integrator that solves for its forces, and so has none between two steps.
 void checkHasForces(const PhysicsParameters& physics);
 
-/// [cell] At the world's positions and velocities, evaluated anew. It has bodies. Throws InputError as checkHasForces.
+/// [cell] Evaluates forces at the world's positions and velocities. Requires bodies. Throws as checkHasForces.
 std::vector<ForcesByKind> forcesByKind(World& world);
 
-/// Measures forces without changing the world: evaluated in `scratch`, a world of the same scene,
-/// which has this world's bodies afterwards.
+/// Measures forces without changing the world: they are evaluated in `scratch`, a world of the same scene, which has
+/// this world's bodies afterwards.
 std::vector<ForcesByKind> forcesByKind(const World& world, World& scratch);
 
 }  // namespace morula

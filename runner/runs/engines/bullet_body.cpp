@@ -23,7 +23,7 @@ void configure(btSoftBody& body, const BulletScene& scene) {
   c.collisions = scene.touching() ? btSoftBody::fCollision::VF_SS : 0;
   c.kSHR = 1;  // contacts are resolved wholly in the step that finds them
   c.kDF = 0;   // no friction
-  // Bullet takes the share kDP of the velocity away each step; ours drags by −drag·v, and B1 adds that force.
+  // Bullet removes the share kDP of the velocity in each step. Our drag is −drag·v, which B1 adds as a force.
   c.kDP = scene.baseline == Baseline::b2 ? scene.physics.drag * scene.timeStep : 0;
   body.getCollisionShape()->setMargin(scene.margin);
   body.setActivationState(DISABLE_DEACTIVATION);
@@ -43,18 +43,18 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
 
   configure(*body, scene);
   body->m_bUpdateRtCst = false;                                          // see below
-  if (scene.baseline == Baseline::b1 && !scene.touching()) return body;  // nodes are all that moves
+  if (scene.baseline == Baseline::b1 && !scene.touching()) return body;  // only nodes move
 
-  // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration; n iterations are as
-  // stiff as k_s if kLST = k_s Δt² (1/m + 1/m)/n.
+  // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration. n iterations are as stiff as
+  // k_s if kLST = k_s Δt² (1/m + 1/m)/n.
   const double dt = scene.timeStep, inverseMasses = 2 / vertexMass;
   btSoftBody::Material* material = body->appendMaterial();
   material->m_kLST = scene.physics.membrane.stiffness * dt * dt * inverseMasses / scene.iterations;
   for (int e = 0; e < mesh.edgeCount(); ++e) body->appendLink(mesh.edges[2 * e], mesh.edges[2 * e + 1], material);
   for (const Face& f : mesh.mesh.faces) body->appendFace(f[0], f[1], f[2], material);
 
-  // Appending makes Bullet's next step take every length as it finds it for the rest length. So that step is
-  // told that all is up to date, and what it would have set is set here.
+  // After appending, Bullet's next step would take every present length for the rest length. That step is told that all
+  // is up to date, and the values that it would have set are set below.
   body->updateConstants();
   body->m_bUpdateRtCst = false;
   for (int e = 0; e < mesh.edgeCount(); ++e) body->m_links[e].m_rl = mesh.restLengths[e] * cell.restScale;
@@ -70,8 +70,8 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
 }
 
 void setPressure(btSoftBody& body, double pressureConstant, double outside) {
-  body.updateArea(false);  // Bullet would keep the areas of the first step
-  // (k_p/V − P_0) = (k_p − P_0 V)/V; halved, for Bullet's areas are twice the true ones.
+  body.updateArea(false);  // else Bullet keeps the areas of the first step
+  // (k_p/V − P_0) = (k_p − P_0 V)/V; halved, since Bullet's areas are twice the true ones.
   body.m_cfg.kPR = 0.5 * (pressureConstant - outside * body.getVolume());
 }
 

@@ -1,4 +1,4 @@
-// The metrics in which two engines may honestly be held against each other.
+// Metrics for a fair comparison of two engines.
 #include "engines/bullet_check.h"
 
 #include <Eigen/Eigenvalues>
@@ -23,14 +23,14 @@ CheckResult about(const char* failureClass, const std::string& text) {
                 "bullet: " + text, failureClass);
 }
 
-/// Bullet's step is that of either Verlet (BulletScene::physics).
+/// Returns true for the two integrators that Bullet's step can compute (BulletScene::physics).
 bool isVerlet(Integrator integrator) {
   return integrator == Integrator::thesisVerlet || integrator == Integrator::velocityVerlet;
 }
 
 using Shape = std::vector<Point>;
 
-/// √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid.
+/// Returns √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid.
 double aspect(const Shape& shape) {
   const Point centre = measureCentroid(shape);
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -51,7 +51,7 @@ double radiusOf(const Shape& shape) {
 
 double centreDistance(const Shape& a, const Shape& b) { return norm(measureCentroid(a) - measureCentroid(b)); }
 
-/// The worst of several comparisons of one metric.
+/// The largest deviation in one metric.
 class Metric {
  public:
   Metric(const char* field, std::string tolerance, double allowed)
@@ -62,7 +62,7 @@ class Metric {
                 .field = field,
                 .share = -1} {}
 
-  /// Keeps the largest deviation. One that is NaN is kept, whatever follows.
+  /// Keeps the largest deviation. A NaN stays, whatever follows.
   void see(double expected, double actual, double off, const std::string& where) {
     const double share = off / allowed_;
     if (!(*result_.share <= share) && !std::isnan(share)) return;
@@ -89,7 +89,7 @@ class Metric {
   CheckResult result_;
 };
 
-/// Indices of cells whose distance is looked at: of those that touch, or of all where none does.
+/// Returns pairs of cells whose distances are compared: cells that touch, or all pairs if none touch.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(const World& world, bool& touching) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto place = [&](const CellPath& path) { return static_cast<std::size_t>(cellNumber(world.cells, path)); };

@@ -1,5 +1,5 @@
 #pragma once
-// Holds a finished run against the same scene in Bullet, as the scenario's check.bullet asks.
+// Compares a finished run with the same scene in Bullet, as the scenario's check.bullet asks.
 #include <optional>
 
 #include "engines/external_run.h"
@@ -8,22 +8,22 @@
 namespace morula {
 
 struct BulletFindings {
-  std::vector<CheckResult> results;   // of kind "bullet"
-  std::optional<ExternalRun> bullet;  // if it came to the same end
+  std::vector<CheckResult> results;   // results of kind "bullet"
+  std::optional<ExternalRun> bullet;  // if Bullet reached the same end
 };
 
-/// Nothing if the scenario does not ask. Without Bullet in this build one result that says so and passes; a
-/// Bullet that breaks or does not answer is a result that fails. `end`: ours. `frameTimes`: ExternalQuestion's.
+/// Returns nothing if the scenario does not ask; one result that passes and says so in a build without Bullet; one that
+/// fails if Bullet breaks or does not answer. `end`: our end. `frameTimes`: as in ExternalQuestion.
 BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet,
                                   const std::vector<double>& frameTimes = {});
 
-/// Results that tell what was not looked at.
+/// Returns true for a result of a comparison that was skipped.
 bool wasSkipped(const CheckResult& result);
 
-/// The tolerances of the scenario, or those that fit it where it has none.
+/// Returns the tolerances of the scenario, or defaults that fit it if it has none.
 BulletCheck tolerancesFor(const Scenario& scenario);
 
-/// One result for each tolerance, of the worst cell. `shapes`: Bullet's, in the order of ours.
+/// Returns one result for each tolerance, for the worst cell. `shapes`: vertices in Bullet, in the order of our cells.
 std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                                            const BulletCheck& check);
 

@@ -5,8 +5,8 @@
 namespace morula {
 namespace {
 
-/// The core's bodies serve as the notebook in which Bullet's nodes are read: forces and the shell are then
-/// the core's own code, the same on both sides of a comparison.
+/// Makes bodies of the core, the notebook, into which Bullet's nodes are read. Forces and shell are then computed by
+/// the core's own code, as on the other side of a comparison.
 Bodies makeNotebook(const BulletScene& scene) {
   Bodies bodies = makeBodies(scene.physics, scene.mesh, 1);
   setBodies(bodies, scene.cells);
@@ -15,8 +15,8 @@ Bodies makeNotebook(const BulletScene& scene) {
 
 struct ExplicitWorld final : BulletWorld {
   BulletScene scene;
-  Bodies notebook;                  // of B1, `acceleration` is that of the nodes as they are
-  PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
+  Bodies notebook;                  // for B1, `acceleration` belongs to the present state of the nodes
+  PhysicsStages forces{}, shell{};  // stages without the shell, and with it
   bool secondOrder;                 // B1 as velocity Verlet: Bullet's velocities lag by half a step
 
   btSoftBodyRigidBodyCollisionConfiguration configuration;
@@ -30,7 +30,7 @@ struct ExplicitWorld final : BulletWorld {
       : scene(asked),
         notebook(makeNotebook(asked)),
         secondOrder(asked.baseline == Baseline::b1 && asked.physics.integrator != Integrator::thesisVerlet) {
-    // With a time step of 0 the drift of thesisVerlet moves nothing, and predicts the present velocity.
+    // With a time step of 0, the drift of thesisVerlet moves nothing, and predicts the present velocity.
     scene.physics.integrator = Integrator::thesisVerlet;
     PhysicsParameters open = scene.physics;
     open.shell.reset();
@@ -54,7 +54,7 @@ struct ExplicitWorld final : BulletWorld {
     for (auto& body : bodies) world.removeSoftBody(body.get());
   }
 
-  template <class Visit>  // visit(node, where it stands in position, velocity and acceleration)
+  template <class Visit>  // visit(node, index in position, velocity and acceleration)
   void eachNode(const Visit& visit) {
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (int v = 0; v < notebook.vertexCount(); ++v)
@@ -68,7 +68,7 @@ struct ExplicitWorld final : BulletWorld {
   }
   btVector3 halfKick(std::size_t at) const { return 0.5 * scene.timeStep * read(notebook.acceleration, at); }
 
-  /// The accelerations at the notebook's positions and velocities. The shell bears what presses against it.
+  /// Computes accelerations at the notebook's positions and velocities. The shell bears what presses against it.
   void evaluateForces() {
     for (int i = 0; i < notebook.blockCount(); ++i) {
       advance(forces, notebook, notebook.block(i, 0), 0);
@@ -76,7 +76,7 @@ struct ExplicitWorld final : BulletWorld {
     }
   }
 
-  /// Bullet has no contact on the inside of a shell: the core's, at the end of a drift that takes no time.
+  /// Applies the core's shell, by a drift that takes no time: Bullet has no contact on the inside of a shell.
   void keepAllInShell() {
     for (int i = 0; i < notebook.blockCount(); ++i)
       shell.drift(notebook.mesh.view(), notebook.block(i, 0), notebook.kernelParameters, 0);
@@ -101,8 +101,8 @@ struct ExplicitWorld final : BulletWorld {
     });
     if (scene.physics.shell) keepAllInShell();
     if (scene.baseline != Baseline::b1) return;
-    // w = v + ½Δt a, with the acceleration that led here: the velocity at the time of the positions, as
-    // velocity Verlet predicts it.
+    // w = v + ½Δt a, with the acceleration of the last step: the velocity at the time of the positions, as velocity
+    // Verlet predicts it.
     if (secondOrder)
       eachNode(
           [&](const btSoftBody::Node& node, std::size_t at) { write(notebook.velocity, at, node.m_v + halfKick(at)); });

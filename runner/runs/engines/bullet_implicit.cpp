@@ -1,4 +1,4 @@
-// B3: Bullet's deformable world, whose springs are linear as ours and solved implicitly.
+// B3: Bullet's deformable world, whose springs are linear like ours, and are solved implicitly.
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableMassSpringForce.h>
 #include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
@@ -10,8 +10,8 @@
 namespace morula {
 namespace {
 
-/// The contents' pressure and the medium's drag, which Bullet has not. The solver takes them as constant
-/// within a step: where all is at rest that is exact.
+/// The contents' pressure and the medium's drag, which Bullet lacks. The solver takes both as constant within a step,
+/// which is exact at rest.
 class ContentsForce final : public btDeformableLagrangianForce {
  public:
   explicit ContentsForce(const BulletScene& scene) : scene_(scene) {}
@@ -27,12 +27,12 @@ class ContentsForce final : public btDeformableLagrangianForce {
   void addScaledElasticForceDifferential(btScalar, const TVStack&, TVStack&) override {}
   void addScaledDampingForceDifferential(btScalar, const TVStack&, TVStack&) override {}
   void buildDampingForceDifferentialDiagonal(btScalar, TVStack&) override {}
-  /// None of Bullet's own kinds: forces of one kind are taken for one force.
+  /// Returns a kind that Bullet does not have: it takes forces of one kind for one force.
   btDeformableLagrangianForceType getForceType() override { return static_cast<btDeformableLagrangianForceType>(100); }
 
  private:
-  /// f = P Σ A/3 over the faces of a vertex: a sixth of the cross product of two edges each [Nilsson 2008,
-  /// eq. 4.5]. m_q is where the solver has a node during the step.
+  /// Adds f = P Σ A/3 over the faces of a vertex: a sixth of the cross product of two edges each [Nilsson 2008, eq.
+  /// 4.5]. m_q is a node's position in the solver during the step.
   void addPressure(const btSoftBody& body, double constant, btScalar scale, TVStack& force) const {
     double volume = 0;
     for (int f = 0; f < body.m_faces.size(); ++f) {

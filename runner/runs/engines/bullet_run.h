@@ -1,5 +1,5 @@
 #pragma once
-// A scenario's run in which Bullet moves the bodies: all that measures a World measures it.
+// A run of a scenario in which Bullet moves the bodies. Its World can be measured as any other.
 #include "engines/bullet_world.h"
 #include "loop/simulate.h"
 
@@ -7,9 +7,9 @@ namespace morula {
 
 class BulletRun {
  public:
-  /// The scenario's start. Bullet takes the scenario's time step whatever we think of its stability, as a
-  /// float, and without one ours. `margin` in radii of the egg; `integrator`: of B1, as in BulletScene. Throws
-  /// InputError if there is no start.
+  /// Begins the scenario. Bullet takes the scenario's time step as a float, whatever its stability; without one, our
+  /// time step. `margin`: in radii of the egg; `integrator`: for B1, as in BulletScene. Throws InputError if the
+  /// scenario cannot begin.
   BulletRun(const Scenario& scenario, Baseline baseline, double margin, Integrator integrator);
 
   void step();
@@ -18,14 +18,15 @@ class BulletRun {
  private:
   void take(const std::vector<Body>& cells);
 
-  World world_;  // without contacts: ours have no say in it
+  World world_;  // without contacts: Bullet computes them
   std::unique_ptr<BulletWorld> bullet_;
 };
 
 /// Makes the world in which the scenario begins, with its time step.
 World makeBulletStart(Scenario scenario);
 
-/// Puts the cells of such a world, by path, into these shapes; volumes and pressures follow. Velocities stay.
+/// Moves the cells of a world of makeBulletStart into these shapes, by path; volumes and pressures follow. Velocities
+/// stay.
 void placeCells(World& world, const std::vector<std::vector<Point>>& shapes);
 
 }  // namespace morula

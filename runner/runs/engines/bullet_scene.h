@@ -1,5 +1,5 @@
 #pragma once
-// A scene for Bullet, in plain structs: what this module is asked and what it answers.
+// A scene for Bullet, in plain structs: the questions to this module and its answers.
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -11,18 +11,18 @@ namespace morula {
 
 struct BulletScene {
   Baseline baseline = Baseline::b1;
-  Mesh mesh;  // the egg in its size: what rest lengths refer to
-  // Membrane, pressure.outside, drag and shell count; of the integrator, for B1, whether it is thesisVerlet:
-  // Bullet's step is v' = v + Δt a, x' = x + Δt v'. With half a first kick, and forces for the velocity at
-  // the time of the positions, it is velocity Verlet, of second order: what B1 does. With a whole first kick,
-  // and the velocity as Bullet has it, half a step old, it is the thesis' Verlet, of first order: what B1
-  // does for thesisVerlet, so that the two can be compared vertex by vertex.
+  Mesh mesh;  // the egg in its size, to which rest lengths refer
+  // Used: membrane, pressure.outside, drag and shell; and for B1, whether the integrator is thesisVerlet. Bullet's step
+  // is v' = v + Δt a, x' = x + Δt v'. With half a first kick, and forces for the velocity at the time of the positions,
+  // this is velocity Verlet, of second order: B1's default. With a whole first kick, and Bullet's own velocity, half a
+  // step old, it is the thesis' Verlet, of first order: B1 for thesisVerlet, so that both can be compared vertex by
+  // vertex.
   PhysicsParameters physics;
   std::vector<Body> cells;
-  double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes it as a float, even in double precision
+  double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes the step as a float, even in double precision
   bool contact = true;       // vertices of a cell against faces of others
-  double margin = 0.01;      // [length] of each surface: cells at rest against each other are two of them apart
-  int iterations = 1;        // of Bullet's position solver in each step: contacts, and B2's links
+  double margin = 0.01;      // [length] of each surface: cells at rest against each other are two margins apart
+  int iterations = 1;        // iterations of Bullet's position solver in a step: contacts, B2's links
 
   bool touching() const { return contact && cells.size() > 1; }
 };
@@ -30,16 +30,16 @@ struct BulletScene {
 struct BulletRequest {
   BulletScene scene;
   int steps = 1;
-  std::vector<int> reports = {};  // rising: after which steps the cells are told as well
+  std::vector<int> reports = {};  // rising: steps after which cells are reported, too
 };
 
 struct BulletResult {
   std::vector<Body> cells;                      // after the last step
   std::vector<double> stepSeconds;              // CPU time of each step
-  std::vector<std::vector<Body>> reports = {};  // as asked for
+  std::vector<std::vector<Body>> reports = {};  // after the requested steps
 };
 
-/// True if this program was built with Bullet in double precision.
+/// Returns true if this program was built with Bullet in double precision.
 bool bulletIsAvailable();
 
 }  // namespace morula

@@ -5,7 +5,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-// Headers link silently with the library of the other precision, and compute nonsense (checkPrecision).
+// Headers link without error with a library of the other precision, and compute nonsense (checkPrecision).
 #ifdef MORULA_SINGLE_BULLET
 static_assert(sizeof(btScalar) == 4, "Bullet's single-precision headers are needed: bullet");
 #else

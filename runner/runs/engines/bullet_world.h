@@ -1,5 +1,5 @@
 #pragma once
-// A scene in motion in Bullet. One per process: what Bullet computes depends on what it did before.
+// A scene in motion in Bullet. Each needs a process of its own: Bullet's results depend on earlier computations.
 #include <memory>
 #include <vector>
 
@@ -14,9 +14,9 @@ class BulletWorld {
   virtual std::vector<Body> cells() = 0;  // velocities at the time of the positions
 };
 
-/// B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact. B3: btDeformableMultiBodyDynamicsWorld,
-/// implicit; without contact and shell. Throws FileError if Bullet is absent, BugError if its library is not the one of
-/// its headers.
+/// Makes a world. B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact. B3:
+/// btDeformableMultiBodyDynamicsWorld, implicit, without contact and shell. Throws FileError if Bullet is absent,
+/// BugError if its library does not match its headers.
 std::unique_ptr<BulletWorld> makeBulletWorld(const BulletScene& scene);
 
 }  // namespace morula

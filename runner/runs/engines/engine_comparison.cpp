@@ -1,4 +1,4 @@
-// From a run to a verdict, and to words that fit into a table.
+// Verdicts on runs of other engines, in words that fit into a table.
 #include "engines/engine_comparison.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 Verdict notAsked(const std::string& why) { return {Verdict::Kind::notAsked, why, {}}; }
 
-/// "file:1:2: path: wrong; right" as "path: wrong".
+/// Returns "path: wrong" of "file:1:2: path: wrong; right".
 std::string withoutPlace(const std::string& why, const Scenario& scenario) {
   const std::string wrong = why.substr(0, why.find(';'));
   const auto colon = wrong.starts_with(scenario.file) ? wrong.find(": ") : wrong.npos;
@@ -59,17 +59,17 @@ Verdict ask(const Scenario& scenario, Engine engine, const ComparisonOptions& op
     return askBullet(scenario, question, baselineOf(engine));
   } catch (const InputError& error) {
     return notAsked(std::string("cannot be asked: ") + error.what());
-  } catch (const std::exception& error) {  // whatever it is: it ends this question, not the others
+  } catch (const std::exception& error) {  // any error ends this question alone
     return {Verdict::Kind::noAnswer, std::string("no answer: ") + error.what(), {}};
   }
 }
 
 const char* title(Engine engine) { return choices<Engine>[static_cast<std::size_t>(engine)].meaning; }
 
-/// "needle" of "hard/needle".
+/// Returns "needle" of "hard/needle".
 std::string shortName(const std::string& scenario) { return scenario.substr(scenario.rfind('/') + 1); }
 
-/// "0.98765432109" as "0.9877": a table is for people; all digits stand in the JSON of the check.
+/// Returns "0.9877" for "0.98765432109": a table is for people; the check's JSON has all digits.
 std::string inFewDigits(const std::string& text) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   std::string out;
@@ -88,7 +88,7 @@ std::string inFewDigits(const std::string& text) {
   return out;
 }
 
-/// "energy 0.61 > 0.6", "end-volume 0.4 to 1.02 of [0.7, 1.02]".
+/// Returns "energy 0.61 > 0.6", "end-volume 0.4 to 1.02 of [0.7, 1.02]".
 std::string inShort(const CheckResult& r) {
   const auto after = [](const std::string& text, std::size_t length) { return text.substr(length); };
   std::string text = r.check + ' ' + r.actual + ", not " + r.expected;
@@ -100,7 +100,7 @@ std::string inShort(const CheckResult& r) {
   return inFewDigits(text) + (r.firstStep ? " at step " + std::to_string(*r.firstStep) : "");
 }
 
-/// Nothing, or all that does not hold.
+/// Returns a verdict with all failed checks; absent if all pass.
 std::optional<Verdict> brokenOf(const std::vector<CheckResult>& results) {
   std::optional<Verdict> verdict;
   for (const CheckResult& r : results) {
@@ -111,7 +111,7 @@ std::optional<Verdict> brokenOf(const std::vector<CheckResult>& results) {
   return verdict;
 }
 
-/// A run that was cut short because a cell is no cell any more.
+/// Returns the verdict on a run that was stopped early because a cell was no cell any more.
 Verdict noCell(const ExternalRun& run) {
   const auto place = std::find_if(run.results.begin(), run.results.end(),
                                   [](const CheckResult& r) { return r.check == "extent" && !r.passed; });
@@ -120,7 +120,7 @@ Verdict noCell(const ExternalRun& run) {
           run.step};
 }
 
-/// Up to the remedy, which is for the author of the scenario.
+/// Returns a message up to its remedy, which is for the author of the scenario.
 std::string firstPart(const std::string& why) { return why.substr(0, std::min(why.find(';'), why.find('\n'))); }
 
 }  // namespace
@@ -145,7 +145,7 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
     rows.push_back({goldenName(scenarios[i].file), {own[i]}});
     rows.back().verdicts.resize(1 + options.engines.size());
   }
-  // Each question is another process and each answer has its own place, so who is first does not matter.
+  // Each question is another process, and each answer has its own place, so the order does not matter.
   std::atomic<std::size_t> next = 0;
   std::mutex console;  // one line at a time
   const std::size_t count = scenarios.size() * options.engines.size();

@@ -12,8 +12,7 @@
 
 namespace morula {
 
-// The members that are exchanged, in their order. Members that are named and not exchanged are not needed by the other
-// side.
+// The fields that are exchanged, in their order. Named fields that are not exchanged are not needed by the other side.
 
 template <IsA<Body> T>
 void listFields(T& body, auto&& field) {
@@ -73,7 +72,7 @@ void listFields(T& file, auto&& field) {
   field({"content"}, content);
 }
 
-/// `cpuSeconds` is of the process that asks.
+/// `cpuSeconds` limits the process, and is used by the asking side.
 template <IsA<ExternalQuestion> T>
 void listFields(T& question, auto&& field) {
   auto& [engine, margin, integrator, cpuSeconds, frameTimes] = question;
@@ -165,11 +164,11 @@ BulletResult runRequest(const BulletRequest& request) {
 Json answerTo(const Json& question, std::ostream& out) {
   if (!question.contains("scenario")) return toJson(runRequest(bulletRequestFrom(question)));
   return toJson(runHere(question, [&](std::uint64_t step) {
-    out << jsonText({{"step", step}}) << std::endl;  // so that a process that dies has said how far it came
+    out << jsonText({{"step", step}}) << std::endl;  // the last step is known if the process dies
   }));
 }
 
-/// The last line that arrived whole; null if there is none.
+/// Returns the last line that arrived whole; null if there is none.
 Json lastMessage(const std::string& said) {
   for (auto end = said.rfind('\n'); end != said.npos && end > 0;) {
     const auto before = said.rfind('\n', end - 1);

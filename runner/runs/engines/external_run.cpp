@@ -13,7 +13,7 @@
 namespace morula {
 namespace {
 
-/// The conditions on every run: volumes above 0, and places that are numbers. Bullet itself goes on with anything.
+/// Returns the conditions on every run: positive volumes, and places that are numbers. Bullet itself would go on.
 CheckParameters minDemands() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CheckParameters check;
@@ -28,7 +28,7 @@ struct OwnSteps {
   void step() { run.advance(1); }
 };
 
-/// Keeps the shapes at the times that are asked for.
+/// Keeps the shapes at the requested times.
 class FrameKeeper {
  public:
   FrameKeeper(const std::vector<double>& times, std::vector<ExternalFrame>& frames) : times_(times), frames_(frames) {}
@@ -46,7 +46,7 @@ class FrameKeeper {
   std::size_t next_ = 0, vertices_ = 0;
 };
 
-/// `run` has world() and step().
+/// Runs the scenario to its end; `run` has world() and step().
 template <class Run>
 void goThrough(Run& run, const Scenario& scenario, const std::vector<double>& frameTimes, ExternalRun& answer,
                const OnStep& onStep) {

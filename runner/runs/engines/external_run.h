@@ -1,6 +1,6 @@
 #pragma once
-// A scenario's run as another engine computes it, in a process of its own: that may hang or die, and what
-// Bullet computes depends on what it did before.
+// A scenario's run in another engine, in a process of its own: such a process may hang or die, and Bullet's results
+// depend on earlier computations.
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@
 
 namespace morula {
 
-/// Ours with the thesis' contact law, and Bullet [values/baseline.h].
+/// Our engine with the thesis' contact law, and Bullet [values/baseline.h].
 enum class Engine { thesis, b1, b2, b3 };
 template <>
 inline constexpr auto choices<Engine> = std::to_array<Choice<Engine>>({{Engine::thesis, "thesis",
@@ -26,51 +26,51 @@ Engine engineOf(Baseline baseline);
 /// Returns the baseline of an engine that is Bullet.
 Baseline baselineOf(Engine engine);
 
-/// [s] Far more than any of the hard cases takes: an engine that has not answered by then is taken to have none.
+/// [s] CPU time far above that of the hard cases: an engine that needs more counts as silent.
 inline constexpr int usualCpuSeconds = 120;
 
 struct ExternalQuestion {
   Engine engine = Engine::b1;
-  double margin = 0.01;                                // [radii of the egg] Bullet's
-  Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
-  int cpuSeconds = usualCpuSeconds;                    // of the process; then it is ended
-  std::vector<double> frameTimes = {};                 // [time] rising: when shapes are told, too
+  double margin = 0.01;                                // [radii of the egg] of surfaces in Bullet
+  Integrator integrator = Integrator::velocityVerlet;  // for B1, as in BulletScene
+  int cpuSeconds = usualCpuSeconds;                    // limit of the process
+  std::vector<double> frameTimes = {};                 // [time] rising: when to report shapes, too
 };
 
-/// All cells after the first step that reaches a time that was asked for.
+/// All cells after the first step that reaches a requested time.
 struct ExternalFrame {
   double time = 0;  // [time]
   std::uint64_t step = 0;
   std::vector<std::vector<Point>> shapes;  // [length] by path
 };
 
-/// Vertices of all cells in all frames that one question may ask for: an answer of some 30 MB.
+/// Max vertices of all cells in all frames of one question: an answer of some 30 MB.
 inline constexpr std::size_t maxFrameVertices = 500'000;
 
 struct ExternalRun {
   enum class End {
     done,
     broken,   // a cell was no cell any more: inside out, or at a place that is no number
-    stopped,  // the engine says itself that it cannot go on
-    refused,  // nor begin
-    silent,   // no answer: out of time, ended by a signal, an answer that was cut
+    stopped,  // the engine reports that it cannot go on
+    refused,  // the engine reports that it cannot begin
+    silent,   // no answer: out of time, ended by a signal, or an incomplete answer
   };
   End end = End::silent;
-  std::string why;  // unless done or broken
+  std::string why;  // "" if done or broken
   std::uint64_t step = 0;
-  std::vector<CheckResult> results;        // of what the scenario's check demands; or what is broken
-  Bounds volumes;                          // [1] of all cells, over those at rest
+  std::vector<CheckResult> results;        // results of the scenario's check; if broken, the broken conditions
+  Bounds volumes;                          // [1] of all cells, over their volumes at rest
   std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
-  std::vector<Sample> samples;             // as the scenario records, and the end; without states and contacts
-  std::vector<ExternalFrame> frames = {};  // as they were asked for; none after maxFrameVertices
+  std::vector<Sample> samples;             // as in the scenario's `record`, and at the end; without states and contacts
+  std::vector<ExternalFrame> frames = {};  // at the requested times; none after maxFrameVertices
 };
 
-/// [length] The vertices of all cells, by path.
+/// Returns the vertices of all cells [length], by path.
 std::vector<std::vector<Point>> shapesOf(const World& world);
 
 using OnStep = std::function<void(std::uint64_t)>;
 
-/// In this process: what was asked in JSON (engine_worker.h). `onStep` is called with the number of each step.
+/// Answers a question in JSON (engine_worker.h) in this process. Calls `onStep` with the number of each step.
 ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

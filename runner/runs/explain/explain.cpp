@@ -32,7 +32,7 @@ class Finder {
  public:
   std::optional<StateDifference> found;
 
-  /// Sets what is compared from here on. `path`: the cell that it belongs to, if any.
+  /// Sets the subject of the next comparisons. `path`: the cell, if any.
   void about(bool lineage, std::optional<std::string> path) { lineage_ = lineage, path_ = std::move(path); }
 
   void compare(const char* field, const Value& e, const Value& a) {
@@ -127,7 +127,7 @@ class Comparison : public SavedParts {
     for (std::size_t k = 0; k < e.size(); ++k) f.compare(e[k].first, e[k].second, a[k].second);
   }
 
-  /// `visitWith` visits what is compared.
+  /// `visitWith` visits the fields of the row.
   static Row rowOf(const World& world, const auto& visitWith) {
     Row row;
     visitWith([&](const Field& field, const auto& value) {
@@ -142,7 +142,7 @@ class Comparison : public SavedParts {
   static Row valuesOfCell(const World& world, std::size_t cell) {
     return rowOf(world, [&](auto&& visit) { visitCell(world.cells, cell, visit); });
   }
-  /// Accelerations before velocities, which a step makes of them.
+  /// Puts accelerations before velocities, since a step makes velocities from accelerations.
   static Row valuesOfBody(const World& world, std::size_t cell) {
     const int slot = world.bodies->slots[cell];
     Row row = rowOf(world, [&](auto&& visit) { visitBody(*world.bodies, slot, visit); });
@@ -157,7 +157,7 @@ class Comparison : public SavedParts {
     compareRows(f, valuesOf(expected_, e), valuesOf(actual_, a));
   }
 
-  /// Row by row, then their number.
+  /// Compares tables row by row, then their numbers of rows.
   template <class Record, class CellOf>
   void compareTables(Finder& f, bool lineage, const char* number, const std::vector<Record>& e,
                      const std::vector<Record>& a, const CellOf& cellOf) const {
@@ -169,7 +169,7 @@ class Comparison : public SavedParts {
     f.compare(number, std::uint64_t{e.size()}, std::uint64_t{a.size()});
   }
 
-  /// Cells that only one of the two has: the first by path tells.
+  /// Compares which cells there are: the first by path that only one state has is the difference.
   void comparePopulation(const std::vector<CellPath>& e, const std::vector<CellPath>& a) {
     const auto [ie, ia] = std::mismatch(e.begin(), e.end(), a.begin(), a.end());
     if (ie == e.end() && ia == a.end()) return;
@@ -184,11 +184,11 @@ class Comparison : public SavedParts {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;
 
-/// The steps between which the hashes of two runs begin to differ.
+/// The steps between which the hashes of two runs first differ.
 struct Window {
   bool same = false;
   std::optional<std::uint64_t> lastEqual;
-  std::uint64_t first = 0;                                   // the first step at which they are known to differ
+  std::uint64_t first = 0;                                   // the first step known to differ
   const StateHashes *expected = nullptr, *actual = nullptr;  // at step `first`; null if a run has no state there
 };
 
@@ -264,7 +264,7 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
     const auto stepByStep = [from](const HashTrace& t) { return t.links.size() > 1 && t.links[1].step == from + 1; };
     if (stepByStep(finerE) && stepByStep(finerA)) {
       const Window finer = partingOf(finerE, finerA);
-      if (finer.same) window = {false, window.first, window.first + 1};  // one run ends there, the other continues
+      if (finer.same) window = {false, window.first, window.first + 1};  // one run ends there, the other goes on
       else e = std::move(finerE), a = std::move(finerA), window = partingOf(e, a);
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Finds the step at which two runs of one scene part, and the kind of the first difference; and the first difference of
-// two states, down to the vertex.
+// Finds the step at which two runs of one scene part, and the kind of the first difference. Also finds the first
+// difference of two states, down to the vertex.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,39 +13,37 @@ namespace morula {
 struct World;
 
 struct StateDifference {
-  bool lineage = false;             // who lives, what they are or when they were born; else physics
-  std::optional<std::string> cell;  // path; "" is the egg; none: it is no cell's
+  bool lineage = false;             // living cells, their biology or their births; else physics
+  std::optional<std::string> cell;  // path; "" is the egg; absent: the field belongs to no cell
   std::string field;                // "position", "substances", "clock.time step"
-  std::optional<int> vertex;        // of the cell's mesh
+  std::optional<int> vertex;        // index in the cell's mesh
   std::string component;            // "x", "y" or "z" of a vector
   std::string expected, actual;     // numbers in decimal, shortest
   std::string text;                 // for people, one line; numbers also in hexadecimal and ulps
 };
 
-/// The first difference in the order: living cells, their biology, connections and lineage, then the clock,
-/// then each cell's parameters, positions, accelerations and velocities (as a step makes them, one from the
-/// other) by lineage path and vertex. Bits count: 0 and −0 differ, and equal bits are equal even if they are
-/// no number. None if all agrees.
+/// Returns the first difference in this order: living cells, their biology, connections and lineage, then the clock;
+/// then each cell's parameters, positions, accelerations and velocities, as a step makes them, by lineage path and
+/// vertex. Bits count: 0 and −0 differ, and NaNs of equal bits are equal. Absent if the states agree.
 std::optional<StateDifference> findStateDifference(const World& expected, const World& actual);
 
 struct Explanation {
-  std::string failureClass;                // "": the same bits; SETUP, LINEAGE, COMPUTATION; a caller may know better
-  std::optional<std::uint64_t> step;       // the first step that differs; the last of the window if not narrowed
-  std::optional<std::uint64_t> lastEqual;  // the last step known to be the same
-  std::optional<std::string> cell;         // the first that differs
-  std::vector<std::string> cells;          // all whose hashes differ at `step`
-  std::optional<StateDifference> difference;  // absent where only the hashes of a run are known
-  std::optional<Hash> expectedEnd;            // of the expected run's last state; absent if none is known
+  std::string failureClass;                // "": equal bits; SETUP, LINEAGE, COMPUTATION; callers may know better
+  std::optional<std::uint64_t> step;       // the first that differs; the last of the window if not narrowed
+  std::optional<std::uint64_t> lastEqual;  // the last step known to be equal
+  std::optional<std::string> cell;         // the first cell that differs
+  std::vector<std::string> cells;          // all cells whose hashes differ at `step`
+  std::optional<StateDifference> difference;  // absent if only a run's hashes are known
+  std::optional<Hash> expectedEnd;            // hash of the expected run's last state; absent if unknown
   std::string text;                           // for people, several lines
 };
 
-/// Follows both runs every `every` steps to where they first differ, then step by step through that window,
-/// then compares the states. A difference that heals between two states looked at leaves no trace: with
-/// `every` 1 none is missed.
+/// Compares both runs every `every` steps until they differ, then step by step through that window, then their states.
+/// A difference that vanishes between two compared states is missed; with `every` 1 none is.
 Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every = 64);
-/// Two runs of the scenario by this program, computed so and in another way (otherExecution).
+/// Compares two runs of the scenario by this program, with `how` and with another execution (otherExecution).
 Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every = 64);
-/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told first.
+/// Compares two runs of one program. Any difference is NONDETERMINISM, a bug or broken hardware, and is reported first.
 Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every = 64);
 
 }  // namespace morula

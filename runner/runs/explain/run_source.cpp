@@ -29,7 +29,7 @@ Json toJson(const ChainLink& link) {
           {"lineage", s.lineage.text()}, {"cells", cells}};
 }
 
-/// `before`: the hash of the link before, if there is one.
+/// `before`: the hash of the previous link, if there is one.
 ChainLink linkFrom(const Json& j, const std::optional<Hash>& before) {
   ChainLink link;
   link.step = wholeFrom<std::uint64_t>(j.at("step"));
@@ -86,7 +86,7 @@ HashTrace StoredRunSource::hashTrace(std::uint64_t from, std::uint64_t to, std::
   HashTrace t;
   for (const ChainLink& link : chain_)
     if (link.step >= from && link.step <= to && ((link.step - from) % every == 0 || link.step == steps_))
-      t.links.push_back(link);  // the last state, too, wherever it lies
+      t.links.push_back(link);  // including the last state, at any step
   t.lastStep = std::min(to, steps_);
   if (t.lastStep == steps_) t.failure = failure_;
   return t;
@@ -130,7 +130,7 @@ bool OwnRun::goTo(std::uint64_t step) {
     try {
       advance_(*world_);
     } catch (const NumericalError& error) {
-      if (error.want != Want::nothing) throw;  // it says nothing of where runs part
+      if (error.want != Want::nothing) throw;  // a lack of resources does not show where runs part
       failure_ = error.what();
     }
   }
@@ -152,7 +152,7 @@ HashTrace OwnRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t 
     if (!failure_.empty()) break;
     if (!addLink(t)) break;
   }
-  // Its last state, too, wherever it lies.
+  // The last state is included, at any step.
   if (failure_.empty() && world_->clock.step >= from && (t.links.empty() || t.links.back().step < world_->clock.step))
     addLink(t);
   t.lastStep = world_->clock.step;
@@ -162,7 +162,7 @@ HashTrace OwnRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t 
 
 std::unique_ptr<World> OwnRun::stateAt(std::uint64_t step) {
   goTo(step);
-  return std::move(world_);  // the next question starts anew
+  return std::move(world_);  // the next question starts the run anew
 }
 
 OwnRun scenarioRun(const Scenario& scenario, const Execution& how, const std::string& called) {

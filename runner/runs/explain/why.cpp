@@ -24,7 +24,7 @@
 namespace morula {
 namespace {
 
-/// The vertex that is the farthest from where it was before.
+/// The vertex that has moved farthest from its place in the other run.
 struct Farthest {
   double distance = 0;  // [length]
   std::size_t cell = 0;
@@ -51,10 +51,10 @@ bool stepBoth(Run& a, Run& b) {
   return a.world().clock.time == b.world().clock.time && a.world().cells.path == b.world().cells.path;
 }
 
-/// Runs both side by side, on the same conditions, as long as they have the same cells at the same times. Lines for
-/// people, as those of changeInWords: after which step a vertex first lies elsewhere, whose, and by how much [radii of
-/// the egg]; and from which steps on the farthest vertex is 0.001, 0.01 and 0.1 radii away. "" without bodies, or if
-/// none ever is. Throws Interrupted if a signal has come.
+/// Runs both scenarios side by side, on the same conditions, as long as they have the same cells at the same times.
+/// Returns lines for people, as changeInWords: after which step a vertex of which cell first differs, and by how much
+/// [radii of the egg]; and from which steps on the farthest vertex differs by 0.001, 0.01 and 0.1 radii. Returns ""
+/// without bodies or differences. Throws Interrupted if a signal has come.
 std::string partingInWords(const Scenario& before, const Scenario& now, const Execution& how) {
   Run beforeRun(makeScenarioWorld(before, how)), nowRun(makeScenarioWorld(now, how));
   const World &a = beforeRun.world(), &b = nowRun.world();
@@ -76,7 +76,7 @@ std::string partingInWords(const Scenario& before, const Scenario& now, const Ex
   return first + apart + (apart.empty() ? "" : "\n");
 }
 
-/// Two runs of this program that compute in different ways.
+/// Compares two runs of this program that compute in different ways.
 void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
   f.where = explainTwice(scenario, question.execution, question.every);
   f.failureClass = f.where.failureClass;
@@ -95,8 +95,8 @@ void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQue
     f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
 }
 
-/// Finds where the scenario of now leaves the path of the earlier one, which is run again. `accepted`: the bits that
-/// the earlier one must reach by its golden; "" if they are not known.
+/// Finds where the present scenario leaves the path of the earlier one, which is run again. `accepted`: the bits that
+/// the earlier scenario must reach by its golden; "" if unknown.
 void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const std::string& called,
                       const std::string& accepted, const WhyQuestion& question, Findings& f) {
   OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),
@@ -115,7 +115,7 @@ void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const st
         "changed, too\n";
 }
 
-/// A scenario that has changed explains everything else.
+/// Returns true if the scenario has changed, which explains everything else.
 bool lookAtInput(const Scenario& scenario, const StoredRun& stored, Findings& f) {
   if (stored.record.scenarioHash == scenario.meaning.text()) return false;
   f.failureClass = f.where.failureClass = "INPUT_CHANGED";
@@ -166,7 +166,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
 
 void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
   std::vector<std::string> more;
-  if (scenario.allowOutside) more.push_back("--allow-outside");  // older programs do not know it
+  if (scenario.allowOutside) more.push_back("--allow-outside");  // unknown to older programs
   ProgramRun expected(
       question.program, scenario.file, [&] { return makeScenarioWorld(scenario, question.execution); }, more);
   OwnRun actual = scenarioRun(scenario, question.execution);
@@ -175,7 +175,7 @@ void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, F
   f.text += f.where.text;
 }
 
-/// Tells how the scenario differs from its golden's; nothing if the golden cannot be read.
+/// Tells how the scenario differs from the golden's scenario; nothing if the golden cannot be read.
 void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question, Findings& f) {
   try {
     const Golden golden = readAccepted(scenario, goldenFile(scenario));
@@ -208,7 +208,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   const CheckReport report = check(scenario, checked, observe(scenario, run), true);
   f.checks = report.results;
   f.text += describe(report, true);
-  const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
+  const CheckResult* first = nullptr;  // the earliest, of the class that explains the others
   for (const auto& r : report.results)
     if (!r.passed && (!first || (first->failureClass == "CHAOS" && r.failureClass != "CHAOS") ||
                       (r.firstStep && first->firstStep && *r.firstStep < *first->firstStep)))

@@ -12,15 +12,14 @@
 namespace morula {
 
 struct WhyQuestion {
-  // The result is compared with that of a Morula program, or of a run in a database ("": the latest), or else with the
-  // golden.
+  // The result is compared with that of a Morula program; of a run in a database, "" for the latest; or of the golden.
   std::string program, database, run;
-  std::uint64_t every = 64;  // [steps] looked at first
+  std::uint64_t every = 64;  // [steps] between the first comparisons
   Execution execution;
   bool quiet = false;
 };
 
-/// The findings, in the order in which each explains the next.
+/// The findings, in an order in which each explains the next.
 struct Findings {
   std::string failureClass;  // "" if nothing differs
   Explanation where;
@@ -29,8 +28,8 @@ struct Findings {
   std::vector<CheckResult> checks;
 };
 
-/// Runs the scenario again, twice in different ways first: nothing can be told of a program that is not the same each
-/// time. Throws Interrupted if a signal has come.
+/// Runs the scenario twice in different ways: if these differ, no comparison means anything. Then runs it again to
+/// compare. Throws Interrupted if a signal has come.
 Findings findWhy(const Scenario& scenario, const WhyQuestion& question);
 
 /// Writes findings for `morula explain --json`.

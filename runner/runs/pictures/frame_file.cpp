@@ -15,7 +15,7 @@ std::uint64_t number(Colour c) { return std::uint64_t{c.r} << 16 | std::uint64_t
 
 [[noreturn]] void refuse() { throw InputError("frame: its counts, positions and corners do not fit together"); }
 
-/// Takes the next `count` triples of values, from `at` on.
+/// Returns the next `count` triples of values, and moves `at` behind them.
 template <class Value>
 std::vector<Value> nextTriples(const std::vector<Value>& values, std::size_t& at, std::uint64_t count) {
   if (count > (values.size() - at) / 3) refuse();

@@ -1,5 +1,5 @@
 #pragma once
-// The organism's shape at one time, kept until its sequence of pictures is drawn.
+// The organism's shape at one time, stored until its sequence of pictures is drawn.
 #include <string>
 
 #include "organism/organism.h"
@@ -9,8 +9,7 @@ namespace morula {
 /// Writes the part that changes from one picture of a sequence to the next: cells and caption.
 std::string frameBytes(const OrganismPicture& picture);
 
-/// The picture again; `blank` has what all pictures of the sequence share. Throws InputError for bytes that
-/// are not a frame's.
+/// Restores a picture; `blank` has what all pictures of the sequence share. Throws InputError for bytes of no frame.
 OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank);
 
 }  // namespace morula

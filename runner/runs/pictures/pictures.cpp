@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the picture of the end
+constexpr int sequenceSize = 600;  // [pixel] smaller than the picture of the end, since there are many
 
 }  // namespace
 
@@ -47,10 +47,10 @@ std::vector<LegendEntry> Palette::legend() const {
 
 namespace {
 
-constexpr double shellOpacity = 0.15;  // of one that is a mesh, drawn as a cell is
+constexpr double shellOpacity = 0.15;  // opacity of a shell that is a mesh, which is drawn like a cell
 
-/// Returns the surface with vertices of its own for each face, so that it is drawn with edges, where a cell is drawn
-/// smooth. The copy is a little larger, or it would lie in the flat sides of cells that are pressed against it.
+/// Returns the surface with separate vertices for each face, so that edges are drawn; cells are drawn smooth. The copy
+/// is slightly larger, or it would lie in the flat sides of cells that are pressed against it.
 Mesh withEdges(const Mesh& mesh) {
   constexpr double larger = 1.01;
   Mesh flat;
@@ -179,7 +179,7 @@ void FrameCollector::resume(const World& world, const Resumed& earlier) {
 
 namespace {
 
-/// "0007.png": the number, or nothing for other names.
+/// Returns the number of "0007.png"; absent for other names.
 std::optional<std::size_t> frameNumber(const fs::path& name) {
   const std::string digits = name.stem().string();
   const bool isFrame = name.extension() == ".png" && digits.size() >= 4 && digits.size() <= 9 &&
@@ -187,7 +187,7 @@ std::optional<std::size_t> frameNumber(const fs::path& name) {
   return isFrame ? std::optional<std::size_t>(std::stoul(digits)) : std::nullopt;
 }
 
-/// An earlier run of the same name may have been longer. The folder may hold files of the user's, too.
+/// Removes pictures of an earlier, longer run of the same name. Other files in the folder stay.
 void removeFramesFrom(const fs::path& folder, std::size_t first) {
   for (const fs::path& name : namesIn(folder)) {
     const auto number = frameNumber(name);

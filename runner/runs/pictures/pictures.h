@@ -1,5 +1,5 @@
 #pragma once
-// From worlds to pictures: which colour a cell has, what the legend says, which files are written.
+// Pictures of worlds: colours of cells, legends, and the files that are written.
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -22,29 +22,29 @@ class Palette {
  public:
   explicit Palette(const Scenario& scenario) : scenario_(scenario) {}
 
-  /// The mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
+  /// Returns the mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
   Colour colourOf(const std::string& substances);
-  /// The colours that were asked for so far, and the names or patterns that they are of: "a + b" of a mixture.
+  /// Returns the colours used so far, with their names or patterns: "a + b" for a mixture.
   std::vector<LegendEntry> legend() const;
 
  private:
   const Scenario& scenario_;
-  std::map<std::string, Colour> used_;  // by what they are of
+  std::map<std::string, Colour> used_;  // by name of the legend's entry
 };
 
-/// The organism as it is now. The world has bodies.
+/// Returns the organism as it is now. Requires bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// The pictures of a sequence keep room for all of their legends' entries, each showing its own, so that the organism
+/// Reserves room for all legend entries in all pictures of a sequence. Each picture shows its own, and the organism
 /// does not move when a colour comes or goes.
 void shareLegend(std::vector<OrganismPicture>& frames);
-/// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe`
-/// gives a state's substances, `end` [time] is when the living are seen.
+/// Returns the lineage so far. Cells with a name are labelled with the name, others with their substances. `describe`
+/// returns a state's substances; `end`: present time of the living cells [time].
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
-/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: the vertices of Bullet's
-/// cells, in the order of ours.
+/// Draws our cells, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: vertices of
+/// Bullet's cells, in the order of ours.
 ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                                     const Scenario& scenario);
 
@@ -65,16 +65,16 @@ class FrameCollector : public Observer {
   const Scenario& scenario_;
   bool isOn_;  // frames are kept
   Schedule due_;
-  std::size_t reached_ = 0;  // of record.atCells
+  std::size_t reached_ = 0;  // count of reached record.atCells
   std::vector<OrganismPicture> frames_;
 };
 
-/// Writes a picture in the format that the file's name asks for by its ending (pictureFormat), pixels as PNG.
-/// Replaces a picture, but no file of another kind. Throws FileError; no half-written file stays.
+/// Writes a picture in the format of the file's ending (pictureFormat); pixels as PNG. Replaces a picture, but no other
+/// kind of file. Throws FileError; no half-written file stays.
 void writePicture(const Drawing& drawing, const std::filesystem::path& file);
 void writePicture(const Image& image, const std::filesystem::path& file);
 
-/// ".svg" of a file's name, whether it ends in capitals or not.
+/// Returns the ending of a file's name in small letters: ".svg".
 std::string endingOf(const std::filesystem::path& file);
 
 /// Returns the format by the ending: ".svg", ".pdf"; PNG for ".png" and without an ending; absent for others.

@@ -13,7 +13,7 @@
 namespace morula {
 namespace {
 
-/// The axis in which the sides of a pair differ.
+/// Returns the axis in which the sides of a pair differ.
 std::size_t axisOf(const Claim& claim) {
   return std::size_t(std::ranges::mismatch(claim.a, claim.b).in1 - claim.a.begin());
 }
@@ -45,7 +45,7 @@ const PairComparison* pairOf(const StudyComparison& c, const Claim& claim) {
   const std::size_t axis = axisOf(claim), a = *claim.a[axis], b = *claim.b[axis];
   auto at = claim.a;
   at[axis].reset();
-  for (std::size_t x = 0; x < at.size(); ++x)  // an axis of one level is no choice
+  for (std::size_t x = 0; x < at.size(); ++x)  // an axis with one level needs no fixing
     if (c.results.axes[x].labels.size() < 2) at[x].reset();
   for (const PairComparison& pair : c.pairs)
     if (c.measureName(pair.measure) == claim.measure && pair.axis == axis && pair.at == at &&

@@ -1,5 +1,5 @@
 #pragma once
-// The claims of a study file held against its results, by what a comparison says.
+// Checks the claims of a study file against its results, by the verdicts of a comparison.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,20 +11,20 @@ namespace morula {
 
 struct ClaimFinding {
   std::string claim;  // "clone_radius: longest lower than x with base: free", "fill: 0.76 ± 0.01 under x"
-  std::string found;  // what the results say, a sentence of `study compare`
+  std::string found;  // the results' answer, a sentence of `study compare`
   bool holds = false;
   scenario::Place place;  // in the study file
 };
 
-/// One finding for each claim, in their order. Pairs are those of compareStudy over all axes and measures, with the
-/// other axes fixed where a claim fixes them; equivalence is tested with the claim's margin for its measure alone. What
-/// has no values holds nothing. Throws InputError if the results are of other axes, labels or measures than the study.
+/// Returns one finding for each claim, in their order. Pairs are those of compareStudy over all axes and measures, with
+/// the other axes fixed where a claim fixes them. Equivalence is tested with the claim's margin for its measure alone.
+/// A claim without values does not hold. Throws InputError if axes, labels or measures differ from the study's.
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study);
 
-/// True if the results have the axes, labels and measures of the study's claims.
+/// Returns true if the results have the axes, labels and measures of the study's claims.
 bool canHold(const StudyResults& results, const Study& study);
 
-/// The study file as it was when this merged database was planned. Throws StoreError if it cannot be read.
+/// Returns the study file as it was when this merged database was planned. Throws StoreError if it cannot be read.
 Study plannedStudy(const std::filesystem::path& database);
 
 }  // namespace morula

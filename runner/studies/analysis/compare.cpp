@@ -12,7 +12,7 @@ ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std
   const auto& tasks = results.conditions[condition].tasks;
   std::set<std::size_t> seen;
   std::set<std::string> states;
-  std::vector<double> distinct;  // of each run once
+  std::vector<double> distinct;  // the value of each distinct run
   for (std::size_t s = 0; s < tasks.size(); ++s) {
     const auto value = results.end(measure, tasks[s]);
     if (!value) continue;
@@ -29,7 +29,7 @@ ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std
   return summary;
 }
 
-/// Several seeds and one run, or several runs that end in one state.
+/// Returns true for several seeds that give one run, or several runs that end in one state.
 bool isSeedless(const StudyResults& results, const ResultCondition& condition) {
   std::set<std::string> states;
   std::size_t done = 0;
@@ -41,7 +41,7 @@ bool isSeedless(const StudyResults& results, const ResultCondition& condition) {
   return results.seeds.size() > 1 && (!condition.usesSeed || (done > 1 && states.size() == 1));
 }
 
-/// The places of these words among the names; of none all places.
+/// Returns the places of the words among the names; without words all places.
 std::vector<std::size_t> numbersOf(const std::string& option, const std::string& kind,
                                    const std::vector<std::string>& words, const std::vector<std::string>& names) {
   std::vector<std::size_t> numbers;
@@ -53,7 +53,7 @@ std::vector<std::size_t> numbersOf(const std::string& option, const std::string&
   return numbers;
 }
 
-/// [condition][measure] The means in standard deviations of all values; absent: without values, or all are the same.
+/// Returns means in standard deviations of all values, [condition][measure]; absent without values or variance.
 std::vector<std::vector<std::optional<double>>> scaledMeans(const StudyComparison& c) {
   std::vector<std::vector<std::optional<double>>> means(c.results.conditions.size(),
                                                         std::vector<std::optional<double>>(c.results.measures.size()));
@@ -112,7 +112,7 @@ std::vector<std::size_t> byDifference(const StudyComparison& c) {
   const auto isKnown = [&](std::size_t k) {
     return std::ranges::any_of(c.conditions, [&](const auto& s) { return s.condition == k && !s.values.empty(); });
   };
-  // How far each is from the nearest that has been chosen; those without values are behind all others.
+  // At first the distance to the farthest condition, then to the nearest chosen one; −1 for conditions without values.
   std::vector<double> far(n);
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = 0; b < n; ++b) far[a] = std::max(far[a], apart(a, b));

@@ -11,8 +11,8 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxTroubles = 20;  // that are told
-constexpr std::size_t maxTimes = 8;      // in a table of means over time
+constexpr std::size_t maxTroubles = 20;  // max that are listed
+constexpr std::size_t maxTimes = 8;      // max in a table of means over time
 
 template <class Row>
 std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
@@ -46,7 +46,7 @@ Document header(const StudyComparison& c) {
   return text;
 }
 
-/// A row a condition, with up to eight of the times.
+/// Makes a table with a row for each condition, and at most eight of the times.
 Table meansOverTime(const StudyComparison& c, const std::vector<TimeCourse>& courses) {
   Table table{"Means over time", {"time"}};
   for (const TimeCourse& course : courses) {

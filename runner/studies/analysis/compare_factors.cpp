@@ -20,7 +20,7 @@ std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<s
   return cells;
 }
 
-/// The mean over the cell's conditions under one seed. None if one of them has no value.
+/// Returns the mean over the cell's conditions under one seed. Absent if a condition has no value.
 std::optional<double> valueOf(const StudyResults& results, std::size_t measure, const DesignCell& cell,
                               std::size_t seed) {
   double sum = 0;
@@ -37,7 +37,7 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
                                         const std::vector<std::size_t>& axes) {
   const StudyResults& r = c.results;
   const auto cells = cellsOf(r, axes);
-  std::vector<std::vector<double>> bySeed;  // complete seeds alone: [seed][cell]
+  std::vector<std::vector<double>> bySeed;  // [seed][cell] of complete seeds
   for (std::size_t s = 0; s < r.seeds.size(); ++s) {
     std::vector<double> values;
     for (const DesignCell& cell : cells)

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int manyTimes = 21;
 
-/// Times at which the runs are compared: those at which all of them were measured; where runs were measured at
-/// different times, as at their divisions, evenly spaced ones from the latest beginning to the earliest end.
+/// Returns the times at which runs are compared: those at which all were measured. If runs were measured at different
+/// times, such as at divisions, times are spaced evenly from the latest beginning to the earliest end.
 std::vector<double> timesOf(const std::vector<const std::vector<TimedValue>*>& runs) {
   std::vector<double> times;
   for (const TimedValue& v : *runs.front()) times.push_back(v.time);
@@ -28,7 +28,7 @@ std::vector<double> timesOf(const std::vector<const std::vector<TimedValue>*>& r
   return times;
 }
 
-/// The last value that was measured by then.
+/// Returns the last value measured up to this time.
 double valueAt(const std::vector<TimedValue>& values, double time) {
   const auto after = std::ranges::upper_bound(values, time, {}, &TimedValue::time);
   return after == values.begin() ? values.front().value : (after - 1)->value;

@@ -1,4 +1,4 @@
-// Two levels of an axis, seed by seed.
+// Comparison of two levels of an axis, seed by seed.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,7 +11,7 @@ namespace {
 
 using Fixed = std::vector<std::optional<std::size_t>>;
 
-/// Conditions that differ in one axis alone: level a of it, and level b.
+/// Returns the pairs of conditions that differ in one axis alone: level `a` of it, and level `b`.
 std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& results, std::size_t axis, std::size_t a,
                                                           std::size_t b, const Fixed& at) {
   std::map<std::vector<std::size_t>, std::size_t> byLevels;
@@ -33,8 +33,8 @@ PairComparison compare(const StudyResults& results, std::size_t measure, std::si
   PairComparison pair;
   pair.measure = measure, pair.axis = axis, pair.a = a, pair.b = b, pair.at = at, pair.sameRuns = true;
   const auto conditions = partners(results, axis, a, b, at);
-  std::set<std::vector<std::size_t>> seen;  // what pairs are made of
-  bool varies = false;                      // a condition of theirs does, by what its scene asks of the seed
+  std::set<std::vector<std::size_t>> seen;  // the tasks of pairs so far
+  bool varies = false;                      // true if one of the conditions uses the seed
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
     double sumA = 0, sumB = 0;
     std::vector<std::size_t> tasks;
@@ -67,7 +67,7 @@ PairComparison compare(const StudyResults& results, std::size_t measure, std::si
   return pair;
 }
 
-/// All ways to fix the other axes that are compared; first, and alone unless `within`, none of them.
+/// Returns all ways to fix the other compared axes. The first, and without `within` the only one, fixes none.
 std::vector<Fixed> fixedLevels(const StudyComparison& c, std::size_t axis, bool within) {
   std::vector<Fixed> all{Fixed(c.results.axes.size())};
   if (!within) return all;
@@ -84,8 +84,7 @@ std::vector<Fixed> fixedLevels(const StudyComparison& c, std::size_t axis, bool 
   return all;
 }
 
-/// Returns the measures with one value in all runs: nothing could be found of them, and they would only make the family
-/// larger.
+/// Returns the measures with one value in all runs. They cannot differ, and would only make the family of tests larger.
 std::set<std::size_t> constantMeasures(const StudyComparison& c) {
   std::set<std::size_t> constant(c.measures.begin(), c.measures.end());
   std::map<std::size_t, double> first;
@@ -95,7 +94,7 @@ std::set<std::size_t> constantMeasures(const StudyComparison& c) {
   return constant;
 }
 
-/// Holm over all pairs that have a p-value: they are what could be called a difference by chance.
+/// Corrects p-values by Holm over all pairs that have one: only these could differ by chance.
 template <class Get, class Set>
 void correct(std::vector<PairComparison>& pairs, const Get& get, const Set& set) {
   std::vector<double> p;
@@ -126,7 +125,7 @@ void testEquivalences(StudyComparison& c) {
     if (p.equivalence) p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
 }
 
-/// Every two levels of an axis, with these of the others.
+/// Adds a comparison of every two levels of an axis, with the other axes fixed as in `at`.
 void addPairs(const StudyComparison& c, std::size_t measure, std::size_t axis, const Fixed& at,
               std::vector<PairComparison>& pairs) {
   const std::size_t levels = c.results.axes[axis].labels.size();
@@ -155,7 +154,7 @@ bool PairComparison::isOfMean() const {
 }
 
 std::optional<double> PairComparison::intervalRatio() const {
-  // Differences that are all the same say nothing of what pairs save.
+  // Differences without variance cannot show what pairing saves.
   if (!unpaired || !unpaired->interval || !paired.interval) return std::nullopt;
   return paired.interval->width() / unpaired->interval->width();
 }

@@ -10,26 +10,26 @@ namespace morula {
 void comparePairs(StudyComparison& comparison, bool within);
 /// Fills `effects`.
 void compareFactors(StudyComparison& comparison);
-/// The strongest interaction of an axis with another that is shown for a measure, by its place among the effects. None:
-/// there is none. After compareFactors.
+/// The strongest interaction of an axis with another that is shown for a measure, by its place among the effects.
+/// Absent if none is shown. Needs the results of compareFactors.
 struct Interaction {
   const MeasureEffects* of;
   std::size_t effect, other;  // other: axis
 };
 std::optional<Interaction> interactionOf(const StudyComparison& comparison, std::size_t measure, std::size_t axis);
-/// Fills `split`; after compareFactors.
+/// Fills `split`. Needs the results of compareFactors.
 void splitPairs(StudyComparison& comparison);
 /// Fills `courses`.
 void compareOverTime(StudyComparison& comparison);
 
-/// The numbers of the axes with two levels or more that are compared.
+/// Returns the numbers of the compared axes that have two levels or more.
 std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 
 /// Returns true if two conditions differ, by statistics or because both sides are known exactly.
 bool isDifferent(const PairComparison& pair);
-/// " with connections: none" for the axes whose level is fixed; "" if none is.
+/// Returns " with connections: none" for the axes whose level is fixed; "" if none is.
 std::string withLevels(const StudyResults& results, const std::vector<std::optional<std::size_t>>& at);
-/// The sentence on a pair; where a margin was given, with what it says of equivalence.
+/// Returns the sentence on a pair; if a margin was given, including the verdict on equivalence.
 std::string pairInWords(const StudyComparison& comparison, const PairComparison& pair);
 
 }  // namespace morula

@@ -12,7 +12,7 @@ Cell bound(const std::optional<Interval>& i, double Interval::*end, int digits =
   return number(i ? std::optional((*i).*end) : std::nullopt, digits);
 }
 
-/// "0.42 to 0.44".
+/// Returns "0.42 to 0.44".
 Words rangeOf(const std::optional<Interval>& i) {
   return i ? numberText(i->low, 4) + " to " + numberText(i->high, 4) : std::string();
 }
@@ -31,7 +31,7 @@ Json fixedJson(const StudyComparison& c, const PairComparison& pair) {
   return at;
 }
 
-/// The measure and the condition of a row.
+/// Declares the columns of a row's measure and condition.
 template <class Row>
 std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;

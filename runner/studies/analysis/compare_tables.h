@@ -6,7 +6,7 @@
 
 namespace morula {
 
-/// One run's value.
+/// The value of one run.
 struct SeedValue {
   std::size_t measure, condition;
   std::uint64_t seed;

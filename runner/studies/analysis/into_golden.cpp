@@ -1,4 +1,4 @@
-// compare --into-golden: what a scenario's settings change at its end goes into its golden file.
+// compare --into-golden: writes the effects of a scenario's settings on its end into its golden file.
 
 #include "accuracy/into_golden.h"
 
@@ -16,14 +16,14 @@
 namespace morula {
 namespace {
 
-/// A golden states statistics in three digits: they are measured, not results.
+/// Rounds to three digits, as goldens state statistics: they are measured, not results.
 double threeDigits(double a) { return std::stod(fmt::format("{:.2e}", a)); }
 
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
     if (p.axis != axis || p.a != 0 || !p.isOfMean() || p.known != Known::estimated) continue;
-    const double same = p.paired.difference;  // under every seed, where there is no interval
+    const double same = p.paired.difference;  // under every seed, if there is no interval
     const Interval range = p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
                           threeDigits(range.low), threeDigits(range.high), p.of.size()});
@@ -31,8 +31,7 @@ std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t 
   return statistics;
 }
 
-/// The results of one base alone: without the axis `base`, if there is one. Of bases that hold the same scenario the
-/// first counts.
+/// Returns the results of one base, without the axis `base`. If several bases hold the scenario, the first counts.
 StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario) {
   const auto axis = std::ranges::find(results.axes, "base", &ResultAxis::name);
   const bool hasBases = axis != results.axes.end();
@@ -50,7 +49,7 @@ StudyResults ofBase(StudyResults results, const std::vector<bool>& isOfScenario)
   return results;
 }
 
-/// The file that the scenario has now under a file's role and name, of which the condition ran with another content; ""
+/// Returns the scenario's present file with the role and name of a file of the condition, but with another content; ""
 /// if there is none.
 std::string changedFile(const Json& plan, const Json& condition, const Scenario& now) {
   for (const Json& number : condition.at("files")) {
@@ -72,13 +71,13 @@ void refuseOtherBuild(const StudyResults& results, const std::filesystem::path& 
                      ", this is " + ours + "); run the study again, into a new folder");
 }
 
-/// The scenario's golden with the statistics of its runs alone.
+/// Returns the scenario's golden, with the statistics of its runs alone.
 Golden stated(const StudyResults& results, const CompareOptions& options, const std::filesystem::path& study,
               const std::filesystem::path& scenario) {
   refuseOtherBuild(results, study);
   const Scenario own = loadScenario(scenario);
   std::vector<bool> isOfScenario;  // [condition]
-  std::string changed;             // a file that the scenario names
+  std::string changed;             // a file that the scenario names and that has changed
   readStoredPlan(study, [&](const Json& plan) {
     for (const Json& condition : plan.at("conditions")) {
       isOfScenario.push_back(plan.at("files").at(condition.at("scenario").get<std::size_t>()).at("text") == own.bytes);
@@ -105,10 +104,10 @@ Golden stated(const StudyResults& results, const CompareOptions& options, const 
 
 void writeIntoGoldens(const StudyResults& results, CompareOptions options, const std::filesystem::path& study,
                       const std::vector<std::string>& scenarios) {
-  // A golden is of one base, so that this axis has no levels to compare.
+  // A golden is of one base, so the axis `base` has no levels to compare.
   if (std::erase(options.by, "base") > 0 && options.by.empty())
     throw UsageError("--into-golden: compares settings of each base by itself; name their axis with --by");
-  std::vector<Golden> goldens;  // all of them, before the first is written
+  std::vector<Golden> goldens;  // all are made before the first is written
   for (const std::string& scenario : scenarios) goldens.push_back(stated(results, options, study, scenario));
   for (std::size_t i = 0; i < goldens.size(); ++i)
     acceptGolden(goldenPath(scenarios[i]), goldens[i], {goldens[i].acceptedBy, goldens[i].why});

@@ -31,7 +31,7 @@ constexpr std::array known{
     KnownWords{"area", "larger", "smaller"},
 };
 
-/// "shell_share" of "shell_share of AAA*".
+/// Returns "shell_share" for "shell_share of AAA*".
 std::string rowOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
 
 }  // namespace

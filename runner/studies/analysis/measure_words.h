@@ -1,5 +1,5 @@
 #pragma once
-// How measures are spoken of in plain sentences.
+// Words for measures in plain sentences.
 #include <cstddef>
 #include <string>
 
@@ -9,20 +9,20 @@ namespace morula {
 
 struct MeasureWords {
   std::string noun;        // "clone radius"
-  std::string more, less;  // "wider", "tighter": with larger and with smaller values
+  std::string more, less;  // "wider", "tighter": for larger and for smaller values
 };
 
-/// Returns the words for a measure as results call it: "clone_radius", "cell.volume". Without words of its own: its
-/// name, higher, lower.
+/// Returns the words for a measure as results call it: "clone_radius", "cell.volume". A measure without words of its
+/// own has its name, "higher" and "lower".
 MeasureWords wordsOfMeasure(const std::string& measure);
 
-/// "length³"; "" for a pure number and for what no table of measures has.
+/// Returns "length³"; "" for a pure number, and for a measure of no table.
 std::string unitOfMeasure(const std::string& measure);
 
-/// "Mean pressure [force/length²]" of "mean_pressure": for charts and tables.
+/// Returns "Mean pressure [force/length²]" for "mean_pressure", a title for charts and tables.
 std::string titleOfMeasure(const std::string& measure, const Units& units = {});
 
-/// The row's place in the tables of measures (world, cell, pair); behind all of them for what none has.
+/// Returns the measure's place in the tables of measures (world, cell, pair); unknown measures come last.
 std::size_t placeOfMeasure(const std::string& measure);
 
 }  // namespace morula

@@ -23,9 +23,9 @@
 namespace morula {
 namespace {
 
-constexpr double rounding = 1e-9;  // [1] the last step may end a rounding before the planned end
+constexpr double rounding = 1e-9;  // [1] rounding error of the last step's end
 
-/// The first seed that the most conditions have a finished run with.
+/// Returns the seed with which the most conditions have a finished run, the first of equals.
 std::size_t commonSeed(const StudyResults& results) {
   std::size_t best = 0, most = 0;
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
@@ -36,7 +36,7 @@ std::size_t commonSeed(const StudyResults& results) {
   return best;
 }
 
-/// A tile, and what the colours of its cells are found from.
+/// A tile, and the values that decide the colours of its cells.
 struct TakenTile {
   OrganismTile tile;
   std::vector<std::optional<double>> values = {};
@@ -99,7 +99,7 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
   return std::move(tiles);
 }
 
-/// Colours them alike, and says once what colours mean; cells are called as in this scenario.
+/// Colours all tiles alike, and puts the legend into the grid. Cells have the names of this scenario.
 void colourAlike(std::vector<TakenTile>& taken, const Colouring& colouring, const Scenario& scenario,
                  OrganismGrid& grid) {
   std::vector<OrganismPicture> pictures;
@@ -121,7 +121,7 @@ void colourAlike(std::vector<TakenTile>& taken, const Colouring& colouring, cons
     if (!t.tile.empty) t.tile.picture = std::move(*next++);
 }
 
-/// Returns true if pictures that fit their organisms have one scale: all show whole shells, which are equal.
+/// Returns true if pictures that fit their organisms have one scale: all show whole shells of equal size.
 bool haveOneScale(const StudyResults& results, std::size_t seed, const std::filesystem::path& study) {
   std::set<std::array<double, 3>> shells;
   for (const ResultCondition& condition : results.conditions) {
@@ -134,7 +134,7 @@ bool haveOneScale(const StudyResults& results, std::size_t seed, const std::file
   return shells.size() == 1;
 }
 
-/// Returns true if the levels of the last axis stand beside each other: for the end alone, and in a full design.
+/// Returns true if the levels of the last axis are columns: at the end alone, and in a full design.
 bool spreadsLastAxis(const StudyResults& results, const GridMoments& moments) {
   if (moments.count != 1 || !moments.times.empty() || !moments.cells.empty() || results.axes.size() < 2) return false;
   std::size_t all = 1;
@@ -148,7 +148,7 @@ std::size_t columnsOf(const StudyResults& results, const GridMoments& moments) {
   return moments.cells.empty() ? moments.count : moments.cells.size();
 }
 
-/// The lines before a row: the labels of its levels, of the first `count` axes.
+/// Returns the lines before a row: the labels of its levels in the first `count` axes.
 std::vector<std::string> linesOf(const StudyResults& results, const ResultCondition& condition, std::size_t count) {
   std::vector<std::string> lines;
   for (std::size_t axis = 0; axis < count; ++axis) lines.push_back(results.axes[axis].labels[condition.levels[axis]]);
@@ -184,7 +184,7 @@ Units unitsOf(const StudyResults& results, const std::filesystem::path& study) {
     if (task == condition.tasks.end()) continue;
     try {
       ofBases[base] = storedScenario(study.string(), results.tasks[*task].runId).units;
-    } catch (const FileError&) {}  // a study without its scenarios is shown in their own units
+    } catch (const FileError&) {}  // scenes without stored scenarios keep their own units
   }
   const std::vector<std::pair<std::size_t, Units>> all(ofBases.begin(), ofBases.end());
   return unitsOfAll(all, [](const auto& one) { return one.second; });

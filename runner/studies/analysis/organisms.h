@@ -13,33 +13,32 @@
 
 namespace morula {
 
-/// When organisms are looked at: one of the three; and what their colours tell.
+/// The moments at which organisms are drawn, by one of the three fields, and the meaning of their colours.
 struct GridMoments {
-  std::size_t count = 5;           // evenly from the start to the end of the longest run; 1: the end of each
+  std::size_t count = 5;           // moments from the start to the longest run's end; 1: the end of each run
   std::vector<double> times;       // [time] rising
-  std::vector<std::size_t> cells;  // rising: when so many cells first live
+  std::vector<std::size_t> cells;  // rising numbers of cells; the moments at which so many first live
   Colouring colouring{};
 };
 
-/// A row a condition and a column a moment, from runs with the same seed: the first that the most conditions have a
-/// finished run with. Of the end alone (count 1) the levels of the last axis stand beside each other, where there are
-/// more axes. Where the study keeps pictures of all of these ends, in equal shells and so at one scale, they are taken;
-/// otherwise each of these runs is computed again, with one thread; equal ones once. A run that has no such moment
-/// shows its end in place of the first one that it does not reach, and then nothing. Throws UsageError if the runs have
-/// no bodies or are too many for a picture, NondeterminismError if a run does not come to the state that the study has
-/// of it, Interrupted if a signal comes.
+/// Draws a row for each condition and a column for each moment, from runs with one seed: the first with which the most
+/// conditions have a finished run. For the end alone (count 1) the levels of the last of several axes are columns. If
+/// the study keeps pictures of all these ends, in equal shells and so at one scale, they are used. Otherwise each
+/// distinct run is computed again, with one thread. A run that does not reach a moment shows its end instead, and then
+/// nothing. Throws UsageError if runs have no bodies or are too many for a picture; NondeterminismError if a run does
+/// not reach its stored state; Interrupted if a signal comes.
 std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::filesystem::path& study,
                                    const GridMoments& moments, bool quiet);
 
-/// Why drawOrganisms refuses these conditions and moments; "" if it does not.
+/// Returns why drawOrganisms refuses these conditions and moments; "" if it does not.
 std::string whyTooMany(const StudyResults& results, const GridMoments& moments);
 
-/// The units in which people see the study's lengths and times: those of its scenarios, or the scenes' own where
+/// Returns the units in which people see the study's lengths and times: those of its scenarios, or the scenes' own if
 /// scenarios differ or no run has finished. `study`: the merged database.
 Units unitsOf(const StudyResults& results, const std::filesystem::path& study);
 
 struct StoredPictures {
-  std::size_t seed = 0;  // its number in the study
+  std::size_t seed = 0;  // the seed's number in the study
   /// Pictures of the ends of the conditions, in their order; conditions that share a run share a picture.
   std::vector<std::filesystem::path> files = {};
 };

@@ -12,7 +12,7 @@
 namespace morula {
 namespace {
 
-/// The axis that is told by colour; none without axes.
+/// Returns the axis that is shown by colour; absent without axes.
 std::optional<std::size_t> colourAxis(const StudyComparison& c) {
   if (c.by.empty()) return std::nullopt;
   return c.by.front();
@@ -23,7 +23,7 @@ std::size_t colourLevel(const StudyComparison& c, std::size_t condition) {
   return axis ? c.results.conditions[condition].levels[*axis] : 0;
 }
 
-/// The levels of the other axes; of the only axis its own.
+/// Returns the levels of the other axes; with one axis, its level.
 std::string labelOf(const StudyComparison& c, std::size_t condition) {
   const auto& levels = c.results.conditions[condition].levels;
   const auto axis = colourAxis(c);
@@ -40,7 +40,7 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure, const Units& units
   Panel panel{titleOfMeasure(name, units), {}, {}};
   panel.counts = factor == 1;
   std::map<std::string, std::vector<Strip>> byLabel;
-  std::vector<std::string> order;  // of labels
+  std::vector<std::string> order;  // labels in their order
   for (const ConditionSummary& s : c.conditions) {
     if (s.measure != measure || s.values.empty()) continue;
     for (const double v : s.values) panel.counts = panel.counts && v == std::floor(v);

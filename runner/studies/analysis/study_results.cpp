@@ -67,7 +67,7 @@ std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results
   return numbers;
 }
 
-/// The reasons of ends that are not sane.
+/// Reads the reasons for which ends are not sane.
 void readInsanity(Database& db, StudyResults& results) {
   std::map<std::string, std::vector<CheckResult>> checks;  // by run
   Statement rows(db,
@@ -109,7 +109,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
   }
 }
 
-/// Reads the measures that the plan asks for, in its order, also those that had nothing to measure.
+/// Reads the measures that the plan asks for, in its order, including those without values.
 void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
   const Json json = tryParseJson(plan);
   if (json.is_object() && json.contains("study") && json["study"].contains("measures"))

@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxTold = 20;  // of one state
+constexpr std::size_t maxTold = 20;  // max lines for one state
 
 std::vector<std::string>& toldOf(StudyState& s, ResultState state) { return s.told[static_cast<std::size_t>(state)]; }
 

@@ -21,7 +21,7 @@ std::vector<std::string> measuresOfCells(Database& db) {
   return names;
 }
 
-/// The first `texts` columns of a row and the numbers of seed and time, as the beginning of its lines.
+/// Returns the first `axes` columns of a row, and the numbers of seed and time, as the beginning of its lines.
 std::string beginningOf(const Statement& row, int axes) {
   std::string line;
   for (int a = 0; a < axes; ++a) line += csvField(row.line(a)) + ",";
@@ -31,7 +31,7 @@ std::string beginningOf(const Statement& row, int axes) {
 }  // namespace
 
 void writeTidy(const std::filesystem::path& file, TidyRows rows, const std::function<void(std::string_view)>& write) {
-  const StudyResults study = readStudyResults(file);  // which says what is wrong with it
+  const StudyResults study = readStudyResults(file);  // throws StoreError for an invalid file
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
   std::string labels, header;
   for (const ResultAxis& axis : study.axes)

@@ -1,5 +1,5 @@
 #pragma once
-// A study's values for pandas, R and the like: one value a row, with the labels of all axes before it.
+// A study's values for pandas, R and similar programs: one value a row, after the labels of all axes.
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -17,7 +17,7 @@ inline constexpr auto choices<TidyRows> = std::to_array<Choice<TidyRows>>({
 
 /// Hands on a merged study's values as CSV [RFC 4180], a line at a time; lines end in a line feed. Columns: a label for
 /// each axis, seed, time, with `cells` the cell's path and substances, then measure and value. Conditions that share a
-/// run have its values each; runs without a result have none. Throws StoreError if the file is no merged study.
+/// run each have its values; runs without a result have none. Throws StoreError if the file is no merged study.
 void writeTidy(const std::filesystem::path& file, TidyRows rows,
                const std::function<void(std::string_view line)>& write);
 

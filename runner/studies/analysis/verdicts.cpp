@@ -1,4 +1,4 @@
-// The sentences of a comparison. Their numbers are those of its tables.
+// The sentences of a comparison, with the numbers of its tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,10 +34,10 @@ Spread spreadOf(const StudyComparison& c, std::size_t measure) {
   return s;
 }
 
-/// "p = 0.012"; "p < 1e-15" for values whose digits are rounding errors; "" without a p-value.
+/// Returns "p = 0.012"; "p < 1e-15" for values whose digits are rounding errors; "" without a p-value.
 std::string pText(const std::optional<double>& p) {
   if (!p) return "";
-  const bool isClose = *p > 0.045 && *p < 0.055;  // to the level of 0.05: two digits might not show on which side of it
+  const bool isClose = *p > 0.045 && *p < 0.055;  // close to 0.05, two digits might not show the side
   return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, isClose ? 3 : 2);
 }
 
@@ -68,7 +68,7 @@ const std::string& label(const StudyComparison& c, const PairComparison& pair, s
   return c.results.axes[pair.axis].labels[level];
 }
 
-/// "clone_radius: 4.5 % tighter under longest (0.742) than under random (0.777)".
+/// Returns "clone_radius: 4.5 % tighter under longest (0.742) than under random (0.777)".
 std::string differs(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const double d = pair.paired.difference;
@@ -79,19 +79,19 @@ std::string differs(const StudyComparison& c, const PairComparison& pair) {
                      label(c, pair, pair.b), numberText(pair.meanB, 3), place(c, pair));
 }
 
-/// "every one of 10 pairs", "9 of 10 pairs".
+/// Returns "every one of 10 pairs" or "9 of 10 pairs".
 std::string inHowMany(const PairComparison& pair) {
   const std::size_t n = pair.signs.pairs(), with = pair.paired.difference > 0 ? pair.signs.higher : pair.signs.lower;
   return with == n ? fmt::format("every one of {} pairs", n) : fmt::format("{} of {} pairs", with, n);
 }
 
-/// ", 95 % interval −0.1 to 0.2", ", in every pair".
+/// Returns ", 95 % interval −0.1 to 0.2", or ", in every pair" without an interval.
 std::string intervalText(const char* level, const std::optional<Interval>& interval) {
   if (!interval) return ", in every pair";
   return fmt::format(", {} interval {} to {}", level, numberText(interval->low, 2), numberText(interval->high, 2));
 }
 
-/// "difference 0.05, 95 % interval 0.04 to 0.06, p = 0.0012 after Holm".
+/// Returns "difference 0.05, 95 % interval 0.04 to 0.06, p = 0.0012 after Holm".
 std::string estimate(const PairComparison& pair) {
   return fmt::format("difference {}{}{}", numberText(pair.paired.difference, 2),
                      intervalText("95 %", pair.paired.interval),
@@ -116,7 +116,7 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
                      numberText(pair.meanB, 3), place(c, pair), estimate(pair), pair.of.size());
 }
 
-/// The end of a sentence on a difference: "; equivalent within ±0.1, 90 % interval 0.04 to 0.06, p = 0.01 after Holm".
+/// Returns the end of a sentence: "; equivalent within ±0.1, 90 % interval 0.04 to 0.06, p = 0.01 after Holm".
 std::string equivalenceText(const PairComparison& pair) {
   if (!pair.equivalence) return "";
   const auto& same = *pair.equivalence;
@@ -141,18 +141,17 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   }
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
-    // If the effect depends on another axis, axisVerdicts states it at each level of that axis; its mean is left out
-    // here.
+    // If the effect depends on another axis, axisVerdicts states it at each level of that axis; the mean is left out.
     if (!pair.equivalence && (isSilent || (pair.isOfMean() && interactionOf(c, measure, pair.axis)))) continue;
     auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
     part.push_back(pairInWords(c, pair));
   }
 }
 
-/// "0.62", or "below 0.001".
+/// Returns "0.62", or "below 0.001".
 std::string shareText(double share) { return share < 0.001 ? "below 0.001" : numberText(share, 2); }
 
-/// "η² 0.62, partial η² 0.9, 95 % interval 0.7 to 0.95, p = 0.001 after Holm"
+/// Returns "η² 0.62, partial η² 0.9, 95 % interval 0.7 to 0.95, p = 0.001 after Holm".
 std::string effectText(const MeasureEffects& effects, std::size_t effect) {
   const FactorEffect& e = effects.analysis.effects[effect];
   return fmt::format("η² {}{}, {} after Holm", shareText(e.share),
@@ -162,8 +161,8 @@ std::string effectText(const MeasureEffects& effects, std::size_t effect) {
                      pText(effects.corrected[effect]));
 }
 
-/// Every two of some levels, as `pairs` compares them: "longest 0.742, random 0.794, x 0.922: every two differ". "" if
-/// no two are shown to.
+/// Compares every two of some levels by `pairs`: "longest 0.742, random 0.794, x 0.922: every two differ". Returns ""
+/// if no two levels are shown to differ.
 std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const PairComparison*>& pairs) {
   std::map<std::size_t, double> means;
   std::vector<std::string> differ, words;
@@ -178,11 +177,11 @@ std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const P
                                                         : ": " + join(differ) + " differ");
 }
 
-/// "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no difference is
-/// shown (95 % intervals within ±0.2)".
+/// Returns "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no
+/// difference is shown (95 % intervals within ±0.2)".
 std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const Interaction& interaction) {
   const ResultAxis& other = c.results.axes[interaction.other];
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // text, and the levels that it is about
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // text, and the levels that it describes
   std::vector<std::string> silent;
   double most = 0;
   for (std::size_t l = 0; l < other.labels.size(); ++l) {
@@ -212,7 +211,7 @@ std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const
   return line;
 }
 
-/// "division: decides on clone_radius (η² 0.62, 95 % interval …): longest 0.742, random 0.794".
+/// Returns "division: decides on clone_radius (η² 0.62, 95 % interval …): longest 0.742, random 0.794".
 std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effects, std::size_t axis) {
   const ResultAxis& of = c.results.axes[effects.axes[axis]];
   std::vector<std::string> means;
@@ -227,8 +226,8 @@ std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effect
                      which);
 }
 
-/// For each axis a line for each measure that it affects, and one line for all other measures. A single axis with two
-/// levels has none, because its pair of levels says the same.
+/// Returns, for each axis, a line for each measure that it affects, and a line for all other measures. A single axis
+/// with two levels has none, because its pair of levels gives the same sentence.
 std::vector<std::string> axisVerdicts(const StudyComparison& c) {
   std::vector<std::string> lines;
   const auto axes = comparedAxes(c);
@@ -258,8 +257,7 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
   return lines;
 }
 
-/// If conditions end with different numbers of cells: names the measures that follow this number, whatever else
-/// differs.
+/// Names the measures that follow the number of cells, if conditions end with different numbers of cells.
 void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdicts) {
   std::vector<std::string> following;
   for (const std::size_t m : c.measures)
@@ -282,7 +280,7 @@ void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdi
                   following.size() > 1 ? "change" : "changes"));
 }
 
-/// How much narrower intervals are because both runs of a pair have the same seed.
+/// Adds how much narrower intervals are because both runs of a pair have the same seed.
 void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& verdicts) {
   const PairComparison* best = nullptr;
   double least = INFINITY, most = 0;

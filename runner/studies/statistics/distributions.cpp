@@ -7,8 +7,8 @@
 namespace morula {
 namespace {
 
-/// The continued fraction of the incomplete beta function by Lentz's method, which converges fast for
-/// x < (a + 1)/(a + b + 2).
+/// Computes the continued fraction of the incomplete beta function by Lentz's method, which converges fast for x < (a +
+/// 1)/(a + b + 2).
 double betaFraction(double a, double b, double x) {
   constexpr double tiny = 1e-300, close = 1e-16;
   const auto awayFromZero = [](double v) { return v < tiny && v > -tiny ? tiny : v; };
@@ -28,7 +28,7 @@ double betaFraction(double a, double b, double x) {
   return fraction;
 }
 
-/// Finds where a function that rises passes `wanted`, by halving [low, high] until nothing lies between its ends.
+/// Returns where a rising function passes `wanted`, by halving [low, high] until no number lies between its ends.
 template <class Function>
 double whereItPasses(double wanted, double low, double high, const Function& rises) {
   for (;;) {

@@ -21,7 +21,7 @@ Equivalence testEquivalence(const MeanDifference& d, double margin) {
     const auto above = [&](double distance) { return studentAbove(distance / d.standardError, d.degreesOfFreedom); };
     e.pAbove = std::max(above(d.difference + margin), 0.5 * d.smallestP);
     e.pBelow = std::max(above(margin - d.difference), 0.5 * d.smallestP);
-    // Under a true difference of +margin or −margin: so far from 0 on its own side, or on the other.
+    // For a true difference of +margin or −margin: the chance of `size` on its own side, and on the other.
     e.pBeyond = std::max(std::min(1.0, above(size - margin) + above(size + margin)), d.smallestP);
   }
   e.p = std::max(e.pAbove, e.pBelow);

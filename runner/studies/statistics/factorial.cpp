@@ -29,8 +29,8 @@ struct Design {
   }
 };
 
-/// An effect as each replicate shows it: [replicate][group], a group for each combination of its factors' levels, the
-/// last one changing fastest. Over the levels of each factor they sum up to 0.
+/// An effect in each replicate: [replicate][group], with a group for each combination of its factors' levels, the last
+/// factor changing fastest. Values add up to 0 over the levels of each factor.
 struct Contrasts {
   std::size_t groups = 1;
   std::vector<double> values;
@@ -60,7 +60,7 @@ struct Contrasts {
   }
 
  private:
-  /// Takes their mean from each of `sets` sets of `count` numbers, `stride` apart; the sets begin `next` apart.
+  /// Subtracts the mean of each of `sets` sets of `count` numbers, `stride` apart; sets begin `next` apart.
   void centre(std::size_t first, std::size_t sets, std::size_t next, std::size_t count, std::size_t stride) {
     for (std::size_t set = first; set < first + sets * next; set += next) {
       double sum = 0;
@@ -70,10 +70,10 @@ struct Contrasts {
   }
 };
 
-/// ε of deviations [replicate][group] from the effect's means.
+/// Returns ε of deviations [replicate][group] from the effect's means.
 double epsilonOf(std::span<const double> deviations, std::size_t groups, double d) {
   const std::size_t n = deviations.size() / groups;
-  double trace = 0, squares = 0;  // of the covariance matrix, times n − 1
+  double trace = 0, squares = 0;  // traces of the covariance matrix and its square, times n − 1
   for (std::size_t g = 0; g < groups; ++g)
     for (std::size_t h = 0; h < groups; ++h) {
       double sum = 0;
@@ -83,13 +83,13 @@ double epsilonOf(std::span<const double> deviations, std::size_t groups, double 
     }
   const double nu = static_cast<double>(n - 1);
   const double low = std::clamp(trace * trace / (d * squares), 1 / d, 1.0);
-  if (n == 2) return low;  // one deviation says nothing of the others
+  if (n == 2) return low;  // one deviation tells nothing of others
   const double of = (nu + 1) * d * low - 2, over = d * (nu - d * low);
   const double high = over > 0 ? std::clamp(of / over, 1 / d, 1.0) : 1.0;
   return 0.25 * low + 0.75 * high;
 }
 
-/// The noncentrality with which F is above `f` in this share of studies; 0 if it is so more often without any.
+/// Returns the noncentrality with which F exceeds `f` in this share of studies; 0 if F does so more often without any.
 double noncentralityOf(double share, double f, double df1, double df2) {
   const NoncentralFisher fisher(f, df1, df2);
   double low = 0, high = 1;
@@ -102,7 +102,7 @@ double noncentralityOf(double share, double f, double df1, double df2) {
   return high;
 }
 
-/// An F below 1 is chance, and bounds the effect no better than 1 does.
+/// Bounds partial η². An F below 1 is chance, and bounds the effect no better than F = 1.
 Interval partialIntervalOf(const FactorEffect& e, double n) {
   const double df = e.epsilon * e.degreesOfFreedom, dfError = e.epsilon * e.errorDegreesOfFreedom;
   const auto at = [&](double share, double f) {

@@ -41,7 +41,7 @@ double mean(std::span<const double> values) {
 
 double variance(std::span<const double> values) {
   MORULA_CHECK(values.size() > 1, "a variance is of two values at least");
-  // Without this the rounding of the mean would make equal values differ from it.
+  // The mean's rounding would make equal values differ from it.
   if (std::ranges::all_of(values, [&](double x) { return x == values.front(); })) return 0;
   const double centre = mean(values);
   double squares = 0;
@@ -76,11 +76,11 @@ MeanDifference comparePaired(std::span<const double> a, std::span<const double> 
 MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b) {
   const double na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
   const double ea = variance(a) / na, eb = variance(b) / nb, e = ea + eb;
-  // Welch & Satterthwaite; without any variance the number does not matter
+  // Welch & Satterthwaite; any number does without variance
   const double df = e > 0 ? e * e / (ea * ea / (na - 1) + eb * eb / (nb - 1)) : na + nb - 2;
   MeanDifference result = test(mean(a) - mean(b), std::sqrt(e), df);
   if (e > 0) return result;
-  double ways = 1;  // to choose a's values among all
+  double ways = 1;  // ways to choose a's values among all
   for (std::size_t i = 1; i <= a.size(); ++i) ways *= static_cast<double>(b.size() + i) / static_cast<double>(i);
   result.smallestP = 2 / ways;
   result.p = std::max(result.p, result.smallestP);

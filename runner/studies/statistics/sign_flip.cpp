@@ -12,7 +12,7 @@ namespace morula {
 namespace {
 
 constexpr std::size_t maxTried = 20;
-constexpr double rounding = 1e-12;  // [1] of the largest number: means of the same numbers in another order
+constexpr double rounding = 1e-12;  // [1] of the largest number: means of equal numbers in another order
 
 double largestOf(std::span<const double> numbers) {
   double largest = 0;
@@ -44,7 +44,7 @@ double signFlipP(std::span<const double> differences, std::size_t length) {
   const std::size_t n = differences.size() / length;
   if (n > maxTried) return smallestSignFlipP(n);
   std::vector<double> sum(length, 0.0), sign(n, 1.0);
-  double size = 0;  // of a sum, at most
+  double size = 0;  // max of a sum
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < length; ++k)
       sum[k] += differences[i * length + k], size += std::abs(differences[i * length + k]);
@@ -53,8 +53,7 @@ double signFlipP(std::span<const double> differences, std::size_t length) {
     for (const double x : sum) s += x * x;
     return s;
   };
-  // Half of the choices: the others are these with all signs changed. A Gray code changes one sign from each to the
-  // next.
+  // Tries half of the choices: the others have all signs changed. A Gray code changes one sign from each to the next.
   const double least = square() - 1e-9 * size * size;
   std::uint64_t asFar = 1;
   const std::uint64_t choices = std::uint64_t{1} << (n - 1);

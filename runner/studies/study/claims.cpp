@@ -1,4 +1,4 @@
-// Sentences on the results that must go on holding: `check` of a study file.
+// Claims on the results that must stay true: `check` of a study file.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -32,7 +32,7 @@ class ClaimReader {
   ClaimReader(const Study& study, const Node& node, std::string path, Problems& problems)
       : study_(study), node_(node), path_(std::move(path)), problems_(problems) {}
 
-  /// Absent where something is wrong, which is told.
+  /// Returns the claim; absent after a mistake, which is reported.
   std::optional<Claim> read() {
     const std::size_t before = problems_.size();
     if (node_.kind != Node::Kind::map) return scenario::refuse(node_, path_, claimAllowed, problems_), std::nullopt;
@@ -62,7 +62,7 @@ class ClaimReader {
     std::string name = *text;
     try {
       if (const auto measure = findMeasure(name)) name = measure->name;
-    } catch (const InputError&) {  // no selection: then it is none of the study's either
+    } catch (const InputError&) {  // an invalid name is no measure of the study either
     }
     if (std::ranges::find(study_.measures, name) == study_.measures.end())
       problems_.add(node->place, path_ + ".measure", "the study does not measure '" + *text + "'",
@@ -70,7 +70,7 @@ class ClaimReader {
     claim_.measure = name;
   }
 
-  /// The levels that a map {AXIS: LABEL} names.
+  /// Returns the levels that a map {AXIS: LABEL} names.
   Levels readLevels(const char* key, const Node& node) {
     const std::string path = path_ + "." + key;
     Levels levels(study_.axes.size());
@@ -96,7 +96,7 @@ class ClaimReader {
     return levels;
   }
 
-  /// Axes with several levels that `levels` says nothing of.
+  /// Returns the axes with several levels of which `levels` fixes none.
   std::vector<std::string> openAxes(const Levels& levels) const {
     std::vector<std::string> open;
     for (std::size_t a = 0; a < levels.size(); ++a)
@@ -194,7 +194,7 @@ Key checkKey() {
           "them. Or of a condition, which `at` names: its mean, give or take `within`",
           "no claims",
           {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
-          [](Study&, const Node&, Problems&) {}};  // readClaims, when all axes are known
+          [](Study&, const Node&, Problems&) {}};  // claims are read by readClaims, once all axes are known
 }
 
 void readClaims(const Node& root, Study& study, Problems& problems) {

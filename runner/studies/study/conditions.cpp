@@ -27,8 +27,9 @@ bool standsIn(const Level& level, const std::string& line) {
                              [&](const Override& change) { return line.starts_with(change.place + ":"); });
 }
 
-/// " (under connections: none)", " (in 3 of 15 conditions, the first division: longest, connections: both)"; "" if all
-/// have it, and if it names the place of the one level whose conditions have it.
+/// Returns the conditions that have this line: " (under connections: none)", " (in 3 of 15 conditions, the first
+/// division: longest, connections: both)". Returns "" if all have it, or if it names the place of the one level whose
+/// conditions have it.
 std::string whereText(const Study& study, const std::vector<Condition>& conditions, const std::string& line,
                       const std::set<std::size_t>& has) {
   if (has.size() == conditions.size()) return "";
@@ -48,7 +49,7 @@ std::string whereText(const Study& study, const std::vector<Condition>& conditio
 
 class ConditionMistakes {
  public:
-  /// Lines as InputError has them, of one condition.
+  /// Adds the lines of a condition's InputError.
   void add(std::size_t condition, const std::string& lines) {
     for (const std::string& line : linesOf(lines)) {
       if (line.empty()) continue;
@@ -57,20 +58,20 @@ class ConditionMistakes {
       lines_[at->second].second.insert(condition);
     }
   }
-  /// Each line once. If only some of `conditions` have it, the line names them, unless they are just those of the level
-  /// at whose place in the study file it stands.
+  /// Reports each line once. If only some of `conditions` have it, the line names them, unless they are those of the
+  /// level at whose place in the study file it stands.
   void tell(const Study& study, const std::vector<Condition>& conditions, Problems& problems) const {
     for (const auto& [line, has] : lines_) problems.addForeign({}, line + whereText(study, conditions, line, has));
   }
 
  private:
-  std::vector<std::pair<std::string, std::set<std::size_t>>> lines_;  // in the order in which they came first
-  std::map<std::string, std::size_t> numbers_;                        // of each text in lines_
+  std::vector<std::pair<std::string, std::set<std::size_t>>> lines_;  // in the order of their first occurrence
+  std::map<std::string, std::size_t> numbers_;                        // the index of each text in lines_
 };
 
 struct BaseFile {
   std::filesystem::path path;
-  std::optional<std::string> bytes;  // none: it cannot be read, which has been said
+  std::optional<std::string> bytes;  // absent: an unreadable file, which has been reported
 };
 
 std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
@@ -84,14 +85,14 @@ std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
                      "move it there, or give --allow-outside if you trust this study with your files");
       else file.bytes = readFile(file.path);
     } catch (const FileError& error) {
-      if (isPlainFile(file.path)) throw;  // no mistake of the study
+      if (isPlainFile(file.path)) throw;  // not a mistake of the study
       problems.add(base.place, "base", error.what(), "names count from the study's folder");
     }
   }
   return files;
 }
 
-/// Puts the study's measures and moments in place of the scenario's.
+/// Replaces the scenario's measures and moments by the study's.
 void takeOver(Scenario& scenario, const Study& study) {
   scenario.record = {};
   if (study.when.moments == Moments::every) scenario.record.every = study.when.every;
@@ -194,7 +195,7 @@ std::vector<Condition> loadConditions(const Study& study, Problems& problems, st
       condition.scenario =
           readConditionScenario(study, condition, *base.bytes, base.path.string(), folderOf(base.path), {});
       checkMeasures(study, condition, mistakes);
-      makeScenarioWorld(condition.scenario, execution);  // the time step may be above the stability limit
+      makeScenarioWorld(condition.scenario, execution);  // throws for a time step above the stability limit
       for (const std::string& warning : condition.scenario.warnings)
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     } catch (const InputError& error) { mistakes.add(number, error.what()); }

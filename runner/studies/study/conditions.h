@@ -1,6 +1,6 @@
 #pragma once
-// The conditions of a study: each combination of levels, with its scenario loaded and ready to run; and what follows
-// from them when a plan is made, and when it is read.
+// The conditions of a study: each combination of levels, with its scenario loaded and ready to run. Parts of a plan
+// that follow from conditions, when it is made and when it is read.
 #include <string>
 #include <vector>
 
@@ -10,14 +10,14 @@
 
 namespace morula::study {
 
-/// "division: longest, connections: none"; "the scenario as it is" without axes.
+/// Returns "division: longest, connections: none"; "the scenario as it is" without axes.
 std::string conditionName(const Study& study, const std::vector<std::string>& labels);
 
-/// How many combinations of levels there are; counting ends at one more than `maxConditions`.
+/// Returns the number of combinations of levels; counting ends at one more than `maxConditions`.
 std::size_t countConditions(const Study& study);
 
-/// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: what `file` holds. A file that it
-/// names is taken from `files`, or if it is not there read from `folder`.
+/// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: content of `file`. Files that the
+/// scenario names are taken from `files`, or else read from `folder`.
 Scenario readConditionScenario(const Study& study, const Condition& condition, const std::string& bytes,
                                const std::string& file, const std::filesystem::path& folder,
                                const std::vector<NamedFile>& files);
@@ -25,21 +25,21 @@ Scenario readConditionScenario(const Study& study, const Condition& condition, c
 /// Sets usesSeed and meaning.
 void finish(Condition& condition, const Study& study);
 
-/// All of them, or the first `most`. What is wrong with one of them becomes a problem, told once for all that have it,
-/// and it may then be missing. `warnings`: of the scenarios, each once.
+/// Loads all conditions, or the first `most`. A mistake becomes one problem for all conditions that have it, and their
+/// scenarios may then be missing. `warnings`: warnings of the scenarios, each once.
 std::vector<Condition> loadConditions(const Study& study, scenario::Problems& problems,
                                       std::vector<std::string>& warnings, const Execution& execution, std::size_t most);
 
-/// Labels, levels and base of the condition of this number.
+/// Returns the condition of this number, with labels, levels and base.
 Condition conditionOf(const Study& study, std::size_t number);
 
-/// Tasks and replicates, from the conditions.
+/// Makes tasks and replicates from the conditions.
 void addTasks(Plan& plan);
 
-/// Plan::id, of a plan that is otherwise complete.
+/// Returns Plan::id for a plan that is otherwise complete.
 std::string planId(const Plan& plan);
 
-/// Makes files and places relative to the study's folder, so that a plan is the same wherever it was made from.
+/// Makes files and places relative to the study's folder, so that a plan does not depend on the current folder.
 void countFromFolder(Plan& plan);
 
 }  // namespace morula::study

@@ -1,17 +1,17 @@
-// Files and places as they are called from the study's folder.
+// Files and places relative to the study's folder.
 #include "base/utf8.h"
 #include "study/conditions.h"
 
 namespace morula::study {
 namespace {
 
-/// Returns a path as seen from the folder; unchanged if that cannot be said, as of "/a" from "b".
+/// Returns a path relative to the folder; unchanged if there is none, such as for "/a" and "b".
 std::string fromFolder(const std::string& path, const std::filesystem::path& folder) {
   const auto shorter = std::filesystem::path(path).lexically_relative(folder.lexically_normal());
   return shorter.empty() ? path : shorter.generic_string();
 }
 
-/// A place "file:line:column" of this file, with its new name.
+/// Renames the file in a place "file:line:column".
 void rename(std::string& place, const std::string& file, const std::string& name) {
   if (place.starts_with(file + ":")) place = name + place.substr(file.size());
 }
@@ -47,7 +47,7 @@ void countFromFolder(Plan& plan) {
       rename(place, own, scenario.file);
       rename(place, file, name);
     }
-    scenario.warnings.clear();  // they were told as the files are called here
+    scenario.warnings.clear();  // they were reported with their present names
   }
   study.file = name;
 }

@@ -19,8 +19,8 @@
 namespace morula {
 namespace {
 
-constexpr double rehearsedVertexSteps = 1e5;  // a hundredth of a second, and what its rates take as long
-// Settlings take more evaluations the more cells there are: a fifth of a second shows some of them.
+constexpr double rehearsedVertexSteps = 1e5;  // about 0.01 s; measuring the rates takes as long
+// Settlings take more evaluations the more cells there are; a rehearsal of 0.2 s includes some cells.
 constexpr double settledVertexSteps = 2e6;
 
 std::size_t changedLevels(const Condition& condition) {
@@ -35,9 +35,9 @@ std::vector<std::size_t> orderOf(const std::vector<Condition>& conditions) {
   return order;
 }
 
-/// [byte] Of a result, by the sizes of its rows in SQLite.
+/// Estimates the size of a result [byte] by the sizes of its rows in SQLite.
 double diskOf(const Study& study, const Scenario& scenario, const Prediction& f) {
-  constexpr double empty = 27e3;  // tables, and the record of how it was run
+  constexpr double empty = 27e3;  // tables, and the record of the run
   constexpr double perValue = 40, perCell = 100, perSampledCell = 600, perHash = 40, perPicture = 190e3;
   const double divisions = double(f.life.divisions), cells = double(f.cells), end = f.life.eras.back().to;
   const double moments = study.when.moments == Moments::every          ? 2 + end / study.when.every
@@ -53,7 +53,7 @@ double diskOf(const Study& study, const Scenario& scenario, const Prediction& f)
   return bytes;
 }
 
-/// None if the run stops at its beginning: that will be its result.
+/// Predicts a cost by the beginning of a run. Absent if the run stops there: that will be its result.
 std::optional<RunCost> rehearse(const Study& study, const Scenario& scenario, const PlanOptions& options,
                                 double vertexSteps = rehearsedVertexSteps) {
   const PredictionOptions how{.ask = {.pictures = false}, .execution = options.execution, .trial = vertexSteps};
@@ -77,19 +77,18 @@ RunCost estimate(const Condition& condition, const RunCost& first,
   return cost;
 }
 
-/// One for each condition. Until `options.rehearsal` is used up, beginnings of runs are made: of the first condition,
-/// then of those that differ from it in one axis, in two, and so on. The cost of the others is the first one's, times a
-/// factor for each of their levels: the ratio to the first one's cost of the condition that differs from it in that
-/// level alone.
+/// Predicts a cost for each condition. Until `options.rehearsal` is used up, runs are rehearsed: the first condition,
+/// then conditions that differ from it in one axis, in two, and so on. Other costs are the first one's times a factor
+/// for each level: the relative cost of the condition that differs from the first in that level alone.
 std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) {
   const auto& conditions = plan.conditions;
   std::vector<std::optional<RunCost>> tried(conditions.size());
   std::map<Hash, std::size_t> known;  // equal conditions cost the same
   std::map<std::pair<std::size_t, std::size_t>, RunCost>
-      ofLevel;  // of conditions that differ from the first in it alone
+      ofLevel;  // costs of conditions that differ from the first in this level alone
   std::optional<RunCost> first;
   const double begin = seconds(ClockKind::process);
-  double longest = 0;  // [s] that a rehearsal took
+  double longest = 0;  // [s] longest rehearsal
   for (const std::size_t i : orderOf(conditions)) {
     const Condition& condition = conditions[i];
     const auto [same, isNew] = known.try_emplace(condition.meaning, i);
@@ -113,7 +112,7 @@ std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) 
   return costs;
 }
 
-/// Predicts the costs by a rehearsal each; needs plan.costs.
+/// Predicts the costs by one rehearsal for each base; needs plan.costs.
 std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& options) {
   std::vector<SettledCost> all;
   for (std::size_t base = 0; base < plan.study.bases.size(); ++base) {
@@ -125,7 +124,7 @@ std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& opt
       if (!settled) continue;
       if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps)) cost.settled = run->seconds;
       else cost.refused = "it stops at its beginning";
-    } catch (const InputError& error) {  // its first line without the place, which is none of the scenario's file
+    } catch (const InputError& error) {  // the first line without its place, which is not in the scenario's file
       const std::string text = error.what();
       const auto key = text.find(": ") + 2;
       cost.refused = text.substr(key, text.find('\n') - key);

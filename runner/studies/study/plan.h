@@ -1,5 +1,5 @@
 #pragma once
-// The plan of a study, decided before anything runs: its conditions, and each run that they need once.
+// The plan of a study, made before anything runs: its conditions, and each distinct run that they need.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,60 +14,59 @@ namespace morula {
 
 /// One cell of the factorial design. The last axis changes fastest.
 struct Condition {
-  std::size_t number = 0;           // in Plan::conditions
+  std::size_t number = 0;           // index in Plan::conditions
   std::vector<std::string> labels;  // one for each axis
-  std::vector<std::size_t> levels;  // their numbers in the axes
-  std::size_t base = 0;             // in Study::bases
-  /// Loaded with the first seed and the overrides of its levels. What `record` said is replaced by what the study
-  /// measures and when. Its own file and those that it names are relative to the study's folder.
+  std::vector<std::size_t> levels;  // the labels' numbers in the axes
+  std::size_t base = 0;             // index in Study::bases
+  /// The scenario, loaded with the first seed and the overrides of the condition's levels. The study's measures and
+  /// times replace its `record`. Its own file and those that it names are relative to the study's folder.
   Scenario scenario;
   bool usesSeed = false;  // other seeds give other results
-  Hash meaning;           // of all that decides results but the seed, and what its measures compare with
+  Hash meaning;           // hash of all that decides results but the seed, and of the reference
 };
 
 /// One distinct run.
 struct Task {
   std::string id;  // 16 hex digits: of the condition's meaning, the seed if it is used, measures, when and keep
-  std::size_t condition = 0;  // of the first replicate that needs it
-  std::uint64_t seed = 0;     // of that replicate
+  std::size_t condition = 0;  // condition of the first replicate that needs the task
+  std::uint64_t seed = 0;     // seed of that replicate
   friend bool operator==(const Task&, const Task&) = default;
 };
 
-/// One run that the design asks for. Several may share a task: conditions that mean the same, seeds that change
-/// nothing.
+/// One run that the design asks for. Replicates share a task if their conditions are equal, or if seeds change nothing.
 struct Replicate {
   std::size_t condition = 0;
   std::uint64_t seed = 0;
-  std::size_t task = 0;  // in Plan::tasks
+  std::size_t task = 0;  // index in Plan::tasks
   friend bool operator==(const Replicate&, const Replicate&) = default;
 };
 
 /// The expected cost of one run of a condition on this machine, with one thread.
 struct RunCost {
-  double seconds = 0;  // of CPU time
-  double memory = 0;   // [byte] of arrays at the largest number of cells
-  double disk = 0;     // [byte] of its result
-  bool tried = false;  // its beginning was rehearsed; otherwise estimated from conditions that were
+  double seconds = 0;  // CPU time
+  double memory = 0;   // [byte] arrays at the largest number of cells
+  double disk = 0;     // [byte] size of the result
+  bool tried = false;  // the run's beginning was rehearsed; else estimated from other conditions
   friend bool operator==(const RunCost&, const RunCost&) = default;
 };
 
-/// The cost of the first condition of a base that goes through time if it went from rest to rest, with
+/// The cost of a base's first condition, which goes through time, and its cost from rest to rest, with
 /// physics.integrator fire.
 struct SettledCost {
-  std::size_t base = 0;             // in Study::bases
-  double seconds = 0, settled = 0;  // [s] of CPU time as it is, and so
-  std::string refused;              // why it does not go; "": it does
+  std::size_t base = 0;             // index in Study::bases
+  double seconds = 0, settled = 0;  // [s] CPU time as it is, and with fire
+  std::string refused;              // why fire is impossible; "" if it is possible
 };
 
 struct Plan {
-  Study study;  // its places, and those of the conditions' scenarios, are relative to its folder
+  Study study;  // with places relative to the study's folder, as in the conditions' scenarios
   std::vector<Condition> conditions;
-  std::vector<Task> tasks;            // in the order of the replicates that need them first
+  std::vector<Task> tasks;            // by the first replicates that need them
   std::vector<Replicate> replicates;  // by condition, then in the order of the seeds
-  std::string id;                     // 32 hex digits: of all that decides what is run, kept and compared
-  std::vector<std::string> warnings;  // of the scenarios: what works, but may not be meant. No part of the file.
-  std::vector<RunCost> costs;         // one for each condition; empty: not predicted. No part of the id.
-  std::vector<SettledCost> settled;   // at most one for each base. No part of the file.
+  std::string id;                     // 32 hex digits: hash of all that decides what is run, kept and compared
+  std::vector<std::string> warnings;  // warnings of the scenarios. No part of the file
+  std::vector<RunCost> costs;         // one for each condition; empty: not predicted. No part of the id
+  std::vector<SettledCost> settled;   // at most one for each base. No part of the file
 };
 
 struct PlanOptions {
@@ -76,28 +75,28 @@ struct PlanOptions {
   Execution execution = {};
 };
 
-/// Throws InputError with all mistakes of all conditions: wrong overrides, measures that a condition cannot take,
+/// Throws InputError with all mistakes of all conditions: wrong overrides, measures that a condition cannot have,
 /// scenes that cannot be built. Throws FileError if a scenario cannot be read.
 Plan makePlan(const Study& study, const PlanOptions& options = {});
 
-/// The condition's scenario with the task's seed, as if it had been loaded with it.
+/// Returns the condition's scenario with the task's seed, as if it had been loaded with that seed.
 Scenario scenarioOf(const Plan& plan, const Task& task);
 
-/// The plan as a file: everything that running it needs, scenarios and the files that they name among it. Ends with a
-/// newline. The same plan gives the same text on every machine, but for the costs.
+/// Writes the plan as a file with everything that running it needs, including scenarios and their files. The text ends
+/// with a newline. Equal plans give equal texts on every machine, but for the costs.
 std::string writePlan(const Plan& plan);
-/// Reads a plan from its text alone. Throws FileError, which calls it `file`, if it is no plan, is damaged, or
-/// means something else to this build than to the one that made it.
+/// Reads a plan from its text alone. Throws FileError, which calls it `file`, if it is no plan, is damaged, or means
+/// something else to this build than to the build that made it.
 Plan readPlan(const std::string& text, const std::string& file);
 
-/// The conditions whose seeds change nothing, by number.
+/// Returns the numbers of conditions whose seeds change nothing.
 std::vector<std::size_t> conditionsWithoutSeeds(const Plan& plan);
-/// Groups of conditions that mean the same and so share their runs, each of two or more, by number.
+/// Returns groups of two or more conditions, by number, that are equal and so share their runs.
 std::vector<std::vector<std::size_t>> conditionsThatShare(const Plan& plan);
-/// "division: longest, connections: none"; "the scenario as it is" without axes.
+/// Returns "division: longest, connections: none"; "the scenario as it is" without axes.
 std::string nameOf(const Plan& plan, std::size_t condition);
 
-/// All tasks' CPU time, the largest task's memory, all tasks' disk. Absent if it was not predicted.
+/// Returns all tasks' CPU time, the largest task's memory and all tasks' disk. Absent if they were not predicted.
 std::optional<RunCost> totalCost(const Plan& plan);
 
 /// Describes a plan before anything starts: counts, shared runs, conditions that seeds do not change, costs.
@@ -105,17 +104,17 @@ std::string describe(const Plan& plan);
 /// Writes the description for programs: `morula study plan --json`.
 Json summaryOf(const Plan& plan);
 
-/// Returns the folder of a study's results unless told otherwise: results/studies/NAME.
+/// Returns the default folder of a study's results: results/studies/NAME.
 std::filesystem::path studyFolder(const Study& study);
 
-/// FOLDER/plan.json.
+/// Returns FOLDER/plan.json.
 std::filesystem::path planFile(const std::filesystem::path& folder);
 
-/// Writes the plan into the folder, which is made; false if the same plan is there already, which stays as it is.
-/// Throws InputError if another plan is there: what was computed by it would be taken for this one's. Throws FileError.
+/// Writes the plan into the folder, which it makes. Returns false, and writes nothing, if an equal plan is there.
+/// Throws InputError if another plan is there: its results would be taken for this plan's. Throws FileError.
 bool keepPlan(const Plan& plan, const std::filesystem::path& folder);
 
-/// The plan of the folder. Throws FileError as readPlan, and if there is none.
+/// Returns the plan of the folder. Throws FileError as readPlan does, and if there is no plan.
 Plan loadPlan(const std::filesystem::path& folder);
 
 }  // namespace morula

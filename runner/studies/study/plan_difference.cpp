@@ -19,7 +19,7 @@ FileTexts textsOf(const Json& list) {
   return texts;
 }
 
-/// "division.plane: longest, physics.contact: removed".
+/// Returns "division.plane: longest, physics.contact: removed".
 std::string changesInWords(const Json& level) {
   FileTexts texts;
   for (const Json& change : level.at("changes"))
@@ -107,7 +107,7 @@ class Comparison {
                                          more.size() == 1 ? "the seed" : "the seeds", join(more)));
   }
 
-  /// The files of a condition by their roles and paths, with their texts.
+  /// Returns the texts of a condition's files by role and path.
   static std::map<std::string, std::string> filesOf(const Json& plan, const Json& condition) {
     std::map<std::string, std::string> files;
     const auto add = [&](const Json& number) {
@@ -120,7 +120,7 @@ class Comparison {
     return files;
   }
 
-  /// A condition whose levels say the same means something else where one of its files was changed.
+  /// Finds conditions with the labels of old ones but with another meaning, such as by a changed file.
   void compareConditions() {
     std::map<Json, const Json*> before;
     for (const Json& condition : then_.at("conditions")) before[condition.at("labels")] = &condition;
@@ -150,7 +150,7 @@ class Comparison {
   const Json &then_, &now_;
   PlanDifference found_;
   bool haveSameAxes_ = true;
-  std::set<std::pair<std::size_t, std::string>> changedLevels_;  // axis, label
+  std::set<std::pair<std::size_t, std::string>> changedLevels_;  // pairs of axis and label
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A plan as a file, and back.
+// Writes a plan as a file, and reads it.
 #include <algorithm>
 #include <map>
 
@@ -9,7 +9,7 @@
 
 namespace morula {
 
-// The members that a plan's file holds of each struct, in their order.
+// The fields of each struct in a plan's file, in their order.
 
 template <IsA<Override> T>
 void listFields(T& change, auto&& field) {
@@ -34,7 +34,7 @@ void listFields(T& axis, auto&& field) {
   field({"levels"}, levels);
 }
 
-/// `place` is of a study file that is read.
+/// `place` comes from a study file and is not stored.
 template <IsA<Base> T>
 void listFields(T& base, auto&& field) {
   auto& [label, file, place] = base;
@@ -57,7 +57,7 @@ void listFields(T& limits, auto&& field) {
   field({"memory_per_run"}, memory);
 }
 
-/// `measurePlaces`, `allowOutside` and `claims` are of a study file that is read; `allowed` is read from its text.
+/// `measurePlaces`, `allowOutside` and `claims` are known of a study file alone; `allowed` is read from its text.
 template <IsA<Study> T>
 void listFields(T& study, auto&& field) {
   auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, allowed, measurePlaces,
@@ -97,7 +97,7 @@ namespace {
 
 constexpr int formatVersion = 1;
 
-/// Equal files once.
+/// The files of a plan; equal files are stored once.
 class FileList {
  public:
   std::size_t add(const std::string& role, const std::string& path, const std::string& text) {
@@ -136,7 +136,7 @@ Json membersOf(const Plan& plan) {
           {"costs", memberJson(plan.costs)}, {"files", files.take()}};
 }
 
-/// One line for each entry of a list, so that people can read the file, and its differences.
+/// Writes a line for each entry of a list, so that people can read the file and its differences.
 std::string textOf(const Json& members) {
   std::string text = "{\n";
   for (const auto& [key, value] : members.items()) {

@@ -1,4 +1,4 @@
-// A plan as people and programs read it before anything starts.
+// Descriptions of a plan for people and programs, before anything starts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr std::size_t maxNamed = 10;  // conditions, in a list for people
+constexpr std::size_t maxNamed = 10;  // max conditions in a list for people
 
 std::string seedsText(const std::vector<std::uint64_t>& seeds) {
   const bool inARow = seeds.back() - seeds.front() + 1 == seeds.size() && std::ranges::is_sorted(seeds);
@@ -31,7 +31,7 @@ std::string whenText(const When& when) {
                                                  : "at the end";
 }
 
-/// Each on a line of its own, as far as a reader will want them.
+/// Lists conditions, each on a line, up to `maxNamed`.
 std::string listOf(const Plan& plan, const std::vector<std::size_t>& conditions) {
   std::string text;
   for (std::size_t i = 0; i < std::min(conditions.size(), maxNamed); ++i)
@@ -73,8 +73,8 @@ std::size_t distinctConditions(const Plan& plan) {
 
 Json toJson(const RunCost& c) { return {{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}}; }
 
-/// Tells what so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h);
-/// "" if nothing is compared.
+/// Describes what so many seeds can show at best of counts and other values that repeat (statistics/sign_flip.h); "" if
+/// nothing is compared.
 std::string powerText(const Study& study) {
   std::size_t comparisons = 0;
   for (const StudyAxis& axis : study.axes) comparisons += axis.levels.size() * (axis.levels.size() - 1) / 2;

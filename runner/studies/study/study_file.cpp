@@ -13,7 +13,7 @@ using scenario::Problems;
 
 namespace {
 
-/// A scenario instead of a study is told as such, not key by key.
+/// Reports a scenario in place of a study as one mistake, not key by key.
 void refuseScenario(const Node& root, Problems& problems) {
   const auto* version = root.find("morula");
   if (!version || root.find("morula-study")) return;
@@ -45,7 +45,7 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
 
 /// Checks the scenarios as far as possible although the study file has mistakes.
 void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problems& problems) {
-  constexpr std::size_t enough = 200;  // conditions
+  constexpr std::size_t enough = 200;  // max conditions
   if (study.bases.empty()) return;
   std::erase_if(study.axes, [&](const StudyAxis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
   if (study.seeds.empty()) study.seeds = {1};

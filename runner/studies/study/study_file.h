@@ -1,5 +1,5 @@
 #pragma once
-// A study file, read as strictly as a scenario: scenarios × policies × seeds, and what is measured of them.
+// A study file, read as strictly as a scenario: scenarios × policies × seeds, and what is measured.
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -14,8 +14,8 @@
 
 namespace morula {
 
-/// One value of an axis: a label, and what it changes in the scenario. Each override's place is that of its value in
-/// the study file, "file:line:column".
+/// One value of an axis: a label, and overrides of the scenario. Each override's place is the place of its value in the
+/// study file, "file:line:column".
 struct Level {
   std::string label;
   std::vector<Override> overrides;  // none: the scenario as it is
@@ -28,9 +28,9 @@ struct StudyAxis {
 
 /// A scenario that the study varies.
 struct Base {
-  std::string label;      // of the axis `base`, if there are several: given, or the file's name without ".yaml"
-  std::string file;       // from the study's folder
-  scenario::Place place;  // where the study file names it
+  std::string label;      // in the axis `base`, if there are several: given, or the file's name without ".yaml"
+  std::string file;       // relative to the study's folder
+  scenario::Place place;  // place of the base in the study file
 };
 
 enum class HashesKept { none, end, all };
@@ -53,7 +53,7 @@ inline constexpr auto choices<PicturesKept> =
                                          {PicturesKept::firstSeed, "first-seed", "one a condition, of its first seed"},
                                          {PicturesKept::all, "all", "one of each run"}});
 
-/// When measures are taken: always at the end, and before it at these times.
+/// The times at which measures are taken, besides the end.
 enum class Moments { end, eachDivision, every };
 template <>
 inline constexpr auto choices<Moments> = std::to_array<Choice<Moments>>(
@@ -73,14 +73,14 @@ struct Kept {
   friend bool operator==(const Kept&, const Kept&) = default;
 };
 
-/// The limits of one run. Absent limits do not hold.
+/// The limits of one run; absent: no limit.
 struct RunLimits {
   std::optional<double> cpu;            // [s]
   std::optional<std::uint64_t> memory;  // [byte]
   friend bool operator==(const RunLimits&, const RunLimits&) = default;
 };
 
-/// The statement of a claim on a pair: what its first side is beside the second.
+/// The statement of a claim on a pair, about its first side compared with the second.
 enum class Says { lower, higher, equivalent, noEffect, mean };
 template <>
 inline constexpr auto choices<Says> =
@@ -89,43 +89,43 @@ inline constexpr auto choices<Says> =
                                  {Says::equivalent, "equivalent", "both are the same but for a margin"},
                                  {Says::noEffect, "no-effect", "no difference is shown"}});
 
-/// A sentence on the results that must go on holding.
+/// A claim on the results that must stay true.
 struct Claim {
   std::string measure;                                // as AskedMeasure::name
-  Says says = Says::lower;                            // mean: of a condition, not of a pair
-  std::vector<std::optional<std::size_t>> a, b = {};  // [axis] the level; absent: the mean over all. Of a condition: a
-  double mean = 0;                                    // [unit of the measure] of a condition
-  std::string within = {};                            // the margin, "0.01" or "5%"; "" where none is needed
+  Says says = Says::lower;                            // mean: a statement on a condition, not on a pair
+  std::vector<std::optional<std::size_t>> a, b = {};  // [axis] level; absent: mean over all. Of a condition: a alone
+  double mean = 0;                                    // [unit of the measure] the claimed mean of a condition
+  std::string within = {};                            // the margin, "0.01" or "5%"; "" if none is needed
   scenario::Place place = {};
 };
 
 struct Study {
-  std::string file;   // as given by the user
-  std::string bytes;  // the file, byte by byte
+  std::string file;   // path as given by the user
+  std::string bytes;  // content of the file
   std::string name, summary;
   std::vector<Base> bases;
   std::vector<StudyAxis>
-      axes;  // as in the file; several bases are the first axis, `base`, whose levels override nothing
+      axes;  // in the file's order; several bases are the first axis, `base`, whose levels override nothing
   std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
   std::vector<std::string> measures;  // as AskedMeasure::name [simulation/asked_measure.h], each once
   When when;
   Kept keep;
   RunLimits limits;
-  AllowedRuns allowed;                         // no part of what is run
-  std::vector<scenario::Place> measurePlaces;  // where the file names each of them
+  AllowedRuns allowed;                         // decides nothing that is run
+  std::vector<scenario::Place> measurePlaces;  // the places of the measures in the file
   bool allowOutside = false;                   // scenarios and their files may lie anywhere
-  std::vector<Claim> claims = {};              // no part of what is run: of a study file that is read
+  std::vector<Claim> claims = {};              // decide nothing that is run; only from a study file, not from a plan
 };
 
 /// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:
 /// `file:line:column: path: what is wrong; what would be right`. If the file itself has mistakes, its scenarios are
-/// looked at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it
-/// cannot be read. Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
+/// checked, too, as far as the file could be read; if not, makePlan checks them. Throws FileError if it cannot be read.
+/// Its scenarios must lie in its folder, or below its folder `scenarios`, unless `allowOutside`.
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
 /// Reads a study from a text in memory, as if it lay in `file`.
 Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);
 
-/// How many failed and insane runs the text of a study file allows: none where it cannot be read.
+/// Returns how many failed and insane runs the text of a study file allows; none if it cannot be read.
 AllowedRuns allowedIn(const std::string& bytes);
 
 /// Returns true if the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or

@@ -4,13 +4,13 @@
 
 namespace morula {
 
-/// A JSON Schema (draft 2020-12) of study files. Ends with a newline.
+/// Returns a JSON Schema (draft 2020-12) of study files. The text ends with a newline.
 std::string studySchema();
 
-/// Writes the keys as a Markdown table: scenarios/STUDIES.md.
+/// Returns the keys as a Markdown table: scenarios/STUDIES.md.
 std::string studyKeysAsMarkdown();
 
-/// A commented study to begin with, named `name`, of the scenario `base`. It loads once that scenario is there.
+/// Returns a commented study to begin with, named `name`, of the scenario `base`, which must exist to load the study.
 std::string starterStudy(const std::string& name, const std::string& base);
 
 }  // namespace morula

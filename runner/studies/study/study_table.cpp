@@ -54,7 +54,7 @@ Key summary() {
           }};
 }
 
-/// A map whose keys are keys of their own.
+/// Returns the key of a map, whose members are keys of the table, too.
 Key section(const char* path, const char* meaning, const char* absent) {
   return {path, "a map", meaning, absent, {{"type", "object"}}, {}};
 }
@@ -111,7 +111,7 @@ Key memoryPerRun() {
           }};
 }
 
-/// How many runs may be in a state that is not fine.
+/// Returns the key of a limit on runs in a state that is not fine.
 Key allowedKey(const char* path, const char* meaning, std::size_t AllowedRuns::*count) {
   constexpr std::uint64_t most = maxReplicates;
   const std::string allowed = "a whole number from 0 to " + std::to_string(most);

@@ -1,5 +1,5 @@
 #pragma once
-// One description per key of a study file feeds the reader, the schema for editors and the list for people.
+// One description of each key of a study file, for the reader, the schema for editors and the list for people.
 #include <functional>
 #include <set>
 #include <string>
@@ -15,12 +15,12 @@ struct Key {
   std::string path;     // "keep.hashes"
   std::string allowed;  // for people: "none, end or all"
   std::string meaning;  // one line
-  std::string absent;   // for people: what holds without it; "": it is required
+  std::string absent;   // for people: what holds if the key is absent; "": the key is required
   Json schema;
   std::function<void(Study&, const scenario::Node&, scenario::Problems&)> read;
 };
 
-/// In the order in which people should meet them. `keep` and `limits` are maps; what is in them stands behind them.
+/// Returns the keys in the order in which people should meet them. Keys in the maps `keep` and `limits` follow them.
 const std::vector<Key>& keys();
 
 /// Fills the study from the document. Everything the table does not allow becomes a problem.
@@ -33,7 +33,7 @@ Key seedsKey();
 Key measuresKey();
 Key checkKey();
 
-/// Says that a text is none of these names, and which of them may be meant.
+/// Adds the problem that a text is none of these names, and suggests one.
 void refuseWord(const scenario::Node& node, const std::string& path, const std::vector<std::string>& names,
                 const std::string& allowed, scenario::Problems& problems);
 
@@ -43,18 +43,19 @@ Json objectSchema(Json properties, Json required);
 /// Fills the study's claims from `check`; its axes and measures must have been read.
 void readClaims(const scenario::Node& root, Study& study, scenario::Problems& problems);
 
-/// Letters, digits and . _ + -, a letter or digit first, at most 50: names of axes (no '.' or '+') and labels.
+/// Returns true for a name of an axis (without '.' and '+') or a label: letters, digits and . _ + -, at most 50, the
+/// first a letter or digit.
 bool isLabel(const std::string& text);
 inline constexpr const char* labelNeeds =
     "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
 
-/// A value of a study file as one line of YAML's flow notation that scenario::readYamlValue reads as the same: how an
-/// override holds it. A text without quotes gets none where it reads back as the same without them, so that numbers
-/// stay numbers. "null" for an empty value.
+/// Writes a value of a study file as one line of YAML's flow notation, from which scenario::readYamlValue reads an
+/// equal value: the form of overrides. A text without quotes gets none if it reads back unchanged, so that numbers stay
+/// numbers. An empty value is "null".
 std::string overrideText(const scenario::Node& node);
 
-/// Two axes that set the same key, or one a part of what the other sets, are a problem: which of them holds would
-/// depend on their order. Returns the names of such axes.
+/// Reports pairs of axes that set one key, or of which one sets a part of the other's key: results would depend on
+/// their order. Returns the names of such axes.
 std::set<std::string> checkAxes(const Study& study, scenario::Problems& problems);
 
 inline constexpr std::size_t maxConditions = 10'000, maxReplicates = 1'000'000;

@@ -55,7 +55,7 @@ struct SeedRange {
   std::uint64_t first = 0, last = 0;
 };
 
-/// "7" or "1..10"; absent and a problem if it is neither.
+/// Reads "7" or "1..10"; absent and a problem for anything else.
 std::optional<SeedRange> readSeedRange(const Node& node, Problems& problems) {
   const auto complain = [&](const std::string& what) {
     problems.add(node.place, "seeds", what, "needs " + seedsAllowed);
@@ -77,7 +77,7 @@ std::optional<SeedRange> readSeedRange(const Node& node, Problems& problems) {
 void readSeeds(Study& study, const Node& node, Problems& problems) {
   const bool isList = node.kind == Node::Kind::sequence;
   if (isList) scenario::expectEntries(node, "seeds", seedsAllowed, problems);
-  std::map<std::uint64_t, std::uint64_t> known;  // ranges without a seed in common, by their first
+  std::map<std::uint64_t, std::uint64_t> known;  // ranges without a common seed: last by first
   for (const Node& item : isList ? node.items : std::vector<Node>{node}) {
     const auto range = readSeedRange(item, problems);
     if (!range) continue;
@@ -88,7 +88,7 @@ void readSeeds(Study& study, const Node& node, Problems& problems) {
                    "each seed is run once: remove it");
       continue;
     }
-    if (range->last - range->first >= maxReplicates - study.seeds.size()) {  // before any is kept
+    if (range->last - range->first >= maxReplicates - study.seeds.size()) {  // before any seed is kept
       const std::string before =
           study.seeds.empty() ? "" : " and the " + std::to_string(study.seeds.size()) + " before it";
       problems.add(item.place, "seeds",

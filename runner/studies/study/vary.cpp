@@ -1,4 +1,4 @@
-// The axes of a study: what they are called, and what each of their levels changes.
+// The axes of a study: their names, and the overrides of their levels.
 #include <algorithm>
 #include <map>
 
@@ -19,12 +19,12 @@ const std::string varyAllowed =
     "a map of axes, each a map of labels, as division: {longest: {division.plane: longest}}";
 const std::string levelAllowed = "a map of scenario keys; {} for the scenario as it is";
 
-/// Names of columns and values that results have of their own.
+/// Names of columns and values that results use themselves.
 const std::vector<std::string> reserved{"base",     "condition_id", "uses_seed", "distinct_runs", "run_id", "task_id",
                                         "seed",     "measure",      "time",      "value",         "labels", "n",
                                         "distinct", "mean",         "low",       "high",          "number"};
 
-/// Keys of scenarios that a study sets itself, and where.
+/// Keys of scenarios that a study may not vary, and where they are set.
 const std::map<std::string, std::string> saidElsewhere{
     {"morula", "the scenario says its own format"},
     {"name", "labels name the conditions"},
@@ -36,10 +36,10 @@ bool isAxisName(const std::string& text) { return isLabel(text) && text.find_fir
 
 bool isPath(const std::string& key) { return key.front() != '.' && key.back() != '.' && key.find("..") == key.npos; }
 
-/// JSON's strings are YAML's, too.
+/// Quotes a text as JSON, which is valid YAML, too.
 std::string jsonQuoted(const std::string& text) { return jsonText(Json(text)); }
 
-/// Within brackets a text without quotes ends at these, and a text that begins so is something else.
+/// Returns true if a text needs no quotes within brackets, where some characters end a text or begin another value.
 bool staysPlain(const std::string& text) { return isMadeOf(text, "_.+-/") && text != "-"; }
 
 std::string flow(const Node& node) {
@@ -114,7 +114,7 @@ void readVary(Study& study, const Node& node, Problems& problems) {
 }  // namespace
 
 std::string overrideText(const Node& node) {
-  // Alone, a text without quotes reaches to the end, whatever it holds, unless it begins as something else does.
+  // Outside of brackets, a text without quotes reaches to the end, unless its beginning means something else.
   if (node.isPlain() && !node.text.empty() && std::string_view("[{\"'").find(node.text[0]) == std::string_view::npos)
     return node.text;
   return flow(node);
@@ -138,14 +138,14 @@ std::set<std::string> checkAxes(const Study& study, Problems& problems) {
     const StudyAxis* axis;
     const Override* change;
   };
-  std::map<std::string, std::vector<Use>> uses;  // of each path, one an axis
+  std::map<std::string, std::vector<Use>> uses;  // for each path, one use an axis
   for (const StudyAxis& axis : study.axes)
     for (const Level& level : axis.levels)
       for (const Override& change : level.overrides) {
         auto& list = uses[change.path];
         if (std::ranges::none_of(list, [&](const Use& use) { return use.axis == &axis; }))
           list.push_back({&axis, &change});
-        // Within a level: a key and a part of it.
+        // Within a level, a key may clash with a part of it.
         for (const Override& other : level.overrides)
           if (change.path.starts_with(other.path + "."))
             problems.addForeign({}, change.place + ": " + change.path + ": lies within " + other.path +

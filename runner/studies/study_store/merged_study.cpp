@@ -7,12 +7,12 @@
 namespace morula {
 namespace {
 
-/// Returns true for columns of `run` on times and machines, which stand in `timing` alone here.
+/// Returns true for columns of `run` on times and machines, which are blank here: the table `timing` has them.
 bool isBlank(const std::string& column) {
   return column == "binary_hash" || partOf(column) == RunPart::environment || partOf(column) == RunPart::occasion;
 }
 
-/// [SELECT from a task's file, INSERT into this one], of all columns in the order of this file.
+/// Returns [SELECT from a task's file, INSERT into this file] for all columns, in the order of this file.
 std::pair<std::string, std::string> copyOf(Database& db, const SqlTable& table) {
   std::string select, columns, places;
   const bool ofRuns = &table == &morula::sqlTable<StoredRun>();
@@ -63,7 +63,7 @@ void insertConditions(Database& db, const StudyTables& study) {
 
 MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& study)
     : draft_(file), db_(draft_.path(), Database::Mode::existing, std::chrono::seconds(1)) {
-  db_.execute("PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away, and has no file beside it
+  db_.execute("PRAGMA journal_mode = OFF");  // an unfinished draft is thrown away, and needs no journal file
   makeTables(db_);
   db_.execute("PRAGMA foreign_keys = ON");
   db_.execute("PRAGMA cache_size = -65536");
@@ -84,7 +84,7 @@ MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& s
 
 void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
   TaskRow task = file.task();
-  // Tasks of one run differ in their pictures alone: its rows are stored once.
+  // Tasks of one run differ in their pictures alone: the run's rows are stored once.
   const bool isNew = runs_.insert(task.runId).second;
   for (Copy& copy : copies_) {
     if (!isNew && !copy.isOfTask) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// The merged database of a study: all its runs in one file, made anew from the files of the tasks. The same tasks,
-// added in the same order, make the same bytes, but for the table `timing`.
+// The merged database of a study: all its runs in one file, made anew from the files of the tasks. Equal tasks, added
+// in equal order, make equal bytes, but for the table `timing`.
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -12,9 +12,9 @@
 
 namespace morula {
 
-/// The plan of a study, as rows.
+/// The plan of a study as rows.
 struct StudyTables {
-  StudyRow study;  // but for its build
+  StudyRow study;  // without its build
   std::vector<AxisRow> axes = {};
   std::vector<LevelRow> levels = {};
   std::vector<std::string> keys = {};  // columns of condition_key
@@ -30,26 +30,26 @@ struct StudyTables {
 
 class MergedStudy {
  public:
-  /// Begins a file that replaces `file` when it is finished. Throws FileError.
+  /// Begins a draft that replaces `file` when it is finished. Throws FileError.
   MergedStudy(const std::filesystem::path& file, const StudyTables& study);
 
-  /// Adds a task and its run. `number`, `condition` and `seed` are the plan's.
+  /// Adds a task and its run. The plan gives `number`, `condition` and `seed`.
   void add(const TaskRow& planned, TaskFile& file);
   void addMissing(const TaskRow& planned);
 
-  /// All tasks have been added.
+  /// Finishes the file. All tasks must have been added.
   void finish(const StudyTables& study, const std::string& buildId);
 
  private:
   struct Copy {
     std::string select;
     Statement insert;
-    bool isOfTask;  // by task, not by run
+    bool isOfTask;  // selected by task, not by run
   };
   Draft draft_;
   Database db_;
   std::vector<Copy> copies_;
-  std::set<std::string> runs_;  // whose rows are stored
+  std::set<std::string> runs_;  // runs whose rows are stored
 };
 
 }  // namespace morula

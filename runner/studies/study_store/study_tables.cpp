@@ -15,7 +15,7 @@ std::string columnsOfTexts(const std::vector<std::string>& names) {
   return text;
 }
 
-/// All rows of the statement, one after the other.
+/// Hashes all rows of the statement.
 void addRows(Hasher& hasher, Statement& rows, const std::vector<std::string>& columns) {
   while (rows.next()) {
     hasher.field("row");
@@ -59,7 +59,7 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes, const s
 
 namespace {
 
-/// Tables whose rows belong to the study and to no run; those of how long runs took may differ, and decide nothing.
+/// The tables whose rows belong to the study and to no run; not `timing`, since times may differ and decide nothing.
 const std::vector<std::string> ownTables{"study", "axis", "level", "condition", "condition_key", "replicate", "task"};
 
 }  // namespace
@@ -81,7 +81,7 @@ void requireSealedStudy(Database& db) {
 }
 
 const std::vector<const SqlTable*>& allTables() {
-  // Columns that the design decides are described by why they are there.
+  // Columns of the design are described by their purpose.
   static const SqlTable condition{{.name = "condition",
                                    .part = TablePart::study,
                                    .csv = "conditions",
@@ -108,7 +108,7 @@ Hash resultHash(Database& db, const std::string& run) {
   const auto add = [&](const char* table, const std::vector<std::string>& columns) {
     std::string list;
     for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + sqlName(column);
-    // Each row in the order of its key: the tables have no other.
+    // Rows are read by key: tables have no other order.
     Statement rows(db, "SELECT " + list + " FROM " + sqlName(table) + " WHERE run_id = ?");
     rows.start(run);
     hasher.field(table);

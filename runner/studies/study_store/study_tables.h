@@ -12,7 +12,7 @@
 
 namespace morula {
 
-/// Why a task has no state hash. The row's `reason` begins with the name of its kind, a colon and a blank.
+/// The reason why a task has no state hash. The row's `reason` begins with the name of its kind, a colon and a blank.
 enum class FailureKind { numerical, cpuLimit, memoryLimit, crash };
 template <>
 inline constexpr auto choices<FailureKind> = std::to_array<Choice<FailureKind>>(
@@ -24,13 +24,13 @@ std::string reasonOf(FailureKind kind, const std::string& why);
 
 struct TaskRow {
   std::string id;
-  std::uint64_t number = 0, condition = 0, seed = 0;  // in the plan
+  std::uint64_t number = 0, condition = 0, seed = 0;  // as in the plan
   std::string status = "missing";                     // done, failed, missing
-  std::string reason = {};                            // of a failure; "" otherwise
-  std::string runId = {}, resultHash = {};            // "" while it is missing
+  std::string reason = {};                            // of a failure; else ""
+  std::string runId = {}, resultHash = {};            // "" while the run is missing
 
-  /// Returns true if the task is done or failed numerically, which follows from scene, seed and program alone. Limits and crashes depend on
-  /// the machine, too.
+  /// Returns true if the task is done or failed numerically: scene, seed and program alone decide that. Limits and
+  /// crashes depend on the machine, too.
   bool isComputed() const;
 };
 template <>
@@ -81,7 +81,7 @@ void listFields(T& result, auto&& field) {
   field({"value"}, value);
 }
 
-/// When and where a task was computed: all that may differ between two runs of the same task.
+/// When and where a task was computed: all that may differ between two computations of a task.
 struct TimingRow {
   std::string started, ended;   // UTC
   double cpuSeconds = 0;        // [s]
@@ -115,7 +115,7 @@ void listFields(T& timing, auto&& field) {
   field({"binary_hash"}, binaryHash);
 }
 
-// The merged file alone.
+// Tables of the merged file alone.
 
 struct StudyRow {
   std::string name, summary, planId, plan, buildId;
@@ -171,7 +171,7 @@ void listFields(T& level, auto&& field) {
         keys);
 }
 
-/// A run that the design asks for. Replicates that would be the same run share a task.
+/// A run that the design asks for. Replicates share a task if they would be equal runs.
 struct ReplicateRow {
   std::uint64_t condition = 0, seed = 0;
   std::string task;
@@ -193,10 +193,10 @@ void listFields(T& replicate, auto&& field) {
 
 /// Makes `task`, `result` and `timing`.
 void makeTaskTables(Database& db, bool withComments = true);
-/// Makes the others. `axes`, `keys`: columns of `condition` and `condition_key`.
+/// Makes the tables of the merged file. `axes`, `keys`: columns of `condition` and `condition_key`.
 void makeStudyTables(Database& db, const std::vector<std::string>& axes, const std::vector<std::string>& keys);
 
-/// All tables of a run and of a study.
+/// Returns all tables of a run and of a study.
 const std::vector<const SqlTable*>& allTables();
 
 /// A row of the table `study_digest`: the digest of all rows of a table of the study.
@@ -221,11 +221,11 @@ void listFields(T& sealed, auto&& field) {
 
 /// Stores the digests of the study's own tables. Rows of runs have digests of their own [store/seal.h].
 void sealStudy(Database& db);
-/// Throws StoreError unless the rows of the study's own tables are those that were stored.
+/// Throws StoreError if the rows of the study's own tables have changed since they were stored.
 void requireSealedStudy(Database& db);
 
-/// Over how the run ended and all rows of its results: what must be the same wherever the task is computed. Columns
-/// that are NULL do not count, so that a later version of the tables finds the same hash.
+/// Returns the hash of the run's end and of all rows of its results: they must be equal wherever the task is computed.
+/// NULLs do not count, so that later versions of the tables, with more columns, give equal hashes.
 Hash resultHash(Database& db, const std::string& run);
 
 }  // namespace morula

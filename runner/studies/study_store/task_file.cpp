@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-// A task's file has some thirty tables, most of them empty or short, so small pages; rows of cells do not fit into
+// A task's file has some thirty tables, most of them empty or short, so pages are small. Rows of cells do not fit into
 // smaller ones.
 constexpr int pageSize = 1024;
 constexpr std::uint64_t maxTaskBytes = std::uint64_t{16} << 30;
@@ -33,7 +33,7 @@ const std::string& emptyTaskFile() {
   static const std::string bytes = [] {
     Database db = Database::inMemory("a task's database");
     db.execute("PRAGMA page_size = " + std::to_string(pageSize));
-    // Comments make up half of the tables' text, which each task's file would repeat: `.schema` of the merged file has
+    // Comments are half of the tables' text, and each task's file would repeat them: `.schema` of the merged file has
     // them.
     makeTables(db, false);
     makeTaskTables(db, false);

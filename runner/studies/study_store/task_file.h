@@ -12,37 +12,37 @@ namespace morula {
 
 /// A task that has been computed, or has failed.
 struct TaskOutcome {
-  TaskRow task;  // id, number, condition and seed; the rest follows
+  TaskRow task;  // with id, number, condition and seed; the rest is filled in
   RunRecord record;
   RunEnd end;          // done or failed
-  RunResults results;  // what is kept of them
+  RunResults results;  // the part that is kept
   std::vector<ResultRow> values;
   TimingRow timing;
 };
 
-/// An empty task's file, from which all others are made: call it once before processes of their own fill one each.
+/// Returns an empty task's file, from which all others are made. Call once before starting the processes of tasks.
 const std::string& emptyTaskFile();
 
-/// The bytes of the task's file. Made in memory, so that writing them takes one synchronisation.
+/// Returns the bytes of the task's file. They are made in memory, so that writing them takes one synchronisation.
 std::string taskFileBytes(TaskOutcome outcome);
 
-/// A task's file, read into memory.
+/// The file of a task, read into memory.
 class TaskFile {
  public:
-  /// Throws FileError: it cannot be read, is no database, none of Morula's or of another version, or holds no task.
+  /// Throws FileError if the file cannot be read, is no database of this version of Morula, or holds no task.
   explicit TaskFile(const std::filesystem::path& file);
 
   const TaskRow& task() const { return task_; }
   const StoredRun& run() const { return run_; }
   TimingRow timing();
   std::string buildId();
-  /// The scenario of its run with all values filled in; "" if it is not stored.
+  /// Returns the scenario of the run with all values filled in; "" if none is stored.
   std::string resolved();
-  /// Why the end of its run is not sane [morula::whyInsane]; "" if it is, or there is no end.
+  /// Returns why the end of the run is not sane [morula::whyInsane]; "" if it is, or there is no end.
   std::string whyInsane();
 
-  /// Returns the mistake in the file: in the database's structure, or ids and hashes that do not follow from its
-  /// content; "" if there is none.
+  /// Returns the mistake in the file, in the database's structure or in ids and hashes that do not match their content;
+  /// "" if there is none.
   std::string whatIsWrong();
 
  private:
@@ -53,7 +53,7 @@ class TaskFile {
   StoredRun run_;
 };
 
-/// Returns true if the file is as long as its header says and begins as a database does. That is quick, and enough for
+/// Returns true if the file is as long as its header says and begins as a database does. This is quick, and enough for
 /// files that were renamed once they were complete; whatIsWrong checks their content.
 bool looksWhole(const std::filesystem::path& file);
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double secondsPerJob = 600;
 
-/// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit
-/// for each run, what all of its runs may take, if that is less.
+/// Returns a job's time limit [s]: three times the predicted time, for slower machines, and ten minutes at least. If
+/// runs have a limit of CPU time, the limit of all of a job's runs holds if that is less.
 std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
   const auto cost = totalCost(plan);
   const double most = std::ceil(double(plan.tasks.size()) / double(shares));
@@ -30,7 +30,7 @@ std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
   return seconds;
 }
 
-/// [MB] A job's memory: what is limited, or twice what is predicted, and 512 for the program besides.
+/// Returns a job's memory [MB]: the runs' limit, or twice the predicted memory, and 512 for the program.
 std::optional<std::uint64_t> megabytesFor(const Plan& plan) {
   const auto cost = totalCost(plan);
   double bytes = 0;
@@ -42,13 +42,13 @@ std::optional<std::uint64_t> megabytesFor(const Plan& plan) {
 
 std::uint64_t minutes(double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds / 60)); }
 
-/// The study's folder as a command of its own can be given it.
+/// Returns the study's folder as an argument of a command.
 std::string folderOf(const PlannedStudy& study) {
   const std::string folder = study.folder.path().string();
   return folder.starts_with('-') ? "./" + folder : folder;
 }
 
-/// Slurm puts the job's numbers in place of what follows a '%'.
+/// Escapes '%', which Slurm replaces by the job's numbers.
 std::string slurmFile(const std::string& path) {
   std::string name;
   for (const char c : path) name += c == '%' ? "%%" : std::string(1, c);
@@ -80,7 +80,7 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
 
 std::string snakemake(const PlannedStudy& study, std::size_t shares) {
   const Plan& plan = study.plan;
-  const std::string folder = jsonText(Json(folderOf(study)));  // JSON's strings are Python's, too
+  const std::string folder = jsonText(Json(folderOf(study)));  // Python reads JSON's strings
   std::string text = fmt::format(
       "# The study {}: {} runs. For Snakemake 7 and later; from the folder that this was written from:\n"
       "#   snakemake --snakefile FILE --cores 8\n"
@@ -133,8 +133,7 @@ std::string parallel(const PlannedStudy& study, std::size_t shares) {
       shellWord(job), word);
 }
 
-/// Into how many jobs the tasks are packed, so that none is much shorter than ten minutes: a scheduler takes seconds
-/// for each.
+/// Returns the number of jobs, so that none is much shorter than ten minutes: a scheduler takes seconds for each.
 std::size_t sharesFor(const Plan& plan) {
   const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
   const auto cost = totalCost(plan);
@@ -146,7 +145,7 @@ std::size_t sharesFor(const Plan& plan) {
 
 std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   for (const unsigned char c : study.folder.path().string())
-    if (c < 0x20 || c == 0x7F)  // a line of it would be a line of the script
+    if (c < 0x20 || c == 0x7F)  // a line feed would begin a new line of the script
       throw InputError("the study's folder '" + study.folder.path().string() +
                        "' has a line end or another control character in its name; rename it");
   if (options.site != Site::slurm && study.folder.path().string().find_first_of("{}") != std::string::npos)
@@ -157,7 +156,7 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
   if (options.site == Site::slurm) return slurm(study, std::min(shares, maxArrayJobs));
   if (options.site == Site::snakemake) return snakemake(study, shares);
-  // On one machine a job costs little: enough of them that all processors end at about the same time.
+  // Jobs on one machine cost little: there are enough for all processors to end at about one time.
   return parallel(study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
 }
 

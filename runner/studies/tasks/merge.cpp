@@ -23,14 +23,14 @@
 namespace morula {
 namespace {
 
-/// Lists the changes of a level, key by key: the texts of the study file.
+/// Returns the changes of a level, key by key, as texts of the study file.
 std::string keysOf(const Level& level) {
   Json keys = Json::object();
   for (const Override& o : level.overrides) keys[o.path] = o.removes ? Json() : Json(o.value);
   return jsonText(keys);
 }
 
-/// All keys that some level changes, in the order of the file.
+/// Returns all keys that some level changes, in the order of the file.
 std::vector<std::string> changedKeys(const Study& study) {
   std::vector<std::string> keys;
   for (const StudyAxis& axis : study.axes)
@@ -40,7 +40,7 @@ std::vector<std::string> changedKeys(const Study& study) {
   return keys;
 }
 
-/// Two columns may not have names that are the same but for capitals.
+/// Makes names of columns unique, also without regard to capitals.
 std::vector<std::string> asColumns(std::vector<std::string> names, std::vector<std::string> taken) {
   for (std::string& name : names) {
     while (std::ranges::any_of(taken, [&](const std::string& other) { return equalButForCase(other, name); }))
@@ -50,8 +50,8 @@ std::vector<std::string> asColumns(std::vector<std::string> names, std::vector<s
   return names;
 }
 
-/// The value at "division.plane" of the resolved scenario; texts as they are, others as JSON; absent if the scene has
-/// no such part.
+/// Returns the value at "division.plane" of the resolved scenario; texts as they are, others as JSON. Absent if the
+/// scene has no such part.
 std::optional<std::string> valueAt(const Json& resolved, const std::string& path) {
   const Json* value = &resolved;
   for (const std::string& key : partsOf(path, '.')) {
@@ -75,7 +75,7 @@ StudyTables::ConditionRow rowOf(const Plan& plan, const Condition& condition, co
 StudyTables tablesOf(const Plan& plan) {
   const Study& study = plan.study;
   Plan withoutCosts = plan;
-  withoutCosts.costs.clear();  // they are of the machine that made the plan
+  withoutCosts.costs.clear();  // costs depend on the machine that made the plan
   StudyTables tables{.study = {study.name, study.summary, plan.id, writePlan(withoutCosts), {}}};
   std::vector<std::string> names;
   for (const StudyAxis& axis : study.axes) names.push_back(axis.name);
@@ -94,7 +94,7 @@ StudyTables tablesOf(const Plan& plan) {
 
 namespace fs = std::filesystem;
 
-/// The tasks' files in a folder: it is a study's folder, or holds them itself.
+/// Returns the tasks' files in a folder, which is a study's folder or holds the files itself.
 std::vector<fs::path> filesIn(const fs::path& folder) {
   const fs::path tasks = isFolder(folder / "tasks") ? folder / "tasks" : folder;
   std::vector<fs::path> files;
@@ -106,7 +106,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// Returns the resolved scenario with another seed, which stands on a line of its own: scenarioOf takes long.
+/// Returns the resolved scenario with another seed, by its line in the text: scenarioOf takes long.
 std::string resolvedWithSeed(const Scenario& scenario, std::uint64_t seed) {
   std::string text = scenario.resolved;
   const std::string before = fmt::format("\n  \"seed\": {}", scenario.scene.seed);
@@ -181,8 +181,8 @@ class Merge {
   }
 
  private:
-  /// The whole file of a task: what a computation decided comes before what a machine's limits did, and of several of
-  /// the latter the one with the least hash, so that the order in which files are named decides nothing.
+  /// Returns the whole file of a task. A result that was computed comes before a failure by the machine's limits; among
+  /// equals the least hash comes first, so that the order of files decides nothing.
   std::optional<TaskFile> choose(std::size_t task, const std::vector<fs::path>& files) {
     std::optional<TaskFile> chosen;
     fs::path from;
@@ -220,7 +220,7 @@ class Merge {
     if (found.task().id != planned.id)
       return "it is named after task " + planned.id + ", and holds task " + found.task().id;
     const Condition& condition = study_.plan.conditions[planned.condition];
-    // If no seed changes anything, the plan that it was computed for may have begun with another one.
+    // If no seed changes anything, the file's plan may have begun with another seed.
     const std::uint64_t seed = condition.usesSeed ? planned.seed : found.run().record.seed;
     if (found.run().record.seed != seed || found.resolved() != resolvedWithSeed(condition.scenario, seed))
       return "its run is of another scene or seed than the plan's task " + planned.id;

@@ -1,5 +1,5 @@
 #pragma once
-// The results of all tasks in one database, on whatever machine they were computed and wherever their files lie.
+// Merges the results of all tasks into one database, on whatever machines they were computed.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,12 +11,12 @@
 namespace morula {
 
 struct MergeOptions {
-  /// Folders of studies, folders of tasks' files, and tasks' files, besides the study's own.
+  /// Folders of studies, folders of tasks' files, and tasks' files, besides the study's own folder.
   std::vector<std::string> shards;
   std::filesystem::path output;
 };
 
-/// A file that was left out, and why.
+/// A file that was left out, and the reason.
 struct RefusedFile {
   std::filesystem::path file;
   std::string why;
@@ -32,23 +32,22 @@ struct Nondeterminism {
 struct MergeReport {
   std::filesystem::path database;
   std::size_t tasks = 0, done = 0;
-  std::vector<FailedTask> failed;    // their results, by number
+  std::vector<FailedTask> failed;    // with results, by number
   std::vector<std::size_t> missing;  // by number
   std::vector<FailedTask> insane;    // done, but with an end that is not sane, and why (check_result, kind sanity)
   std::vector<RefusedFile> damaged;
-  std::vector<RefusedFile> foreign;       // of tasks that the plan does not have
-  std::vector<Nondeterminism> differing;  // then nothing is written
+  std::vector<RefusedFile> foreign;       // files of tasks that the plan does not have
+  std::vector<Nondeterminism> differing;  // if any, nothing is written
   double seconds = 0;                     // [s]
-  std::uint64_t bytes = 0;                // of the database
+  std::uint64_t bytes = 0;                // size of the database
 
-  /// Counts the states of tasks; a file that was left out counts as one more, which is changed.
+  /// Counts the states of tasks; a file that was left out counts as one more task, in the state `changed`.
   StateCounts counts() const;
 };
 
-/// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the
-/// same bytes, in whatever order and from however many places they come. Files that cannot be right are left out and
-/// reported. Writes nothing if two files of one task differ. Throws FileError if a shard cannot be read, or if they
-/// come from several builds.
+/// Verifies structure, ids and hashes of every file, and makes the database anew. Equal results give equal bytes,
+/// whatever the order and the places of their files. Invalid files are left out and reported. Writes nothing if two
+/// files of one task differ. Throws FileError if a shard cannot be read, or if files come from several builds.
 MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options);
 
 std::string describe(const MergeReport& report, const PlannedStudy& study);

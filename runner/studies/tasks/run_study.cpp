@@ -20,19 +20,19 @@ namespace {
 
 class TaskProgress {
  public:
-  /// `tasks`: those that are to be computed; `jobs` of them at a time.
+  /// `tasks`: the tasks to compute, `jobs` of them at a time.
   TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet)
       : plan_(plan), jobs_(jobs), begun_(seconds(ClockKind::wall)), line_(quiet), all_(tasks.size()) {
     for (const std::size_t task : tasks) expectedAll_ += expected(task);
   }
 
-  /// A task has ended.
+  /// Counts a task that has ended.
   void ended(std::size_t task, bool failed) {
     ++done_;
     if (failed) ++failed_;
     expectedDone_ += expected(task);
   }
-  /// Shows it if it is time to; call often.
+  /// Shows progress if the line is due. Call often.
   void show() {
     if (line_.isDue()) line_.show(text());
   }
@@ -48,8 +48,8 @@ class TaskProgress {
     const double share = expectedAll_ > 0 ? std::min(expectedDone_ / expectedAll_, 1.0) : 1;
     std::string text = plan_.study.name + line_.bar(share) + fmt::format("  {} of {} runs", done_, all_);
     if (failed_) text += fmt::format("  {} failed", failed_);
-    // The speed so far by the wall clock is extrapolated, whatever else the machine does: predictions are off by one
-    // common factor.
+    // Extrapolates the speed so far by the wall clock, whatever else the machine does: predictions share one factor of
+    // error.
     const double perExpected = expectedDone_ > 0     ? (seconds(ClockKind::wall) - begun_) / expectedDone_
                                : plan_.costs.empty() ? 0
                                                      : 1.0 / jobs_;
@@ -59,10 +59,10 @@ class TaskProgress {
 
   const Plan& plan_;
   int jobs_;
-  double begun_;  // [s] by the wall clock
+  double begun_;  // [s] wall clock
   ProgressLine line_;
   std::size_t all_, done_ = 0, failed_ = 0;
-  double expectedAll_ = 0, expectedDone_ = 0;  // [s] of CPU time
+  double expectedAll_ = 0, expectedDone_ = 0;  // [s] CPU time
 };
 
 /// Returns true if a process that ended by this signal crashed by its own fault. Other signals come from outside: from
@@ -73,7 +73,7 @@ bool isCrash(int signal) {
   return false;
 }
 
-/// Sorts by predicted time, longest first, so that no long task runs alone at the end; equal ones keep their order.
+/// Sorts by predicted time, longest first, so that no long task runs alone at the end. The order of equals stays.
 void longestFirst(const Plan& plan, std::vector<std::size_t>& tasks) {
   if (plan.costs.empty()) return;
   std::stable_sort(tasks.begin(), tasks.end(), [&](std::size_t a, std::size_t b) {
@@ -148,7 +148,7 @@ class StudyRun {
     while (next < open.size() || !running_.empty()) {
       if (const int signal = SignalWatch::caught(); signal && !report_.signal) {
         report_.signal = signal;
-        for (Running& r : running_) r.process->stop(SIGTERM);  // their runs check for it and stop
+        for (Running& r : running_) r.process->stop(SIGTERM);  // runs check for it and stop
       }
       if (report_.signal && running_.empty()) break;
       while (!report_.signal && next < open.size() && running_.size() < static_cast<std::size_t>(options_.jobs))
@@ -214,7 +214,7 @@ class StudyRun {
   RunStudyReport report_;
   std::vector<Running> running_;
   std::unique_ptr<TaskProgress> progress_;
-  bool ownBuild_ = false;  // an existing result was found to be of this build
+  bool ownBuild_ = false;  // an existing result is of this build
 };
 
 }  // namespace

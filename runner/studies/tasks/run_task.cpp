@@ -18,7 +18,7 @@
 namespace morula {
 namespace {
 
-/// The scenario's `record` says already what the study measures, and every how often.
+/// Returns the options of recording; the scenario's `record` already has the study's measures and interval.
 RecordOptions recordingOf(const Plan& plan, const Scenario& scenario) {
   const Study& study = plan.study;
   RecordOptions record = recordingOf(scenario, study.keep.hashes == HashesKept::all);
@@ -33,8 +33,8 @@ std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample
   return {samples.back()};
 }
 
-/// Drops results that were not asked for. The samples of start and end stay, as of every run, and connections that hold
-/// at the end: their history is the largest table of all.
+/// Drops results that were not asked for. Samples of start and end stay, as of every run, and so do connections at the
+/// end: their history is the largest table.
 void drop(RunResults& results, const Study& study) {
   if (study.keep.samples == SamplesKept::all) return;
   if (results.samples.size() > 2) results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
@@ -61,7 +61,7 @@ TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenar
   return outcome;
 }
 
-constexpr int pictureSize = 400;  // [pixel] many of them, to be looked at side by side
+constexpr int pictureSize = 400;  // [pixel] small, to be viewed side by side
 
 void draw(const World& world, const Scenario& scenario, const std::string& title, const std::filesystem::path& file) {
   if (!world.bodies) {
@@ -76,7 +76,7 @@ void draw(const World& world, const Scenario& scenario, const std::string& title
   writePicture(drawOrganism(picture), file);
 }
 
-/// Why there is no picture, "" if there is one. Where there is no memory for it, the run is none the worse.
+/// Returns why there is no picture; "" if there is one. A lack of memory for the picture does not make the run fail.
 std::string drawIfPossible(const World& world, const Scenario& scenario, const std::string& title,
                            const std::filesystem::path& file) {
   try {
@@ -199,7 +199,7 @@ std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::m
     MORULA_CHECK(measure, "a study's measures are known");
     for (const Sample& sample : samples) {
       const auto values = valuesIn(sample, *measure, states);
-      double sum = 0;  // in the order of paths, so that the last bit is the same everywhere
+      double sum = 0;  // in the order of paths, so that the last bit is equal on every machine
       for (const auto& [thing, value] : values) sum += value;
       if (!values.empty()) rows.push_back({measure->name, sample.world.time, sum / static_cast<double>(values.size())});
     }

@@ -1,5 +1,5 @@
 #pragma once
-// How far a study is, read from the files of its tasks.
+// The progress of a study, read from the files of its tasks.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,20 +14,20 @@ struct StudyStatus {
   std::vector<FailedTask> failed;      // by number
   std::vector<FailedTask> insane;      // done, with an end that is not sane, and why
   std::vector<std::size_t> missing;    // by number
-  std::vector<FailedTask> unreadable;  // files that are no results; their tasks are missing, too
-  std::uint64_t bytes = 0;             // of all files of the study
-  double cpuSeconds = 0;               // [s] that the results took
-  // [s] of CPU time for what is missing: what was predicted, corrected by what the others took; without a prediction as
+  std::vector<FailedTask> unreadable;  // files that are no results; their tasks are also missing
+  std::uint64_t bytes = 0;             // size of all files of the study
+  double cpuSeconds = 0;               // [s] CPU time of the results
+  // [s] CPU time for missing tasks: the prediction, corrected by the times of finished tasks; without a prediction,
   // their mean. Absent if nothing is known.
   std::optional<double> secondsLeft;
-  std::vector<std::string> stale = {};  // what the study file says otherwise than the plan, a sentence each
-  bool isMerged = false;                // study.db is there, and no result is newer
+  std::vector<std::string> stale = {};  // sentences on what the study file changes in the plan
+  bool isMerged = false;                // study.db exists, and no result is newer
 
   bool isComplete() const { return missing.empty(); }
-  StateCounts counts() const;  // a plan that is stale counts as one more
+  StateCounts counts() const;  // a stale plan counts as one more task
 };
 
-/// Looks at every task's file, but not for damage inside of it: mergeStudy does that.
+/// Reads the state of every task's file, but not damage inside: mergeStudy verifies it.
 StudyStatus statusOf(const PlannedStudy& study);
 
 std::string describe(const StudyStatus& status, const PlannedStudy& study);

@@ -34,11 +34,11 @@ PlannedStudy openFolder(const StudyChoice& choice) {
                   "changed study a folder of its own");
 }
 
-constexpr std::size_t maxLetters = 40;  // of a level in a name
+constexpr std::size_t maxLetters = 40;  // max of a level's label in a name
 
 std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + ".png"; }
 
-/// Removes characters over which shells, other systems and people stumble.
+/// Removes characters that cause trouble in shells and on other systems.
 std::string safeName(std::string label) {
   std::ranges::replace_if(
       label, [](char c) { return !isMadeOf(std::string(1, c), ".-"); }, '-');
@@ -46,11 +46,11 @@ std::string safeName(std::string label) {
   return label.substr(0, maxLetters);
 }
 
-/// Before the plan is replaced: what stays must be this build's, or the study could not go on with either plan.
+/// Throws if results that stay are of another build: with a new plan, the study could not go on by either build.
 void requireOwnResults(const Plan& plan, const StudyFolder& folder) {
   for (const Task& task : plan.tasks)
     if (const auto file = folder.task(task.id); fileExists(file) && looksWhole(file))
-      return requireOwnBuild(file);  // of one build they are all
+      return requireOwnBuild(file);  // all results are of one build
 }
 
 }  // namespace

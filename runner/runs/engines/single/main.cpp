@@ -1,5 +1,5 @@
-// Bullet in single precision, which most of its users have: what `morula bench` asks beside the double one. A program
-// of its own, since both libraries call what is in them by the same names. It answers what `morula engine-worker` does.
+// Bullet in single precision, which most of its users have, for comparison in `morula bench`. It is a program of its
+// own, since both libraries use the same names. It answers as `morula engine-worker` does.
 #include <exception>
 
 #include "engines/engine_worker.h"

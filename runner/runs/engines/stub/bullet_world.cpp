@@ -1,4 +1,4 @@
-// Stands in where Bullet is not installed: this part says so, and the rest works.
+// Replaces the engine where Bullet is not installed: reports that, and lets the rest work.
 #include "engines/bullet_world.h"
 
 #include "base/error.h"
