@@ -77,7 +77,7 @@ const std::vector<std::string> bases = {
         "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: {}\n" + mesh,
     // Daughters with coarser meshes
     head + divides + "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
-    // What a seed changes
+    // Random variations by seed
     head + unlike +
         "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: {}\n" +
         mesh + "variation: {cycle: 0.1, share: 0.04, start: 0.05, tilt: 8}\n",

@@ -1,4 +1,4 @@
-// Of four simultaneous runs into one folder two failed on their pictures: one removed the sequence that another was
+// When four runs drew into one folder at once, two failed on their pictures: one removed the sequence that another was
 // writing. Now all end well and draw one after the other.
 #include <filesystem>
 #include <thread>

@@ -1,6 +1,6 @@
 // A run short of memory was reported as a bug or broken hardware, for it differed from an earlier one. Drawing crashed
-// in OpenGL: exit 70 or a signal. The checkpoint, and with it all computed steps, was thrown away. Now an end for lack of memory
-// is compared with nothing, and drawing is refused with a sentence.
+// in OpenGL: exit 70 or a signal. The checkpoint, and with it all computed steps, was thrown away. Now an end for lack
+// of memory is compared with nothing, and drawing is refused with a sentence.
 #include "catch.h"
 #include "hostile.h"
 #include "store/store.h"
