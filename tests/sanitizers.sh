@@ -3,12 +3,11 @@
 #
 #   sanitizers.sh address|thread [CTEST OPTIONS…]    address: and undefined behaviour; -R NAME, -j N, --rerun-failed
 #
-# It leaves out tests that a sanitizer does not extend or support: other builds (determinism, install, lint, cost and
+# It leaves out tests that a sanitizer does not extend or support: other builds (determinism, install, lint, cost,
 # mutation), use of memory (soak; a sanitizer keeps freed memory), pages and other programs (browser, scipy, studies),
-# libraries that replace malloc (faults, regressions/* with a preloaded one), and repetitions of golden/* with many
-# seeds (organism). With thread, tests of a single thread run too.
-# Exit code 1: a report, or another failed test. Reports are in build/address or build/thread,
-# Testing/Temporary/LastTest.log.
+# libraries that replace malloc (faults, some regressions/*), and golden/* with many seeds (organism).
+# With thread, tests of a single thread run too. Exit code 1: a report, or another failed test. Reports are in
+# build/address or build/thread, Testing/Temporary/LastTest.log.
 set -euo pipefail
 case "${1:-}" in
   address | thread) preset=$1 ;;
