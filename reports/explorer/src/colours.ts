@@ -28,17 +28,21 @@ export class Colouring {
 
   /** Least and greatest value of a measure in all runs: at one time, or in all frames. */
   range(measure: string, time: number | null): [number, number] {
-    const key = `${measure} ${time}`, known = this.ranges.get(key);
+    const key = `${measure} ${time}`,
+      known = this.ranges.get(key);
     if (known) return known;
     if (this.ranges.size > 1000) this.ranges.clear();
-    let low = Infinity, high = -Infinity;
+    let low = Infinity,
+      high = -Infinity;
     for (const run of this.data.runs) {
-      const m = run.measures.indexOf(measure), n = run.measures.length;
+      const m = run.measures.indexOf(measure),
+        n = run.measures.length;
       if (m < 0 || !run.hasBodies) continue;
       const one = time === null ? null : run.frameNumber(time);
       for (let k = one ?? 0; k <= (one ?? run.times.length - 1); ++k) {
         const values = run.valuesOf(k);
-        for (let i = m; i < values.length; i += n) if (Number.isFinite(values[i])) (low = Math.min(low, values[i])), (high = Math.max(high, values[i]));
+        for (let i = m; i < values.length; i += n)
+          if (Number.isFinite(values[i])) ((low = Math.min(low, values[i])), (high = Math.max(high, values[i])));
       }
     }
     const range: [number, number] = low <= high ? [low, high] : [0, 1];
@@ -47,11 +51,15 @@ export class Colouring {
   }
 
   at(share: number): Rgb {
-    const x = Math.min(1, Math.max(0, share)) * (this.scale.length - 1), i = Math.min(this.scale.length - 2, Math.floor(x)), f = x - i;
+    const x = Math.min(1, Math.max(0, share)) * (this.scale.length - 1),
+      i = Math.min(this.scale.length - 2, Math.floor(x)),
+      f = x - i;
     return [0, 1, 2].map((k) => this.scale[i][k] * (1 - f) + this.scale[i + 1][k] * f) as Rgb;
   }
 
-  private clone(path: string): Rgb { return rgbOf(this.data.clones[path.slice(0, 2)]); } // of the four cells after two divisions
+  private clone(path: string): Rgb {
+    return rgbOf(this.data.clones[path.slice(0, 2)]);
+  } // of the four cells after two divisions
 
   ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];
@@ -60,7 +68,8 @@ export class Colouring {
     if (by === "clone") return this.clone(cell.path);
     const m = run.measures.indexOf(by);
     if (m < 0) return rgbOf(run.colours[frame.state[i]]);
-    const [low, high] = this.range(by, time), value = frame.values[i * run.measures.length + m];
+    const [low, high] = this.range(by, time),
+      value = frame.values[i * run.measures.length + m];
     if (!Number.isFinite(value)) return [0.74, 0.74, 0.74];
     return this.at(high > low ? (value - low) / (high - low) : 0.5);
   }

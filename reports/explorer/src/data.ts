@@ -18,7 +18,11 @@ export interface Cell {
 
 export type CellRow = [path: string, name: string, born: number, ended: number, fate: Fate, state: number];
 
-export interface Contact { a: number; b: number; area: number }
+export interface Contact {
+  a: number;
+  b: number;
+  area: number;
+}
 
 /** The living cells at one time; index i below is a cell of this frame. */
 export interface Frame {
@@ -40,13 +44,31 @@ export interface Frame {
 /** With room for so many cells and measures of each. */
 export function blankFrame(time: number, step: number, count: number, measures: number): Frame {
   return {
-    time, step, count, cell: new Uint32Array(count), mesh: new Uint32Array(count), state: new Uint32Array(count),
-    values: new Float32Array(count * measures), contacts: [], connections: [], forces: new Float32Array(0), vertexForces: null,
-    positions: new Float32Array(0), firstVertex: new Uint32Array(count + 1),
+    time,
+    step,
+    count,
+    cell: new Uint32Array(count),
+    mesh: new Uint32Array(count),
+    state: new Uint32Array(count),
+    values: new Float32Array(count * measures),
+    contacts: [],
+    connections: [],
+    forces: new Float32Array(0),
+    vertexForces: null,
+    positions: new Float32Array(0),
+    firstVertex: new Uint32Array(count + 1),
   };
 }
 
-interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
+interface FrameHead {
+  time: number;
+  step: number;
+  cells: number;
+  contacts: number;
+  connections: number;
+  offset: number;
+  vertexForces: number;
+}
 
 /** Forces on the vertices of each cell, as runner/publish/report_data/frames.h writes them. */
 export class VertexForces {
@@ -54,8 +76,14 @@ export class VertexForces {
   private readonly first: Uint32Array; // likewise, where its numbers begin
   private readonly numbers: Int8Array;
 
-  constructor(bytes: ArrayBuffer, at: number, private readonly kinds: number, firstVertex: Uint32Array) {
-    const cells = firstVertex.length - 1, n = cells * kinds;
+  constructor(
+    bytes: ArrayBuffer,
+    at: number,
+    private readonly kinds: number,
+    firstVertex: Uint32Array,
+  ) {
+    const cells = firstVertex.length - 1,
+      n = cells * kinds;
     this.steps = new Float32Array(bytes, at, n);
     this.first = new Uint32Array(n + 1);
     for (let k = 0; k < n; ++k) {
@@ -68,8 +96,11 @@ export class VertexForces {
   /** [kind][3 * vertex of the cell] of a cell of the frame; null where there are none. */
   of(cell: number): (Float32Array | null)[] {
     return Array.from({ length: this.kinds }, (_, kind) => {
-      const k = cell * this.kinds + kind, step = this.steps[k];
-      return step > 0 ? Float32Array.from(this.numbers.subarray(this.first[k], this.first[k + 1]), (x) => step * x) : null;
+      const k = cell * this.kinds + kind,
+        step = this.steps[k];
+      return step > 0
+        ? Float32Array.from(this.numbers.subarray(this.first[k], this.first[k + 1]), (x) => step * x)
+        : null;
     });
   }
 }
@@ -126,28 +157,44 @@ export class Run {
     this.cells.length = 0;
     this.byPath.clear();
     for (const [path, name, born, ended, fate, state] of rows) {
-      const cell: Cell = { path, name, born, ended, fate, state, label: name || path || "egg", mother: null, daughters: [] };
+      const cell: Cell = {
+        path,
+        name,
+        born,
+        ended,
+        fate,
+        state,
+        label: name || path || "egg",
+        mother: null,
+        daughters: [],
+      };
       this.cells.push(cell);
       this.byPath.set(path, cell);
     }
     for (const cell of this.cells) {
-      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
+      cell.mother = cell.path === "" ? null : (this.byPath.get(cell.path.slice(0, -1)) ?? null);
       cell.mother?.daughters.push(cell);
     }
     for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
   }
 
   /** Whether any of its cells are ever connected. */
-  get connected(): boolean { return this.heads.some((head) => head.connections > 0); }
+  get connected(): boolean {
+    return this.heads.some((head) => head.connections > 0);
+  }
 
-  get hasBodies(): boolean { return this.heads.length > 0; }
+  get hasBodies(): boolean {
+    return this.heads.length > 0;
+  }
 
   /** The last frame at that time or before; the first one if all are later. */
   frameNumber(time: number): number {
-    let low = 0, high = this.times.length;
+    let low = 0,
+      high = this.times.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.times[middle] <= time * (1 + 1e-12)) low = middle + 1; else high = middle;
+      if (this.times[middle] <= time * (1 + 1e-12)) low = middle + 1;
+      else high = middle;
     }
     return Math.max(0, low - 1);
   }
@@ -163,14 +210,18 @@ export class Run {
 
   /** Of all cells of a frame, without its shapes: [i * measures + m]. */
   valuesOf(number: number): Float32Array {
-    const head = this.heads[number], m = this.measures.length, words = 9 + m;
-    const reals = new Float32Array(this.bytes, head.offset, head.cells * words), values = new Float32Array(head.cells * m);
+    const head = this.heads[number],
+      m = this.measures.length,
+      words = 9 + m;
+    const reals = new Float32Array(this.bytes, head.offset, head.cells * words),
+      values = new Float32Array(head.cells * m);
     for (let i = 0; i < head.cells; ++i) values.set(reals.subarray(i * words + 9, (i + 1) * words), i * m);
     return values;
   }
 
   private decode(head: FrameHead): Frame {
-    const m = this.measures.length, words = 9 + m;
+    const m = this.measures.length,
+      words = 9 + m;
     const numbers = new Uint32Array(this.bytes, head.offset, head.cells * words);
     const reals = new Float32Array(this.bytes, head.offset, head.cells * words);
     const frame = blankFrame(head.time, head.step, head.cells, m);
@@ -183,20 +234,29 @@ export class Run {
       frame.firstVertex[i + 1] = frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]];
     }
     let place = head.offset + 4 * head.cells * words;
-    const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts), areas = new Float32Array(this.bytes, place, 3 * head.contacts);
-    for (let k = 0; k < head.contacts; ++k) frame.contacts.push({ a: pairs[3 * k], b: pairs[3 * k + 1], area: areas[3 * k + 2] });
+    const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts),
+      areas = new Float32Array(this.bytes, place, 3 * head.contacts);
+    for (let k = 0; k < head.contacts; ++k)
+      frame.contacts.push({ a: pairs[3 * k], b: pairs[3 * k + 1], area: areas[3 * k + 2] });
     place += 12 * head.contacts;
     const held = new Uint32Array(this.bytes, place, 2 * head.connections);
     for (let k = 0; k < head.connections; ++k) frame.connections.push([held[2 * k], held[2 * k + 1]]);
     place += 8 * head.connections;
     frame.forces = new Float32Array(this.bytes, place, 3 * this.netForces.length * head.cells);
     place += 4 * frame.forces.length;
-    if (head.vertexForces) frame.vertexForces = new VertexForces(this.bytes, head.offset + head.vertexForces, this.forces.length, frame.firstVertex);
+    if (head.vertexForces)
+      frame.vertexForces = new VertexForces(
+        this.bytes,
+        head.offset + head.vertexForces,
+        this.forces.length,
+        frame.firstVertex,
+      );
     const vertices = frame.firstVertex[head.cells];
     const grid = new Uint16Array(this.bytes, place, 3 * vertices);
     frame.positions = new Float32Array(3 * vertices);
     for (let i = 0; i < head.cells; ++i) {
-      const low = reals.subarray(i * words + 3, i * words + 6), step = reals.subarray(i * words + 6, i * words + 9);
+      const low = reals.subarray(i * words + 3, i * words + 6),
+        step = reals.subarray(i * words + 6, i * words + 9);
       for (let k = 3 * frame.firstVertex[i]; k < 3 * frame.firstVertex[i + 1]; k += 3)
         for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step[axis] * grid[k + axis];
     }
@@ -214,7 +274,8 @@ export interface Data {
 }
 
 function bytesOf(text: string): ArrayBuffer {
-  const binary = atob(text), bytes = new Uint8Array(binary.length);
+  const binary = atob(text),
+    bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
   return bytes.buffer;
 }
@@ -226,13 +287,20 @@ export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
   return {
-    units: json.units, scale: json.scale, series: json.series, clones: json.clones,
+    units: json.units,
+    scale: json.scale,
+    series: json.series,
+    clones: json.clones,
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
-    runs: json.runs.map((run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? ""))),
+    runs: json.runs.map(
+      (run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? "")),
+    ),
   };
 }
 
-export function isWithin(path: string, ancestor: string): boolean { return path.startsWith(ancestor); }
+export function isWithin(path: string, ancestor: string): boolean {
+  return path.startsWith(ancestor);
+}
 
 /** What people see of a measure's value, or of a time: "12.5 µm". */
 export function shownText(data: Pick<Data, "units">, measure: string, value: number): string {

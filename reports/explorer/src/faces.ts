@@ -11,9 +11,11 @@ export class Sorter {
 
   /** Into `order`, which is as long as `count`. O(count + 65536) */
   sort(keys: Float32Array, count: number, order: Uint32Array): void {
-    let low = Infinity, high = -Infinity;
-    for (let i = 0; i < count; ++i) (low = Math.min(low, keys[i])), (high = Math.max(high, keys[i]));
-    const scale = high > low ? 65535 / (high - low) : 0, { places } = this;
+    let low = Infinity,
+      high = -Infinity;
+    for (let i = 0; i < count; ++i) ((low = Math.min(low, keys[i])), (high = Math.max(high, keys[i])));
+    const scale = high > low ? 65535 / (high - low) : 0,
+      { places } = this;
     if (this.coarse.length < count) this.coarse = new Uint16Array(count);
     const { coarse } = this;
     places.fill(0);
@@ -26,7 +28,10 @@ export class Sorter {
   }
 }
 
-export interface DrawCounts { solid: number; all: number } // numbers of vertices in the list: the solid ones come first
+export interface DrawCounts {
+  solid: number;
+  all: number;
+} // numbers of vertices in the list: the solid ones come first
 
 export class DrawList {
   private readonly plane: Float32Array; // of each face: normal, and its product with a corner [not of unit length]
@@ -40,7 +45,9 @@ export class DrawList {
   private readonly occlusion: Occlusion;
 
   constructor(private readonly cells: Cells) {
-    const { corners, firstFace, positions: p } = cells, faces = corners.length / 3, count = firstFace.length - 1;
+    const { corners, firstFace, positions: p } = cells,
+      faces = corners.length / 3,
+      count = firstFace.length - 1;
     this.plane = new Float32Array(4 * faces);
     this.middle = new Float32Array(3 * faces);
     this.cellMiddle = new Float32Array(3 * count);
@@ -49,10 +56,18 @@ export class DrawList {
     this.chosen = new Uint32Array(faces);
     this.order = new Uint32Array(Math.max(faces, count));
     for (let f = 0; f < faces; ++f) {
-      const a = 3 * corners[3 * f], b = 3 * corners[3 * f + 1], c = 3 * corners[3 * f + 2];
-      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
-      const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
-      const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+      const a = 3 * corners[3 * f],
+        b = 3 * corners[3 * f + 1],
+        c = 3 * corners[3 * f + 2];
+      const ux = p[b] - p[a],
+        uy = p[b + 1] - p[a + 1],
+        uz = p[b + 2] - p[a + 2];
+      const vx = p[c] - p[a],
+        vy = p[c + 1] - p[a + 1],
+        vz = p[c + 2] - p[a + 2];
+      const nx = uy * vz - uz * vy,
+        ny = uz * vx - ux * vz,
+        nz = ux * vy - uy * vx;
       this.plane[4 * f] = nx;
       this.plane[4 * f + 1] = ny;
       this.plane[4 * f + 2] = nz;
@@ -61,19 +76,26 @@ export class DrawList {
     }
     for (let i = 0; i < count; ++i) {
       const n = firstFace[i + 1] - firstFace[i] || 1;
-      for (let f = firstFace[i]; f < firstFace[i + 1]; ++f) for (let k = 0; k < 3; ++k) this.cellMiddle[3 * i + k] += this.middle[3 * f + k] / (3 * n);
+      for (let f = firstFace[i]; f < firstFace[i + 1]; ++f)
+        for (let k = 0; k < 3; ++k) this.cellMiddle[3 * i + k] += this.middle[3 * f + k] / (3 * n);
     }
     this.occlusion = new Occlusion(cells);
   }
 
   /** Fills `list`, as long as all corners; with `all`, with the faces that look away or are hidden, too. */
   fill(sight: Sight, seeThrough: Uint8Array, all: boolean, list: Uint16Array | Uint32Array): DrawCounts {
-    const { plane, cellMiddle, keys, order, facing, occlusion } = this, { corners, firstFace } = this.cells, { eye, forward } = sight, cells = firstFace.length - 1;
-    for (let i = 0; i < cells; ++i) keys[i] = cellMiddle[3 * i] * forward.x + cellMiddle[3 * i + 1] * forward.y + cellMiddle[3 * i + 2] * forward.z;
+    const { plane, cellMiddle, keys, order, facing, occlusion } = this,
+      { corners, firstFace } = this.cells,
+      { eye, forward } = sight,
+      cells = firstFace.length - 1;
+    for (let i = 0; i < cells; ++i)
+      keys[i] = cellMiddle[3 * i] * forward.x + cellMiddle[3 * i + 1] * forward.y + cellMiddle[3 * i + 2] * forward.z;
     this.sorter.sort(keys, cells, order);
-    for (let f = 0, k = 0; f < facing.length; ++f, k += 4) facing[f] = plane[k] * eye.x + plane[k + 1] * eye.y + plane[k + 2] * eye.z > plane[k + 3] ? 1 : 0;
+    for (let f = 0, k = 0; f < facing.length; ++f, k += 4)
+      facing[f] = plane[k] * eye.x + plane[k + 1] * eye.y + plane[k + 2] * eye.z > plane[k + 3] ? 1 : 0;
     if (!all) occlusion.look(sight, seeThrough, facing);
-    const isDrawn = (f: number) => all || (facing[f] === 1 && !occlusion.hides(corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]));
+    const isDrawn = (f: number) =>
+      all || (facing[f] === 1 && !occlusion.hides(corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]));
     let at = 0;
     for (let k = 0; k < cells; ++k) {
       const i = order[k];
@@ -81,7 +103,8 @@ export class DrawList {
       for (let f = firstFace[i]; f < firstFace[i + 1]; ++f)
         if (isDrawn(f)) for (let c = 3 * f; c < 3 * f + 3; ++c) list[at++] = corners[c];
     }
-    const solid = at, { middle, chosen } = this;
+    const solid = at,
+      { middle, chosen } = this;
     let n = 0;
     for (let i = 0; i < cells; ++i) {
       if (!seeThrough[i]) continue;

@@ -6,33 +6,51 @@ import type { Choice } from "./state";
 
 const shortest = 1 / 200; // of the longest arrow: shorter ones are not seen
 
-export function isWished(choice: Choice, kind: string): boolean { return choice.kinds === "all" || choice.kinds.split(",").includes(kind); }
+export function isWished(choice: Choice, kind: string): boolean {
+  return choice.kinds === "all" || choice.kinds.split(",").includes(kind);
+}
 
 /** The kinds that these runs know, as data.forces. */
-export function kindsOf(data: Data): Data["forces"] { return data.forces.filter((kind) => data.runs.some((run) => run.forces.includes(kind.name))); }
+export function kindsOf(data: Data): Data["forces"] {
+  return data.forces.filter((kind) => data.runs.some((run) => run.forces.includes(kind.name)));
+}
 
 /** [length] Of a ball with the cells' mean volume. */
 function meanRadius(run: Run, frame: Frame): number {
-  const m = run.measures.indexOf("volume"), n = run.measures.length;
+  const m = run.measures.indexOf("volume"),
+    n = run.measures.length;
   let volume = 0;
   for (let i = 0; i < frame.count && m >= 0; ++i) volume += frame.values[i * n + m];
   return volume > 0 ? Math.cbrt((3 * volume) / (4 * Math.PI * frame.count)) : run.radius;
 }
 
-interface Forces { of: { run: Run; frame: Frame; cell: number }; kind: string; at: [number, number, number]; force: [number, number, number] }
+interface Forces {
+  of: { run: Run; frame: Frame; cell: number };
+  kind: string;
+  at: [number, number, number];
+  force: [number, number, number];
+}
 
 /** The selected cell, where the forces on its vertices are known: then they are what is shown. */
 export function cellWithVertexForces(run: Run, choice: Choice): number {
   const frame = run.frame(run.frameNumber(choice.time));
-  return frame.vertexForces ? frame.cell.findIndex((n) => choice.selected !== null && run.cells[n]?.path === choice.selected) : -1;
+  return frame.vertexForces
+    ? frame.cell.findIndex((n) => choice.selected !== null && run.cells[n]?.path === choice.selected)
+    : -1;
 }
 
 function* onVertices(run: Run, frame: Frame, cell: number, choice: Choice): Generator<Forces> {
-  const { positions, firstVertex } = frame, forces = frame.vertexForces!.of(cell);
+  const { positions, firstVertex } = frame,
+    forces = frame.vertexForces!.of(cell);
   for (const [k, kind] of run.forces.entries()) {
     if (!isWished(choice, kind) || !forces[k]) continue;
     for (let v = 3 * firstVertex[cell], f = 0; v < 3 * firstVertex[cell + 1]; v += 3, f += 3)
-      yield { of: { run, frame, cell }, kind, at: [positions[v], positions[v + 1], positions[v + 2]], force: [forces[k]![f], forces[k]![f + 1], forces[k]![f + 2]] };
+      yield {
+        of: { run, frame, cell },
+        kind,
+        at: [positions[v], positions[v + 1], positions[v + 2]],
+        force: [forces[k]![f], forces[k]![f + 1], forces[k]![f + 2]],
+      };
   }
 }
 
@@ -41,11 +59,18 @@ function* onCells(run: Run, frame: Frame, choice: Choice, centres: ArrayLike<num
     for (const [k, kind] of run.netForces.entries()) {
       const f = 3 * (cell * run.netForces.length + k);
       if (isWished(choice, kind))
-        yield { of: { run, frame, cell }, kind, at: [centres[3 * cell], centres[3 * cell + 1], centres[3 * cell + 2]], force: [frame.forces[f], frame.forces[f + 1], frame.forces[f + 2]] };
+        yield {
+          of: { run, frame, cell },
+          kind,
+          at: [centres[3 * cell], centres[3 * cell + 1], centres[3 * cell + 2]],
+          force: [frame.forces[f], frame.forces[f + 1], frame.forces[f + 2]],
+        };
     }
 }
 
-function strength(force: readonly number[]): number { return Math.hypot(force[0], force[1], force[2]); }
+function strength(force: readonly number[]): number {
+  return Math.hypot(force[0], force[1], force[2]);
+}
 
 /** What is shown of one run; `longest` [force], and `room` [length] for that one. `size` [length]: how far from the origin all is. */
 export class ForcesOfRun {
@@ -54,8 +79,15 @@ export class ForcesOfRun {
   readonly room: number;
   readonly ofVertices: boolean;
 
-  constructor(private readonly run: Run, private readonly choice: Choice, private readonly colours: Map<string, string>, size: number, centres: ArrayLike<number>) {
-    const frame = run.frame(run.frameNumber(choice.time)), cell = cellWithVertexForces(run, choice);
+  constructor(
+    private readonly run: Run,
+    private readonly choice: Choice,
+    private readonly colours: Map<string, string>,
+    size: number,
+    centres: ArrayLike<number>,
+  ) {
+    const frame = run.frame(run.frameNumber(choice.time)),
+      cell = cellWithVertexForces(run, choice);
     this.ofVertices = cell >= 0;
     this.forces = [...(cell >= 0 ? onVertices(run, frame, cell, choice) : onCells(run, frame, choice, centres))];
     this.longest = this.forces.reduce((most, { force }) => Math.max(most, strength(force) || 0), 0);
@@ -65,10 +97,20 @@ export class ForcesOfRun {
 
   /** With `perForce` [length/force]. `isThere`: whether a point is not cut away. Of a selected cell, or its descendants, theirs alone. */
   arrows(perForce: number, isThere: (at: [number, number, number]) => boolean): (Arrow & { kind: string })[] {
-    const { selected } = this.choice, { run } = this, within = (n: number) => isWithin(run.cells[n]?.path ?? "", selected!);
+    const { selected } = this.choice,
+      { run } = this,
+      within = (n: number) => isWithin(run.cells[n]?.path ?? "", selected!);
     const some = selected !== null && this.forces.some(({ of }) => within(of.frame.cell[of.cell]));
     return this.forces
-      .filter(({ force, at, of }) => strength(force) > shortest * this.longest && isThere(at) && (!some || within(of.frame.cell[of.cell])))
-      .map(({ at, force, kind }) => ({ kind, from: at, along: force.map((x) => x * perForce) as [number, number, number], colour: rgbOf(this.colours.get(kind)!) }));
+      .filter(
+        ({ force, at, of }) =>
+          strength(force) > shortest * this.longest && isThere(at) && (!some || within(of.frame.cell[of.cell])),
+      )
+      .map(({ at, force, kind }) => ({
+        kind,
+        from: at,
+        along: force.map((x) => x * perForce) as [number, number, number],
+        colour: rgbOf(this.colours.get(kind)!),
+      }));
   }
 }

@@ -27,7 +27,14 @@ void main() {
 }`;
 
 export function cellMaterial(seeThrough: boolean): ShaderMaterial {
-  return new ShaderMaterial({ vertexShader, fragmentShader, transparent: seeThrough, clipping: true, side: FrontSide, uniforms: { lift: { value: 0 } } });
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    transparent: seeThrough,
+    clipping: true,
+    side: FrontSide,
+    uniforms: { lift: { value: 0 } },
+  });
 }
 
 /** The inside of cells that are cut open: darker, and nearer to the eye than it is, for the cells behind touch it and would show through. */

@@ -29,14 +29,19 @@ export class State {
   private timer = 0;
   private written = "";
 
-  constructor(private readonly initial: Choice, private readonly most: { runs: number; time: number; isCell: (path: string) => boolean }) {
+  constructor(
+    private readonly initial: Choice,
+    private readonly most: { runs: number; time: number; isCell: (path: string) => boolean },
+  ) {
     this.choice = { ...initial, ...this.fromAddress() };
     addEventListener("hashchange", () => {
       if (location.hash !== this.written) this.set({ ...this.initial, ...this.fromAddress() });
     });
   }
 
-  listen(listener: Listener): void { this.listeners.push(listener); }
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
 
   set(changes: Partial<Choice>): void {
     const changed = new Set<keyof Choice>();
@@ -65,7 +70,11 @@ export class State {
     for (const key of Object.keys(this.initial) as (keyof Choice)[]) {
       const value = this.choice[key];
       if (key === "hovered" || value === this.initial[key] || value === null) continue;
-      const text = Array.isArray(value) ? value.map((x) => Number(x.toPrecision(9))).join(",") : typeof value === "number" ? String(Number(value.toPrecision(8))) : String(value);
+      const text = Array.isArray(value)
+        ? value.map((x) => Number(x.toPrecision(9))).join(",")
+        : typeof value === "number"
+          ? String(Number(value.toPrecision(8)))
+          : String(value);
       parts.push(`${key}=${encodeURIComponent(text)}`);
     }
     return "#" + parts.join("&");
@@ -79,21 +88,29 @@ export class State {
       const key = part.slice(0, cut) as keyof Choice;
       if (cut < 1 || !(key in this.initial) || key === "hovered") continue;
       let text: string;
-      try { text = decodeURIComponent(part.slice(cut + 1)); } catch { continue; }
-      const number = Number(text), finite = text !== "" && Number.isFinite(number);
-      if (key === "selected") { if (this.most.isCell(text)) found.selected = text; }
-      else if (key === "camera") {
+      try {
+        text = decodeURIComponent(part.slice(cut + 1));
+      } catch {
+        continue;
+      }
+      const number = Number(text),
+        finite = text !== "" && Number.isFinite(number);
+      if (key === "selected") {
+        if (this.most.isCell(text)) found.selected = text;
+      } else if (key === "camera") {
         const numbers = text.split(",").map(Number);
         if (numbers.length === 7 && numbers.every(Number.isFinite)) found.camera = numbers;
-      } else if (key === "clip") { if (["", "x", "y", "z"].includes(text)) found.clip = text; }
-      else if (key === "colour" || key === "kinds") found[key] = text;
+      } else if (key === "clip") {
+        if (["", "x", "y", "z"].includes(text)) found.clip = text;
+      } else if (key === "colour" || key === "kinds") found[key] = text;
       else if (typeof this.initial[key] === "boolean") found[key] = text === "true";
       else if (finite) {
         if (key === "time") found.time = Math.min(this.most.time, Math.max(0, number));
         if (key === "opacity") found.opacity = Math.min(1, Math.max(0.1, number));
         if (key === "clipAt") found.clipAt = Math.min(1, Math.max(-1, number));
         if (key === "left" && Number.isInteger(number) && number >= 0 && number < this.most.runs) found.left = number;
-        if (key === "right" && Number.isInteger(number) && number >= -1 && number < this.most.runs) found.right = number;
+        if (key === "right" && Number.isInteger(number) && number >= -1 && number < this.most.runs)
+          found.right = number;
       }
     }
     return found;

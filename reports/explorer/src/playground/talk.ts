@@ -2,9 +2,18 @@
 
 import type { Data } from "../data";
 
-export interface Written { name: string; text: string; files: [string, string, string][] } // role, path, content
+export interface Written {
+  name: string;
+  text: string;
+  files: [string, string, string][];
+} // role, path, content
 
-export interface Order { module?: Uint8Array; number: number; written: Written; runs: boolean }
+export interface Order {
+  module?: Uint8Array;
+  number: number;
+  written: Written;
+  runs: boolean;
+}
 
 /** What the strict reader says of a scenario without mistakes (runner/input/browser/module.cpp). */
 export interface Read {
@@ -32,7 +41,11 @@ export interface Snapshot {
   meshes: [number, number[]][]; // those that are new: vertices, faces
 }
 
-export interface Measures { cell: string[]; world: string[]; units: Data["units"] }
+export interface Measures {
+  cell: string[];
+  world: string[];
+  units: Data["units"];
+}
 
 export type News =
   | { kind: "read"; number: number; read: Read | null; mistakes: string[] }

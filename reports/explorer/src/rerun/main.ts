@@ -3,5 +3,6 @@ import "../main";
 import { readData } from "../data";
 import { Panel } from "./panel";
 
-const place = document.getElementById("again"), data = place && readData();
+const place = document.getElementById("again"),
+  data = place && readData();
 if (place && data) new Panel(place, data.runs[0]);

@@ -18,13 +18,21 @@ declare const WORKER: string; // the program of worker.ts (build.mjs)
 
 /** Starts it; `end` stops it wherever it is. Throws where the browser has no such thing or the page's policy forbids it. */
 export function start(order: Order, hear: (news: News) => void): { end(): void } {
-  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })), worker = new Worker(address);
-  const end = () => { worker.terminate(); URL.revokeObjectURL(address); };
+  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })),
+    worker = new Worker(address);
+  const end = () => {
+    worker.terminate();
+    URL.revokeObjectURL(address);
+  };
   worker.onmessage = (event: MessageEvent<News>) => {
     if (event.data.kind === "end" || event.data.kind === "failed") end();
     hear(event.data);
   };
-  worker.onerror = (event) => { event.preventDefault(); end(); hear({ kind: "failed", why: event.message || "the worker could not be started" }); };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    end();
+    hear({ kind: "failed", why: event.message || "the worker could not be started" });
+  };
   worker.postMessage(order);
   return { end };
 }
@@ -33,8 +41,12 @@ export function start(order: Order, hear: (news: News) => void): { end(): void }
 export function whyNot(): string {
   if (typeof WebAssembly !== "object") return "this browser has no WebAssembly, or it is switched off";
   if (typeof Worker !== "function") return "this browser has no workers";
-  if (typeof DecompressionStream !== "function") return "this browser is too old: it cannot unpack the simulator (DecompressionStream)";
+  if (typeof DecompressionStream !== "function")
+    return "this browser is too old: it cannot unpack the simulator (DecompressionStream)";
   // One function whose body is `v128.const 0; drop`.
-  const simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 23, 1, 21, 0, 253, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 26, 11]);
+  const simd = new Uint8Array([
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 23, 1, 21, 0, 253, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 26, 11,
+  ]);
   return WebAssembly.validate(simd) ? "" : "this browser's WebAssembly is too old: it has no SIMD";
 }
