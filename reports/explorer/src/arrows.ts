@@ -1,4 +1,4 @@
-// Arrows as triangles: a shaft with three sides and a head with four, each in the colour of what it tells.
+// Arrows as triangles: a shaft with three sides and a head with four.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -13,16 +13,16 @@ import type { Rgb } from "./colours";
 
 export interface Arrow {
   from: [number, number, number];
-  along: [number, number, number];
+  along: [number, number, number]; // [length] as drawn
   colour: Rgb;
-} // lengths as drawn
+}
 
 const faces = [
   0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5, 6, 7, 10, 7, 8, 10, 8, 9, 10, 9, 6, 10, 7, 6, 8, 9, 8, 6,
 ];
 const corners = 11;
 
-/** Over the cells, and before one another as they lie. */
+/** Arrows drawn over the cells; nearer arrows hide farther ones. */
 export class Arrows {
   readonly object = new Mesh(
     new BufferGeometry(),
@@ -36,7 +36,7 @@ export class Arrows {
     this.object.onBeforeRender = (renderer) => (renderer as WebGLRenderer).clearDepth();
   }
 
-  /** `thickness`: of a shaft [length]. */
+  /** `thickness`: radius of a shaft [length]. */
   show(arrows: Arrow[], thickness: number): void {
     this.object.visible = arrows.length > 0;
     const positions = new Float32Array(3 * corners * arrows.length),
@@ -48,7 +48,7 @@ export class Arrows {
       shown = new Color();
     arrows.forEach(({ from, along: by, colour }, n) => {
       along.set(...by);
-      shown.setRGB(...colour, SRGBColorSpace); // three.js reckons in linear light
+      shown.setRGB(...colour, SRGBColorSpace); // three.js computes in linear light
       const length = along.length(),
         head = Math.min(5 * thickness, 0.6 * length),
         thin = Math.min(1, head / (5 * thickness));
@@ -58,7 +58,7 @@ export class Arrows {
         .normalize();
       v.crossVectors(along, u);
       let at = 3 * corners * n;
-      // On the two circles of the shaft, the one under the head, and at the tip; one side darker, so that shape is seen.
+      // Corners lie on both ends of the shaft, on the head's base, and at the tip. One side is darker for shape.
       const put = (distance: number, radius: number, angle: number) => {
         const a = radius * Math.cos(angle),
           b = radius * Math.sin(angle),

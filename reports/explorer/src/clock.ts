@@ -3,7 +3,7 @@ import { shownText, type Data, type Run } from "./data";
 import type { State } from "./state";
 import { drawn } from "./tools";
 
-const playSeconds = 8; // from start to end
+const playSeconds = 8; // duration of the whole run
 
 export class Clock {
   readonly slider = document.createElement("input");
@@ -62,7 +62,7 @@ export class Clock {
     const divisions = new Set(runs.flatMap((run) => run.cells.filter((c) => c.fate === "divided").map((c) => c.ended)));
     this.marks.replaceChildren();
     for (const time of divisions) {
-      // the slider's knob keeps half of its width from both ends
+      // The slider's knob keeps half of its width from both ends.
       const x = (1000 * time) / (end || 1);
       this.marks.append(drawn("line", { x1: x, x2: x, y1: 0, y2: 9 }));
     }
@@ -70,7 +70,7 @@ export class Clock {
     this.marks.style.width = "calc(100% - 16px)";
   }
 
-  /** To a later or an earlier frame. */
+  /** Goes to a later or an earlier frame. */
   step(by: number): void {
     const { time } = this.state.choice,
       slack = 1e-9 * (this.times[this.times.length - 1] || 1);
@@ -121,7 +121,8 @@ export class Clock {
       const at = Math.min(time, run.end);
       return run.cells.filter((c) => c.born <= at && (at < c.ended || (c.fate === "alive" && at <= c.ended))).length;
     });
-    const text = `time ${shownText(this.data, "time", time)}, ${living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | ")}`;
+    const counts = living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | "),
+      text = `time ${shownText(this.data, "time", time)}, ${counts}`;
     if (Number(this.slider.value) !== time) this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", text);
     this.output.textContent = text;

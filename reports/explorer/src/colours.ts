@@ -1,4 +1,4 @@
-// Which colour a cell has.
+// The colours of cells.
 import type { Data, Frame, Run } from "./data";
 
 export type Rgb = [number, number, number]; // 0 to 1, sRGB
@@ -8,7 +8,7 @@ export function rgbOf(hex: string): Rgb {
   return [((n >> 16) & 255) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255];
 }
 
-/** Of a quantity: the ends of the scale are the least and the greatest value in all frames that were looked at. */
+/** Colours by substances, generation, clone or a measure, whose scale spans its values in all frames. */
 export class Colouring {
   private readonly scale: Rgb[];
   private readonly series: Rgb[];
@@ -19,14 +19,14 @@ export class Colouring {
     this.series = data.series.map(rgbOf);
   }
 
-  /** What colours can mean in these runs. */
+  /** Returns the meanings that colours can have in these runs. */
   choices(): string[] {
     const measures = new Set<string>();
     for (const run of this.data.runs) run.measures.forEach((m) => measures.add(m));
     return ["substance", "generation", "clone", ...measures];
   }
 
-  /** Least and greatest value of a measure in all runs: at one time, or in all frames. */
+  /** Returns the least and greatest value of a measure in all runs, at one time or (null) in all frames. */
   range(measure: string, time: number | null): [number, number] {
     const key = `${measure} ${time}`,
       known = this.ranges.get(key);
@@ -42,7 +42,10 @@ export class Colouring {
       for (let k = one ?? 0; k <= (one ?? run.times.length - 1); ++k) {
         const values = run.valuesOf(k);
         for (let i = m; i < values.length; i += n)
-          if (Number.isFinite(values[i])) ((low = Math.min(low, values[i])), (high = Math.max(high, values[i])));
+          if (Number.isFinite(values[i])) {
+            low = Math.min(low, values[i]);
+            high = Math.max(high, values[i]);
+          }
       }
     }
     const range: [number, number] = low <= high ? [low, high] : [0, 1];
@@ -57,9 +60,10 @@ export class Colouring {
     return [0, 1, 2].map((k) => this.scale[i][k] * (1 - f) + this.scale[i + 1][k] * f) as Rgb;
   }
 
+  /** Clones begin with the four cells after two divisions. */
   private clone(path: string): Rgb {
     return rgbOf(this.data.clones[path.slice(0, 2)]);
-  } // of the four cells after two divisions
+  }
 
   ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];
@@ -74,7 +78,7 @@ export class Colouring {
     return this.at(high > low ? (value - low) / (high - low) : 0.5);
   }
 
-  /** In the tree, where a cell is not one moment: by its last substances, and grey for measures. */
+  /** Returns a cell's colour in the tree: by its last substances, and grey for measures, which change with time. */
   ofLine(run: Run, path: string, state: number, by: string): string {
     const css = (c: Rgb) => `rgb(${c.map((x) => Math.round(255 * x)).join(",")})`;
     if (by === "generation") return css(this.series[path.length % this.series.length]);

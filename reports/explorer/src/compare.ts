@@ -1,4 +1,4 @@
-// Two stored pictures of a block over each other: swiped, and blinked between.
+// Compares two stored pictures of a block by swiping and by blinking.
 
 export function setUpCompare(): void {
   for (const place of document.querySelectorAll<HTMLElement>(".compare")) compare(place);

@@ -1,14 +1,14 @@
-// What the page holds for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write it.
+// The page's data for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write them.
 import { facesAcross } from "./occlusion";
 
 export type Fate = "alive" | "divided" | "died";
 
-/** One cell that ever was. Times in the scene's unit. */
+/** A cell that ever lived. Times are in the scene's unit. */
 export interface Cell {
-  path: string; // "" the egg, then A and B
-  name: string; // "" without
+  path: string; // "" for the egg, then A and B
+  name: string; // "" without a name
   born: number;
-  ended: number; // of those alive: the run's end
+  ended: number; // for living cells: the run's end
   fate: Fate;
   state: number;
   label: string;
@@ -35,13 +35,13 @@ export interface Frame {
   values: Float32Array; // [i * measures + m]
   contacts: Contact[];
   connections: [number, number][];
-  forces: Float32Array; // [3 (i * Run.netForces + k)] net force of each kind on each cell; NaN: not known
-  vertexForces: VertexForces | null; // of the last frame
+  forces: Float32Array; // [3 (i * Run.netForces + k)] net force of each kind on each cell; NaN: unknown
+  vertexForces: VertexForces | null; // only in the last frame
   positions: Float32Array; // xyz of all vertices, cell after cell
-  firstVertex: Uint32Array; // [i], and one more: the number of all
+  firstVertex: Uint32Array; // [i], and the number of all vertices at the end
 }
 
-/** With room for so many cells and measures of each. */
+/** Returns a frame with room for `count` cells and measures of each. */
 export function blankFrame(time: number, step: number, count: number, measures: number): Frame {
   return {
     time,
@@ -73,7 +73,7 @@ interface FrameHead {
 /** Forces on the vertices of each cell, as runner/publish/report_data/frames.h writes them. */
 export class VertexForces {
   private readonly steps: Float32Array; // [i * kinds + k]
-  private readonly first: Uint32Array; // likewise, where its numbers begin
+  private readonly first: Uint32Array; // [i * kinds + k] index of its first number
   private readonly numbers: Int8Array;
 
   constructor(
@@ -93,7 +93,7 @@ export class VertexForces {
     this.numbers = new Int8Array(bytes, at + 4 * n, this.first[n]);
   }
 
-  /** [kind][3 * vertex of the cell] of a cell of the frame; null where there are none. */
+  /** Returns the forces [kind][3 * vertex of the cell] on a cell of the frame; null for kinds without forces. */
   of(cell: number): (Float32Array | null)[] {
     return Array.from({ length: this.kinds }, (_, kind) => {
       const k = cell * this.kinds + kind,
@@ -115,17 +115,17 @@ export class Run {
   readonly colours: string[];
   readonly legend: [string, string][];
   readonly measures: string[];
-  readonly forces: string[]; // kinds that cells can have
-  readonly netForces: string[]; // and those of them that may add up to anything on a cell
+  readonly forces: string[]; // all kinds
+  readonly netForces: string[]; // kinds whose net force on a cell may differ from 0
   readonly meshes: Uint32Array[];
-  readonly across: Uint32Array[]; // of each mesh
+  readonly across: Uint32Array[]; // facesAcross of each mesh
   readonly vertexCounts: number[];
   readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   readonly radius: number;
   readonly times: number[];
   private readonly heads: FrameHead[] = [];
   private readonly bytes: ArrayBuffer;
-  private readonly kept = new Map<number, Frame>(); // decoded, the last few
+  private readonly kept = new Map<number, Frame>(); // the last few decoded frames
 
   constructor(json: any, bytes: ArrayBuffer) {
     this.title = json.title;
@@ -152,7 +152,7 @@ export class Run {
     this.times = this.heads.map((head) => head.time);
   }
 
-  /** All cells that ever were, in place of those known before. */
+  /** Replaces the cells that ever lived. */
   protected takeCells(rows: CellRow[]): void {
     this.cells.length = 0;
     this.byPath.clear();
@@ -178,7 +178,7 @@ export class Run {
     for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
   }
 
-  /** Whether any of its cells are ever connected. */
+  /** True if any cells of the run are ever connected. */
   get connected(): boolean {
     return this.heads.some((head) => head.connections > 0);
   }
@@ -187,7 +187,7 @@ export class Run {
     return this.heads.length > 0;
   }
 
-  /** The last frame at that time or before; the first one if all are later. */
+  /** Returns the last frame at `time` or before; the first frame if all are later. */
   frameNumber(time: number): number {
     let low = 0,
       high = this.times.length;
@@ -208,7 +208,7 @@ export class Run {
     return frame;
   }
 
-  /** Of all cells of a frame, without its shapes: [i * measures + m]. */
+  /** Returns the values of a frame's cells, [i * measures + m], without decoding shapes. */
   valuesOf(number: number): Float32Array {
     const head = this.heads[number],
       m = this.measures.length,
@@ -266,10 +266,11 @@ export class Run {
 
 export interface Data {
   runs: Run[];
-  units: Record<string, [string, number]>; // of measures, time, the scale bar and areas of contact: the unit that people see, and how many of it are one of the scene's
+  /** Shown units of measures, time, the scale bar and contact areas: [name, number of them in a unit of the scene]. */
+  units: Record<string, [string, number]>;
   scale: string[];
   series: string[];
-  clones: Record<string, string>; // by the path of the founder, and of what is above founders
+  clones: Record<string, string>; // by the path of the founder, or of a cell above founders
   forces: { name: string; colour: string; meaning: string }[]; // kinds
 }
 
@@ -282,7 +283,7 @@ function bytesOf(text: string): ArrayBuffer {
 
 const format = 3; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
-/** Null where the page was made by a program of another format. */
+/** Returns the page's data; null if a program with another format made the page. */
 export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
@@ -302,13 +303,13 @@ export function isWithin(path: string, ancestor: string): boolean {
   return path.startsWith(ancestor);
 }
 
-/** What people see of a measure's value, or of a time: "12.5 µm". */
+/** Returns a measure's value, or a time, with its unit: "12.5 µm". */
 export function shownText(data: Pick<Data, "units">, measure: string, value: number): string {
   const [unit, factor] = data.units[measure] ?? ["", 1];
   return numberText(factor * value) + (unit && Number.isFinite(value) ? ` ${unit}` : "");
 }
 
-/** Four digits are enough to look at. */
+/** Returns a number with four digits. */
 export function numberText(x: number): string {
   if (!Number.isFinite(x)) return "not measured";
   return Number.isInteger(x) && Math.abs(x) < 1e6 ? String(x) : Number(x.toPrecision(4)).toString();

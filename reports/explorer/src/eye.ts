@@ -1,4 +1,4 @@
-// Where the eye stands, and how it is turned.
+// The camera: its position and its controls.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Sight } from "./occlusion";
@@ -27,7 +27,7 @@ export class Eye {
     this.controls.addEventListener("change", moved);
   }
 
-  /** From a direction at all that lies within `size` [length] of the origin. */
+  /** Looks from a direction at everything within `size` [length] of the origin. */
   look(direction: readonly number[], size: number): void {
     const { camera } = this,
       away = ((size / Math.sin((camera.fov * Math.PI) / 360)) * 1.12) / Math.min(1, camera.aspect);
@@ -44,7 +44,7 @@ export class Eye {
     return [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
   }
 
-  /** From where another view, or the address, looks. Whether it was elsewhere. */
+  /** Moves the camera to a place of another view or of the address. Returns false if it was there already. */
   putAt(place: readonly number[]): boolean {
     const { camera, controls } = this,
       now = this.place();
@@ -68,7 +68,7 @@ export class Eye {
     this.controls.update();
   }
 
-  /** The canvas has another shape: as much is seen as before. */
+  /** Adapts the camera to the canvas's shape, with the same part of space in view. */
   resize(width: number, height: number): void {
     const { camera } = this,
       before = Math.min(1, camera.aspect);
@@ -81,7 +81,7 @@ export class Eye {
     camera.updateProjectionMatrix();
   }
 
-  /** [length] that a pixel shows at the middle. */
+  /** Returns the length of a pixel at the middle. */
   lengthPerPixel(): number {
     const { camera } = this,
       away = camera.position.distanceTo(this.controls.target);

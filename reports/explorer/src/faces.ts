@@ -1,19 +1,22 @@
-// Which faces are drawn from where the eye stands, and in which order. Faces that look away or are hidden are left out here, because
-// without graphics hardware every vertex that is handed on costs; solid cells go from near to far, so that what they hide is not lit;
-// faces that one sees through go from far to near, each by itself, so that cells within cells and cells beside cells blend
-// rightly whatever their order. Faces that cut through each other have no such order; those of cells hardly do.
+// Selects and sorts the faces to draw for a place of the eye. Faces that look away or are hidden are left out, because
+// without graphics hardware every vertex costs time. Solid cells go from near to far, so that hidden pixels cost no
+// light. Translucent faces go from far to near, so that they blend correctly. Faces that cut through each other have no
+// such order, but faces of cells hardly do.
 import { Occlusion, type Cells, type Sight } from "./occlusion";
 
-/** Numbers 0 to keys.length - 1 by rising key, equal ones in their order; keys to 1 part in 65536 of their span. */
+/** A stable sort of the numbers 0 to keys.length - 1 by key, with keys rounded to 1 part in 65536 of their range. */
 export class Sorter {
   private places = new Uint32Array(65537);
   private coarse = new Uint16Array(0);
 
-  /** Into `order`, which is as long as `count`. O(count + 65536) */
+  /** Writes the sorted numbers into `order`, of length `count`. O(count + 65536) */
   sort(keys: Float32Array, count: number, order: Uint32Array): void {
     let low = Infinity,
       high = -Infinity;
-    for (let i = 0; i < count; ++i) ((low = Math.min(low, keys[i])), (high = Math.max(high, keys[i])));
+    for (let i = 0; i < count; ++i) {
+      low = Math.min(low, keys[i]);
+      high = Math.max(high, keys[i]);
+    }
     const scale = high > low ? 65535 / (high - low) : 0,
       { places } = this;
     if (this.coarse.length < count) this.coarse = new Uint16Array(count);
@@ -28,14 +31,15 @@ export class Sorter {
   }
 }
 
+/** Numbers of vertices in the list; vertices of solid cells come first. */
 export interface DrawCounts {
   solid: number;
   all: number;
-} // numbers of vertices in the list: the solid ones come first
+}
 
 export class DrawList {
-  private readonly plane: Float32Array; // of each face: normal, and its product with a corner [not of unit length]
-  private readonly middle: Float32Array; // of each face, three times
+  private readonly plane: Float32Array; // four per face: normal (not of unit length), and its product with a corner
+  private readonly middle: Float32Array; // three times the middle of each face
   private readonly cellMiddle: Float32Array;
   private readonly keys: Float32Array;
   private readonly facing: Uint8Array;
@@ -82,7 +86,7 @@ export class DrawList {
     this.occlusion = new Occlusion(cells);
   }
 
-  /** Fills `list`, as long as all corners; with `all`, with the faces that look away or are hidden, too. */
+  /** Fills `list`, which has room for all corners. `all`: includes faces that look away or are hidden. */
   fill(sight: Sight, seeThrough: Uint8Array, all: boolean, list: Uint16Array | Uint32Array): DrawCounts {
     const { plane, cellMiddle, keys, order, facing, occlusion } = this,
       { corners, firstFace } = this.cells,

@@ -1,4 +1,4 @@
-// The key of the arrows of forces: which kinds are shown, in which colours, on which scale, and what an arrow is.
+// The key of force arrows: the kinds shown, their colours, the scale, and the meaning of an arrow.
 import { Vector3 } from "three";
 import { rgbOf } from "./colours";
 import { numberText, type Data } from "./data";
@@ -7,7 +7,7 @@ import type { State } from "./state";
 import { element } from "./tools";
 import type { View } from "./view";
 
-const keyLength = 70; // [pixel] of the key's arrow at most
+const keyLength = 70; // [pixel] max length of the key's arrow
 
 export class ForceKey {
   readonly box = element("div", "bar forces");
@@ -47,7 +47,7 @@ export class ForceKey {
     this.state.set({ kinds: names.length === this.chips.size ? "all" : names.join(",") });
   }
 
-  /** Colours that are seen on the page's paper, light or dark: black is not on black. */
+  /** Chooses colours that are visible on the page's paper, light or dark. */
   takePaper(): void {
     const isDark =
       Math.max(...rgbOf(getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() || "#ffffff")) <
@@ -58,7 +58,7 @@ export class ForceKey {
     }
   }
 
-  /** The arrows of all views, on one scale: the longest force of this time is as long as there is room for. */
+  /** Updates the arrows of all views, on one scale: the longest force of this time fills the room. */
   update(views: View[]): void {
     const { choice } = this.state;
     this.box.hidden = !choice.forces || views.length === 0;
@@ -94,10 +94,13 @@ export class ForceKey {
       const view = views.find((v) => cellWithVertexForces(v.run, choice) >= 0)!;
       return `Arrows: the forces on each vertex of ${view.run.byPath.get(choice.selected!)!.label}.`;
     }
-    return "Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up to none; at the last time a selected cell shows them on its vertices.";
+    return (
+      "Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up " +
+      "to none; at the last time a selected cell shows them on its vertices."
+    );
   }
 
-  /** The key's arrow, as long as that force is in this view. */
+  /** Draws the key's arrow in the scale of this view. */
   measure(view: View | undefined): void {
     if (this.box.hidden || !view) return;
     const perPixel = view.eye.lengthPerPixel() / (this.perForce || 1),

@@ -1,21 +1,21 @@
-// Which arrows of forces are shown, on which scale, and what is said about them.
+// The arrows of forces that are shown, and their scale.
 import type { Arrow } from "./arrows";
 import { rgbOf } from "./colours";
 import { isWithin, type Data, type Frame, type Run } from "./data";
 import type { Choice } from "./state";
 
-const shortest = 1 / 200; // of the longest arrow: shorter ones are not seen
+const shortest = 1 / 200; // of the longest arrow: shorter arrows are left out
 
 export function isWished(choice: Choice, kind: string): boolean {
   return choice.kinds === "all" || choice.kinds.split(",").includes(kind);
 }
 
-/** The kinds that these runs know, as data.forces. */
+/** Returns the kinds of data.forces that these runs have. */
 export function kindsOf(data: Data): Data["forces"] {
   return data.forces.filter((kind) => data.runs.some((run) => run.forces.includes(kind.name)));
 }
 
-/** [length] Of a ball with the cells' mean volume. */
+/** Returns the radius [length] of a ball with the cells' mean volume. */
 function meanRadius(run: Run, frame: Frame): number {
   const m = run.measures.indexOf("volume"),
     n = run.measures.length;
@@ -31,7 +31,7 @@ interface Forces {
   force: [number, number, number];
 }
 
-/** The selected cell, where the forces on its vertices are known: then they are what is shown. */
+/** Returns the selected cell if forces on its vertices are known, which are then shown; else -1. */
 export function cellWithVertexForces(run: Run, choice: Choice): number {
   const frame = run.frame(run.frameNumber(choice.time));
   return frame.vertexForces
@@ -72,7 +72,10 @@ function strength(force: readonly number[]): number {
   return Math.hypot(force[0], force[1], force[2]);
 }
 
-/** What is shown of one run; `longest` [force], and `room` [length] for that one. `size` [length]: how far from the origin all is. */
+/**
+ * The forces shown for one run. `longest`: the largest one [force]; `room`: the room for its arrow [length]; `size`:
+ * the farthest distance of a point from the origin [length].
+ */
 export class ForcesOfRun {
   readonly forces: Forces[];
   readonly longest: number;
@@ -91,11 +94,14 @@ export class ForcesOfRun {
     this.ofVertices = cell >= 0;
     this.forces = [...(cell >= 0 ? onVertices(run, frame, cell, choice) : onCells(run, frame, choice, centres))];
     this.longest = this.forces.reduce((most, { force }) => Math.max(most, strength(force) || 0), 0);
-    // From the middle of a cell, or out from its surface, where at most a tenth of the view is left.
+    // Arrows begin at a cell's middle, or at its surface, where at most a tenth of the view is left.
     this.room = this.ofVertices ? Math.min(0.3 * meanRadius(run, frame), 0.1 * size) : 0.8 * meanRadius(run, frame);
   }
 
-  /** With `perForce` [length/force]. `isThere`: whether a point is not cut away. Of a selected cell, or its descendants, theirs alone. */
+  /**
+   * Returns the arrows, with lengths of `perForce` [length/force]. `isThere`: tells if a point is not cut away. If a
+   * cell is selected that has forces, or whose descendants have, only their arrows are shown.
+   */
   arrows(perForce: number, isThere: (at: [number, number, number]) => boolean): (Arrow & { kind: string })[] {
     const { selected } = this.choice,
       { run } = this,

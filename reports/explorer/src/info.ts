@@ -1,4 +1,4 @@
-// What is known of the selected cell, and where to go from it.
+// Information on the selected cell, and links to its relatives.
 import { isWithin, numberText, shownText, type Cell, type Data, type Frame, type Run } from "./data";
 import type { State } from "./state";
 import { element } from "./tools";
@@ -68,7 +68,7 @@ export class Info {
     return part;
   }
 
-  /** The size of the net force of each kind, and of all together. */
+  /** Returns the sizes of the net forces of each kind, and of their sum. */
   private forces(run: Run, frame: Frame, i: number): [string, string][] {
     const n = run.netForces.length,
       of = run.netForces.map((_, k) => [...frame.forces.subarray(3 * (i * n + k), 3 * (i * n + k) + 3)]);
@@ -88,7 +88,7 @@ export class Info {
       : [];
   }
 
-  /** Of one cell at the present time: measures and neighbours, or why there are none. */
+  /** Shows a cell at the present time: measures and neighbours, or the reason why there are none. */
   private present(run: Run, cell: Cell): HTMLElement {
     const column = element("div"),
       { time } = this.state.choice;
@@ -141,7 +141,8 @@ export class Info {
         element(
           "p",
           "",
-          "No cell is selected. Click on a cell or on a line of the tree; arrow keys go on to mother, daughters and sister.",
+          "No cell is selected. Click on a cell or on a line of the tree; " +
+            "arrow keys go on to mother, daughters and sister.",
         ),
       );
       return;

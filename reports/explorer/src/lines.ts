@@ -1,7 +1,7 @@
-// Points of lines, two for each: edges, shells, normals.
+// Lines for edges, shells and normals, with two points for each.
 import type { Run } from "./data";
 
-/** The vertices at both ends of each edge. */
+/** Returns the vertices at both ends of each edge. */
 export function edgesOf(faces: Uint32Array): Uint32Array {
   const pairs: number[] = [];
   for (let k = 0; k < faces.length; k += 3)
@@ -14,7 +14,7 @@ export function edgesOf(faces: Uint32Array): Uint32Array {
   return Uint32Array.from(pairs);
 }
 
-/** The ellipses in which a shell meets the planes of its axes. */
+/** Returns the ellipses in which a shell meets the planes of its axes. */
 function ellipses([a, b, c]: number[]): number[] {
   const points: number[] = [],
     n = 96;

@@ -11,7 +11,7 @@ import { element, Tools } from "./tools";
 import { Tree } from "./tree";
 import { View } from "./view";
 
-/** The run that stands beside the first one: the other of two, of more the next of the same scenario; -1: none. */
+/** Returns the run to show beside the first: the other of two, else the next of the same scenario; -1: none. */
 function beside({ runs }: Data): number {
   return runs.length === 2 ? 1 : runs.findIndex((run, i) => i > 0 && run.scenario === runs[0].scenario);
 }
@@ -134,10 +134,10 @@ export class Explorer {
         this.showPicture(box, number);
       }
     }
-    // One scale for all, so that sizes can be compared.
+    // All views have one scale, so that sizes can be compared.
     const size = Math.max(...this.views.map((view) => view.size)),
       { camera } = this.state.choice;
-    this.linking = true; // where the eye stands at first is no choice of the user's
+    this.linking = true; // the first place of the eye is not the user's choice
     for (const view of this.views) {
       view.size = size;
       view.look(standpoints.iso);
@@ -147,7 +147,7 @@ export class Explorer {
     this.scaleBars();
   }
 
-  /** Without WebGL, or without shapes: the picture that the page has of the run. */
+  /** Shows the page's picture of the run, for lack of WebGL or of shapes. */
   private showPicture(box: HTMLElement, number: number): void {
     const run = this.data.runs[number],
       stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`) ?? this.pictureUnder(run.title);
@@ -166,7 +166,7 @@ export class Explorer {
     );
   }
 
-  /** In the block of a page that bears this title. */
+  /** Returns the picture in the page's block with this title. */
   private pictureUnder(title: string): HTMLImageElement | null {
     const block = [...document.querySelectorAll("main > section")].find(
       (section) => section.querySelector("h2")?.textContent === title,
@@ -189,7 +189,7 @@ export class Explorer {
     tools.append(button);
   }
 
-  /** Cameras go together. */
+  /** Moves the cameras of all views together. */
   private link(moved: View): void {
     if (this.linking) return;
     this.linking = true;
@@ -210,7 +210,7 @@ export class Explorer {
         length = [5, 2, 1].map((x) => x * power).find((x) => x <= most) ?? power;
       const text = numberText(length) + (unit && ` ${unit}`),
         width = `${(length / factor / perPixel).toFixed(1)}px`;
-      if (bar.textContent !== text) bar.textContent = text; // what stays as it is need not be laid out again
+      if (bar.textContent !== text) bar.textContent = text; // equal text needs no new layout
       if (bar.style.width !== width) bar.style.width = width;
     }
     this.forces.measure(this.views[0]);
@@ -221,7 +221,7 @@ export class Explorer {
       run = this.data.runs[this.shown().find((n) => this.data.runs[n].byPath.has(path)) ?? choice.left],
       cell = run.byPath.get(path);
     if (!cell) return;
-    // A cell that does not live now, nor any descendant: then go to its time, so that it is seen in both.
+    // If neither the cell nor a descendant lives now, the time changes to the cell's.
     const isSeen = run.cells.some(
       (c) => isWithin(c.path, path) && c.born <= choice.time && (choice.time < c.ended || c.fate === "alive"),
     );
@@ -285,7 +285,7 @@ export class Explorer {
     else return;
     event.preventDefault();
     if (to === undefined) return;
-    // The first arrow selects the egg, from where the others walk.
+    // The first arrow key selects the egg; later ones go on from there.
     this.pick(this.state.choice.selected === null && event.key !== "Enter" ? cell.path : to);
     if (inTree) this.tree.reveal(this.state.choice.selected!, true);
   }

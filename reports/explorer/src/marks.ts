@@ -1,4 +1,4 @@
-// What is drawn beside the surfaces: edges, outlines of chosen cells, normals, connections, the shell.
+// Lines beside the surfaces: edges, outlines of chosen cells, normals, connections, the shell.
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Color, type Plane } from "three";
 import type { Run } from "./data";
 import { edgesOf, normalLines, shellLines } from "./lines";
@@ -35,11 +35,11 @@ export class Marks {
   ) {
     this.object.add(this.wires, this.outline, this.normals, this.held, this.shell);
     this.edges = run.meshes.map(edgesOf);
-    this.held.material.depthTest = false; // they run inside of cells
+    this.held.material.depthTest = false; // connections run inside of cells
     replacePoints(this.shell, Float32Array.from(shellLines(run.shell)));
   }
 
-  /** Of the cells at these places in the frame. */
+  /** Returns the edges of the cells at these places in the frame. */
   private edgesOfCells(cells: Iterable<number>): Uint32Array {
     const { frame } = this.surface,
       ends: number[] = [];
@@ -91,7 +91,7 @@ export class Marks {
     for (const of of [this.wires, this.outline, this.normals, this.held]) of.material.clippingPlanes = planes;
   }
 
-  /** Colours that are seen on this paper. */
+  /** Chooses colours that are visible on this paper. */
   takePaper(paper: Color, accent: string): void {
     this.wires.material.color.set(paper.r + paper.g + paper.b < 1 ? 0xffffff : 0x000000);
     this.outline.material.color.set(accent || "#0b62b5");

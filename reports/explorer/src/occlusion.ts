@@ -1,8 +1,8 @@
-// Which faces are hidden behind solid cells, surely. The picture is cut into squares; a solid cell covers those that its outline
-// does not touch and whose middle one of its faces covers, and hides there what is farther than all of its faces that look at
-// the eye. Faces that are kept may be hidden all the same.
+// Finds faces that are certainly hidden behind solid cells; other faces may be hidden too. The picture is cut into
+// squares. A solid cell covers a square if its outline does not touch the square and one of its faces covers the
+// square's middle. There it hides everything farther than all of its faces that look at the eye.
 
-/** Where the eye stands and looks; `right`, `up` and `forward` are unit vectors. */
+/** The eye's place and direction; `right`, `up` and `forward` are unit vectors. */
 export interface Sight {
   eye: Vec;
   forward: Vec;
@@ -10,7 +10,7 @@ export interface Sight {
   up: Vec;
   width: number; // [pixel]
   height: number;
-  perTangent: number; // [pixel] that a slope of 1 against `forward` makes
+  perTangent: number; // [pixel] of a slope of 1 against `forward`
 }
 export interface Vec {
   x: number;
@@ -18,9 +18,9 @@ export interface Vec {
   z: number;
 }
 
-const side = 4; // [pixel] of a square
+const side = 4; // [pixel] side of a square
 
-/** Of each of the three edges of each face, from its corner k to the next one, the face on the other side; the face itself where there is none. */
+/** Returns the face across each edge of each face, from corner k to the next; the face itself if there is none. */
 export function facesAcross(faces: Uint32Array): Uint32Array {
   const across = new Uint32Array(faces.length),
     open = new Map<string, number>();
@@ -35,7 +35,7 @@ export function facesAcross(faces: Uint32Array): Uint32Array {
   return across;
 }
 
-/** Cells as DrawList has them; `across` of the faces of each cell, as facesAcross gives it for its mesh. */
+/** The cells of a DrawList; `across`: facesAcross of each cell's mesh. */
 export interface Cells {
   corners: Uint32Array;
   firstFace: Uint32Array;
@@ -46,9 +46,10 @@ export interface Cells {
 export class Occlusion {
   private columns = 0;
   private rows = 0;
-  private nearest = new Float32Array(0); // [square] the least depth beyond which all is hidden
-  private covered = new Int32Array(0); // [square] the cell that covers its middle, counted from 1; the outline's squares: minus that
-  private readonly x: Float32Array; // of each vertex, in squares
+  private nearest = new Float32Array(0); // [square] depth beyond which all is hidden
+  /** [square] The cell that covers the square's middle, counted from 1; negative if its outline touches the square. */
+  private covered = new Int32Array(0);
+  private readonly x: Float32Array; // [square] of each vertex
   private readonly y: Float32Array;
   private readonly depth: Float32Array;
 
@@ -59,7 +60,7 @@ export class Occlusion {
     this.depth = new Float32Array(vertices);
   }
 
-  /** `facing`: 1 for each face that looks at the eye. */
+  /** Prepares `hides` for a sight. `facing`: 1 for each face that looks at the eye. */
   look(sight: Sight, seeThrough: Uint8Array, facing: Uint8Array): void {
     this.columns = Math.ceil(sight.width / side);
     this.rows = Math.ceil(sight.height / side);
@@ -107,20 +108,20 @@ export class Occlusion {
         const a = corners[k],
           b = corners[k === 3 * f + 2 ? k - 2 : k + 1],
           other = others[k - 3 * first];
-        if (!(depth[a] > 0)) return; // around the eye
+        if (!(depth[a] > 0)) return; // the cell is around the eye
         farthest = Math.max(farthest, depth[a]);
         if (facing[first + other] && first + other !== f) continue;
-        // An edge of the outline: no square that it may touch is covered whole.
+        // The edge is part of the outline: squares that it may touch are not covered.
         const x0 = Math.max(0, Math.floor(Math.min(x[a], x[b]))),
           x1 = Math.min(columns - 1, Math.floor(Math.max(x[a], x[b])));
         const y0 = Math.max(0, Math.floor(Math.min(y[a], y[b]))),
           y1 = Math.min(rows - 1, Math.floor(Math.max(y[a], y[b])));
         for (let row = y0; row <= y1; ++row)
           for (let at = row * columns + x0; at <= row * columns + x1; ++at) covered[at] = -cell - 1;
-        ((left = Math.min(left, x0)),
-          (right = Math.max(right, x1)),
-          (low = Math.min(low, y0)),
-          (high = Math.max(high, y1)));
+        left = Math.min(left, x0);
+        right = Math.max(right, x1);
+        low = Math.min(low, y0);
+        high = Math.max(high, y1);
       }
     }
     for (let f = first; f < last; ++f)
@@ -130,7 +131,7 @@ export class Occlusion {
         if (covered[at] === cell + 1 && farthest < nearest[at]) nearest[at] = farthest;
   }
 
-  /** The squares whose middle lies in a triangle, but for the outline's. */
+  /** Covers the squares whose middle lies in a triangle, except those of the outline. */
   private coverMiddles(a: number, b: number, c: number, by: number): void {
     const { x, y, columns, rows, covered } = this,
       ax = x[a],
@@ -158,7 +159,7 @@ export class Occlusion {
       }
   }
 
-  /** Whether the face with these vertices is surely hidden, or outside of the picture. */
+  /** Returns true if the face with these vertices is certainly hidden, or outside of the picture. */
   hides(a: number, b: number, c: number): boolean {
     const { x, y, depth, nearest, columns } = this,
       from = Math.min(depth[a], depth[b], depth[c]);

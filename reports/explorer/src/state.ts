@@ -1,4 +1,4 @@
-// What the user has chosen, in one place; every part of the explorer looks at it, and the address holds it.
+// The user's choices, which all parts of the explorer read; the address holds them.
 
 export interface Choice {
   time: number;
@@ -11,11 +11,11 @@ export interface Choice {
   normals: boolean;
   connections: boolean;
   forces: boolean;
-  kinds: string; // of forces: "all", or their names with commas
+  kinds: string; // kinds of forces: "all", or names with commas
   shell: boolean;
   opacity: number; // 0.1 to 1
   clip: "" | "x" | "y" | "z";
-  clipAt: number; // -1 to 1, of the farthest point
+  clipAt: number; // -1 to 1, relative to the farthest point
   left: number; // run
   right: number; // run; -1: none
   camera: number[] | null; // eye, target, zoom
@@ -55,7 +55,7 @@ export class State {
     if (changed.size > 1 || !changed.has("hovered")) this.writeSoon();
   }
 
-  /** Not at every frame: browsers refuse too many changes of the address in a row. */
+  /** Writes the address later, because browsers refuse many changes in a row. */
   private writeSoon(): void {
     if (this.timer) return;
     this.timer = window.setTimeout(() => {
@@ -80,7 +80,7 @@ export class State {
     return "#" + parts.join("&");
   }
 
-  /** Whatever stands in an address may be anything: what is no such choice is passed over. */
+  /** Reads the choices in the address, and ignores invalid ones. */
   private fromAddress(): Partial<Choice> {
     const found: any = {};
     for (const part of location.hash.slice(1).split("&")) {

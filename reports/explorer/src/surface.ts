@@ -1,4 +1,4 @@
-// The cells' surfaces as one mesh, so that many cells are one call to the graphics.
+// The cells' surfaces as one mesh, so that one graphics call draws many cells.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -22,18 +22,18 @@ export class Surface {
   readonly object = new Group();
   readonly geometry = new BufferGeometry();
   frame!: Frame;
-  centres = new Float32Array(0); // [3 i] of each cell: the mean of its vertices
+  centres = new Float32Array(0); // [3 i] mean of each cell's vertices
   marked: number[] = []; // cells that are hovered over or selected
   private readonly materials = [cellMaterial(false), cellMaterial(true)];
   private readonly mesh = new Mesh(this.geometry, this.materials);
-  private readonly inside = new Mesh(this.geometry, [insideMaterial()]); // of solid cells, where they are cut
+  private readonly inside = new Mesh(this.geometry, [insideMaterial()]); // the inner side of cut solid cells
   private seeThrough = new Uint8Array(0);
   private isDimmed = new Uint8Array(0);
   private list!: DrawList;
   private colours = new Uint8Array(0);
-  private drawnFrom = ""; // the sight that the faces are arranged for
+  private drawnFrom = ""; // the sight of the present order of faces
 
-  /** `frugal`: a processor draws, so only what is seen is handed on to it. */
+  /** `frugal`: passes on only visible faces, because a processor draws. */
   constructor(private readonly frugal: boolean) {
     this.object.add(this.mesh, this.inside);
     this.mesh.frustumCulled = this.inside.frustumCulled = false;
@@ -96,15 +96,19 @@ export class Surface {
         a = Math.round(255 * opacity);
       this.seeThrough[i] = a < 254 ? 1 : 0;
       this.isDimmed[i] = dims && !mine ? 1 : 0;
-      for (let k = 4 * frame.firstVertex[i]; k < 4 * frame.firstVertex[i + 1]; k += 4)
-        ((colours[k] = r), (colours[k + 1] = g), (colours[k + 2] = b), (colours[k + 3] = a));
+      for (let k = 4 * frame.firstVertex[i]; k < 4 * frame.firstVertex[i + 1]; k += 4) {
+        colours[k] = r;
+        colours[k + 1] = g;
+        colours[k + 2] = b;
+        colours[k + 3] = a;
+      }
       if (hovered || (mine && !dims)) this.marked.push(i);
     }
     this.geometry.getAttribute("color").needsUpdate = true;
     this.drawnFrom = "";
   }
 
-  /** Where it is cut, if it is; `lift` [length] as in shading.ts. */
+  /** Cuts the surfaces by a plane; null: no cut. `lift` [length]: shift of the inside (shading.ts). */
   cut(plane: Plane | null, lift: number): void {
     for (const material of [...this.materials, ...this.inside.material]) material.clippingPlanes = plane ? [plane] : [];
     this.inside.material[0].uniforms.lift.value = lift;
@@ -112,7 +116,7 @@ export class Surface {
     this.inside.visible = plane !== null;
   }
 
-  /** The faces in the order in which they are drawn from there. */
+  /** Arranges the faces in drawing order for a sight. */
   arrange(sight: Sight): void {
     const seen = this.frugal || this.seeThrough.includes(1) ? JSON.stringify(sight) : "anywhere";
     if (seen === this.drawnFrom) return;
@@ -132,9 +136,9 @@ export class Surface {
     index.needsUpdate = true;
   }
 
-  /** The first cell along a ray, but for dimmed ones; -1: none. `within` tells whether a point is there: what is cut away is not. */
+  /** Returns the first undimmed cell along a ray; -1: none. `within` tells if a point is not cut away. */
   hit(ray: Raycaster, within: (point: Vector3) => boolean): number {
-    // The mesh is deformed at every frame: its box must be that of now.
+    // The mesh changes at every frame, so its bounds are recomputed.
     this.geometry.boundingSphere = this.geometry.boundingBox = null;
     for (const hit of ray.intersectObject(this.mesh, false)) {
       const i = this.cellOfVertex(hit.face!.a);

@@ -15,7 +15,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** An element of SVG. */
+/** Creates an SVG element. */
 export function drawn<K extends keyof SVGElementTagNameMap>(
   name: K,
   attributes: Record<string, string | number> = {},
@@ -39,7 +39,7 @@ function choiceOf(options: [string, string][], label: string): [HTMLLabelElement
 
 export class Tools {
   readonly box = element("div", "tools");
-  /** A direction of standpoints was chosen. */
+  /** Called when the user has chosen a direction to look from. */
   onLook: (direction: readonly number[]) => void = () => {};
 
   constructor(

@@ -1,4 +1,4 @@
-// The lineage tree: time to the right, one line a cell, its daughter A above and B below.
+// The lineage tree: time runs to the right; each cell is a line, with daughter A above and B below.
 import type { Colouring } from "./colours";
 import { isWithin, shownText, type Cell, type Data, type Run } from "./data";
 import type { State } from "./state";
@@ -7,9 +7,9 @@ import { drawn } from "./tools";
 const topRoom = 22,
   leftRoom = 8,
   readableRow = 15; // [pixel]
-const maxLetters = 21; // of a name
+const maxLetters = 21; // max letters of a name
 
-/** Round numbers, about `wanted` of them, from 0 to `most`. */
+/** Returns about `wanted` round numbers from 0 to `most`. */
 export function ticks(most: number, wanted: number): number[] {
   const raw = most / wanted,
     power = 10 ** Math.floor(Math.log10(raw));
@@ -27,7 +27,7 @@ export class Tree {
   private now = drawn("line", { class: "now" });
   private place: (time: number) => number = () => 0;
   private leaves = 0;
-  private whole = true; // fits the pane; otherwise every row can be read
+  private whole = true; // true: the tree fits the pane; false: every row is readable
 
   constructor(
     private readonly pane: HTMLElement,
@@ -59,7 +59,7 @@ export class Tree {
     this.run = run;
     this.rows.clear();
     this.leaves = 0;
-    // Leaves one below the other; a mother in the middle of her daughters.
+    // Leaves stand below each other, a mother in the middle of her daughters.
     const roots = run.cells.filter((cell) => !cell.mother).sort((a, b) => (a.path < b.path ? -1 : 1));
     const visit = (cell: Cell): number => {
       const row = cell.daughters.length
@@ -104,7 +104,9 @@ export class Tree {
       height,
       viewBox: `0 0 ${w} ${height}`,
       role: "tree",
-      "aria-label": `Lineage of ${this.run.title}: ${this.run.cells.length} cells. Arrow keys: mother to the left, daughter to the right, sister up and down`,
+      "aria-label":
+        `Lineage of ${this.run.title}: ${this.run.cells.length} cells. ` +
+        "Arrow keys: mother to the left, daughter to the right, sister up and down",
     });
     const axis = drawn("g", { class: "axis", "aria-hidden": "true" });
     const [unit, perTime] = this.data.units.time ?? ["", 1],
@@ -121,13 +123,15 @@ export class Tree {
     const thickness = Math.max(1, Math.min(3, 0.7 * row));
     for (const cell of this.run.cells) {
       const called = cell.label + (cell.name && cell.path ? ` (${cell.path})` : "");
+      const ending =
+        cell.fate === "alive" ? "alive at the end" : `${cell.fate} at ${shownText(this.data, "time", cell.ended)}`;
       const node = drawn("g", {
         "data-path": cell.path,
         role: "treeitem",
         tabindex: -1,
         "aria-level": cell.path.length + 1,
         "aria-selected": "false",
-        "aria-label": `${called}, born at ${shownText(this.data, "time", cell.born)}, ${cell.fate === "alive" ? "alive at the end" : `${cell.fate} at ${shownText(this.data, "time", cell.ended)}`}`,
+        "aria-label": `${called}, born at ${shownText(this.data, "time", cell.born)}, ${ending}`,
       });
       const x1 = this.place(cell.born),
         x2 = Math.max(this.place(cell.ended), x1 + 1),
@@ -155,7 +159,7 @@ export class Tree {
         text.textContent = cell.label.slice(0, maxLetters);
         node.append(text);
         if (cell.label.length > maxLetters) {
-          // The rest is there for those who do not see it: what is written must be a part of the line's name.
+          // The invisible rest of the name is for screen readers: visible text must be part of the accessible name.
           const rest = drawn("tspan", {}),
             more = drawn("text", { x: w - 2, y: at + 4, "text-anchor": "end", "aria-hidden": "true" });
           rest.textContent = cell.label.slice(maxLetters);

@@ -1,4 +1,4 @@
-// One organism in three dimensions: a canvas, and what is drawn on it.
+// A canvas that shows one organism in three dimensions.
 import { Color, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { Arrows } from "./arrows";
 import type { Colouring } from "./colours";
@@ -16,7 +16,7 @@ export class View {
   onResize: () => void = () => {};
   onPick: (path: string | null) => void = () => {};
   onHover: (path: string | null, x: number, y: number) => void = () => {};
-  size = 1; // [length] of the farthest point that is ever seen
+  size = 1; // [length] distance of the farthest point at any time
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly surface: Surface;
@@ -26,7 +26,7 @@ export class View {
   private frame = -1;
   private waiting = false;
   private drawn = false;
-  private gone = false; // a frame that is still asked for is not drawn
+  private gone = false; // a pending frame is not drawn any more
 
   constructor(
     private readonly parent: HTMLElement,
@@ -75,7 +75,7 @@ export class View {
     this.eye.look(direction, this.size);
   }
 
-  /** From where another view, or the address, looks. */
+  /** Moves the camera to a place of another view or of the address. */
   putAt(place: readonly number[]): void {
     if (this.eye.putAt(place)) this.draw();
   }
@@ -89,17 +89,17 @@ export class View {
     this.draw();
   }
 
-  /** Of the cells that are shown: [3 i] the middle of each. */
+  /** The middles of the shown cells, [3 i]. */
   get centres(): ArrayLike<number> {
     return this.surface.centres;
   }
 
-  /** Whether a point is not cut away. */
+  /** Returns true if a point is not cut away. */
   isThere(point: Vector3): boolean {
     return this.state.choice.clip === "" || this.plane.distanceToPoint(point) >= 0;
   }
 
-  /** What lies under a place of the canvas; clipped away is not there. */
+  /** Returns the path of the cell under a place of the canvas; null if there is none. */
   private pick(event: { offsetX: number; offsetY: number }): string | null {
     const { clientWidth: w, clientHeight: h } = this.canvas,
       ray = new Raycaster();
@@ -124,7 +124,7 @@ export class View {
     this.canvas.addEventListener("pointerleave", () => this.onHover(null, 0, 0));
   }
 
-  /** Shows what the state asks for. */
+  /** Updates the picture from the state. */
   update(): void {
     const { choice } = this.state,
       { run, surface } = this,
@@ -138,9 +138,10 @@ export class View {
     this.clip();
     this.marks.update(choice);
     const n = surface.frame.count;
+    const time = Number(surface.frame.time.toPrecision(5));
     this.canvas.setAttribute(
       "aria-label",
-      `${run.title}: ${n} ${n === 1 ? "cell" : "cells"} at time ${Number(surface.frame.time.toPrecision(5))}, in three dimensions`,
+      `${run.title}: ${n} ${n === 1 ? "cell" : "cells"} at time ${time}, in three dimensions`,
     );
     this.draw();
   }
@@ -156,7 +157,7 @@ export class View {
     this.renderer.localClippingEnabled = clip !== "";
   }
 
-  /** The page's colours, light or dark. */
+  /** Takes the page's colours, light or dark. */
   takePaper(): void {
     const style = getComputedStyle(document.documentElement),
       paper = new Color(style.getPropertyValue("--paper").trim() || "#fafaf8");

@@ -1,4 +1,4 @@
-// One measure of the organism over time, as it comes.
+// A chart of one measure of the organism over time, which grows with the run.
 import { shownText, type Data } from "../data";
 import { drawn, element } from "../tools";
 import type { Measures } from "./talk";
@@ -33,7 +33,10 @@ export class Chart {
 
   begin({ world, units }: Measures, end: number | null): void {
     const chosen = this.choice.value;
-    ((this.times = []), (this.values = []), (this.end = end), (this.units = units));
+    this.times = [];
+    this.values = [];
+    this.end = end;
+    this.units = units;
     this.choice.replaceChildren(...world.map((name) => element("option", "", name)));
     if (world.includes(chosen)) this.choice.value = chosen;
     this.box.hidden = false;

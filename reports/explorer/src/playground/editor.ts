@@ -1,8 +1,13 @@
-// A text with colours, marks at lines that are wrong, and the schema's word on what the caret stands at.
+// A text editor with coloured syntax, marks at wrong lines, and the schema's help for the key at the caret.
 import { element } from "../tools";
 
-const token =
-  /(#.*)|("(?:[^"\\]|\\.)*"|'(?:[^']|'')*')|(^\s*(?:- )?[A-Za-z_*][\w*-]*|(?<=[{,]\s*)[A-Za-z_*][\w*-]*)(?=\s*:)|(?<![\w.])([-+]?\d[\d_.]*(?:e[-+]?\d+)?)(?![\w.])/gim;
+const parts = [
+  /(#.*)/, // comment
+  /("(?:[^"\\]|\\.)*"|'(?:[^']|'')*')/, // string
+  /(^\s*(?:- )?[A-Za-z_*][\w*-]*|(?<=[{,]\s*)[A-Za-z_*][\w*-]*)(?=\s*:)/, // key
+  /(?<![\w.])([-+]?\d[\d_.]*(?:e[-+]?\d+)?)(?![\w.])/, // number
+];
+const token = new RegExp(parts.map((part) => part.source).join("|"), "gim");
 const kinds = ["y-comment", "y-string", "y-key", "y-number"];
 
 export class Editor {
@@ -72,7 +77,7 @@ export class Editor {
     );
   }
 
-  /** The keys above the caret, the outermost first: by indentation, and by what flow maps it stands in. */
+  /** Returns the keys above the caret, the outermost first, by indentation and by the flow map around it. */
   path(): string[] {
     const before = this.value.slice(0, this.text.selectionStart),
       rows = before.split("\n"),
@@ -94,7 +99,7 @@ export class Editor {
   }
 }
 
-/** What the schema says of a place. */
+/** Returns the schema's description of a key; "" if there is none. */
 export function helpAt(schema: any, path: string[]): string {
   let at = schema,
     text = "";
@@ -109,7 +114,9 @@ export function helpAt(schema: any, path: string[]): string {
       .find((one) => one);
     if (!at) break;
     if (at.description)
-      text = `${path.slice(0, path.indexOf(key) + 1).join(".")}: ${at.description}${at.default !== undefined ? ` [${JSON.stringify(at.default)}]` : ""}`;
+      text =
+        `${path.slice(0, path.indexOf(key) + 1).join(".")}: ${at.description}` +
+        `${at.default !== undefined ? ` [${JSON.stringify(at.default)}]` : ""}`;
   }
   return text;
 }

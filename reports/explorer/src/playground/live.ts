@@ -1,10 +1,10 @@
-// A run that grows while it is looked at, and the explorer of it.
+// A run that grows while the explorer shows it.
 import { blankFrame, Run, type Cell, type Data, type Frame } from "../data";
 import { Explorer } from "../main";
 import { facesAcross } from "../occlusion";
 import type { Measures, Read, Snapshot } from "./talk";
 
-/** Of substances: the scenario's colour of the first that has one, by its name or the longest beginning with a *; grey. */
+/** Returns the colour of the first substance with one, by its name or its longest prefix with a *; else grey. */
 function colourOf(substances: string, colours: Record<string, string>): string {
   for (const name of substances.split(" ")) {
     const fits = Object.keys(colours)
@@ -17,7 +17,7 @@ function colourOf(substances: string, colours: Record<string, string>): string {
 
 export class LiveRun extends Run {
   private readonly own: Frame[] = [];
-  private readonly meshOf = new Map<number, number>(); // by vertices
+  private readonly meshOf = new Map<number, number>(); // by number of vertices
   private readonly stateOf = new Map<string, number>(); // by substances
   private readonly grown: { cells: Cell[]; times: number[]; end: number };
 
@@ -113,7 +113,7 @@ export class LiveExplorer extends Explorer {
     super(root, data);
   }
 
-  /** What has come since: the tree and the clock anew, the organism at its latest. */
+  /** Shows the run's growth: updates the tree and the clock, and the organism at its last time. */
   grow(): void {
     this.tree.setRun(this.run);
     this.clock.setRuns();

@@ -1,4 +1,4 @@
-// The playground: a scenario to edit, its mistakes as one types, and its organism as it grows.
+// The playground: a scenario to edit, its mistakes while one types, and its organism while it grows.
 import type { Data } from "../data";
 import { whyNot } from "../rerun/talk";
 import { element } from "../tools";
@@ -10,7 +10,7 @@ import type { Measures, News, Order, Read, Written } from "./talk";
 
 declare const PLAYGROUND_WORKER: string; // the program of worker.ts (build.mjs)
 
-/** As runner/publish/report/playground.cpp writes it. */
+/** The page's data, as runner/publish/report/playground.cpp writes them. */
 interface Told {
   scenarios: { name: string; summary: string; text: string; files: [string, string, string][] }[];
   schema: unknown;
@@ -50,7 +50,7 @@ class Playground {
   private number = 0;
   private files: [string, string, string][] = [];
   private read: Read | null = null;
-  private nanoseconds = 400; // of a vertex in a time step; the last run's
+  private nanoseconds = 400; // per vertex and time step, in the last run
   private timer = 0;
   private explorer: LiveExplorer | null = null;
 
@@ -201,7 +201,7 @@ class Playground {
     this.foresee();
   }
 
-  /** What a run will cost, before it begins. */
+  /** Shows the predicted cost of a run. */
   private foresee(): void {
     if (!this.read) {
       this.cost.textContent = `${counted(this.messages.children.length, "mistake")}.`;
@@ -209,7 +209,9 @@ class Playground {
     }
     const { cells, isMore, vertexSteps, steps, memory } = this.read.cost,
       seconds = vertexSteps * this.nanoseconds * 1e-9;
-    const size = `${isMore ? "More than " : ""}${counted(cells, "cell")}, ${Math.round(steps)} steps or more: ${secondsText(seconds)} and ${Math.ceil(memory / 1e6)} MB here.`;
+    const size =
+      `${isMore ? "More than " : ""}${counted(cells, "cell")}, ${Math.round(steps)} steps or more: ` +
+      `${secondsText(seconds)} and ${Math.ceil(memory / 1e6)} MB here.`;
     const tooLarge = isMore || memory > 1.5e9 || seconds > 1800;
     this.cost.replaceChildren(
       ...(tooLarge ? [element("span", "mark warn", "! Too large for a page."), " "] : []),
@@ -238,7 +240,9 @@ class Playground {
         if (run.times.length === 1) this.lookAt(run, measures!);
         else this.explorer!.grow();
         this.say(
-          `Time ${Number(news.snapshot.time.toPrecision(4))}${read.end === null ? "" : ` of ${Number(read.end.toPrecision(4))}`}, step ${news.snapshot.step}, ${counted(news.snapshot.cells?.length ?? 0, "cell")}`,
+          `Time ${Number(news.snapshot.time.toPrecision(4))}` +
+            `${read.end === null ? "" : ` of ${Number(read.end.toPrecision(4))}`}, ` +
+            `step ${news.snapshot.step}, ${counted(news.snapshot.cells?.length ?? 0, "cell")}`,
         );
       } else if (news.kind === "end") {
         if (read.cost.vertexSteps > 1e6) this.nanoseconds = (news.seconds * 1e9) / read.cost.vertexSteps;

@@ -1,12 +1,12 @@
-// What the playground's page and the workers in which the simulator reads and runs tell each other.
+// The messages between the playground's page and the workers in which the simulator reads and runs scenarios.
 
 import type { Data } from "../data";
 
 export interface Written {
   name: string;
   text: string;
-  files: [string, string, string][];
-} // role, path, content
+  files: [string, string, string][]; // role, path, content
+}
 
 export interface Order {
   module?: Uint8Array;
@@ -15,7 +15,7 @@ export interface Order {
   runs: boolean;
 }
 
-/** What the strict reader says of a scenario without mistakes (runner/input/browser/module.cpp). */
+/** The strict reader's answer for a scenario without mistakes (runner/input/browser/module.cpp). */
 export interface Read {
   name: string;
   seed: number;
@@ -38,7 +38,7 @@ export interface Snapshot {
   contacts?: [number, number, number][];
   world?: (number | null)[];
   vertices: Float32Array;
-  meshes: [number, number[]][]; // those that are new: vertices, faces
+  meshes: [number, number[]][]; // new meshes: number of vertices, faces
 }
 
 export interface Measures {

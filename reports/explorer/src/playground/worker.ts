@@ -1,4 +1,4 @@
-// Reads scenarios for the playground, or runs one. One worker reads for as long as the page is open; each run has its own.
+// Reads scenarios for the playground, or runs one. One worker reads while the page is open; each run has its own.
 import { give, make, said, verticesOf, type Simulator } from "../rerun/module";
 import type { News, Order, Snapshot } from "./talk";
 

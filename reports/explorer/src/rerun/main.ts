@@ -1,4 +1,4 @@
-// The program of pages that run again: the explorer, and beside it the simulator.
+// The program of pages that repeat their run: the explorer and the simulator.
 import "../main";
 import { readData } from "../data";
 import { Panel } from "./panel";

@@ -1,4 +1,4 @@
-// The simulator as a WebAssembly module (core/wasm/module.cpp): how it is made, and how texts go in and out.
+// The simulator as a WebAssembly module (core/wasm/module.cpp): creates it, and passes texts in and out.
 
 export interface Simulator {
   memory: WebAssembly.Memory;
@@ -19,11 +19,11 @@ export interface Simulator {
   vertexNumbers(): number;
 }
 
-/** What the module asks of a system: it has no files, no clock and no chance. */
+/** Returns the system functions that the module imports: no files, no clock and no random numbers. */
 function surroundings(memory: () => WebAssembly.Memory): WebAssembly.Imports {
   const refused = () => 8; // a bad descriptor
   const none = (count: number, size: number) => {
-    // variables of an environment
+    // There are no environment variables.
     for (const at of [count, size]) new DataView(memory().buffer).setUint32(at, 0, true);
     return 0;
   };
@@ -38,7 +38,7 @@ function surroundings(memory: () => WebAssembly.Memory): WebAssembly.Imports {
     environ_sizes_get: none,
     environ_get: () => 0,
   };
-  const noFile = () => -44; // ENOENT, of what looks for one
+  const noFile = () => -44; // ENOENT
   const or = <T extends object>(known: T, other: Function) =>
     new Proxy(known, { get: (of, name) => (of as any)[name] ?? other });
   return {
@@ -47,7 +47,7 @@ function surroundings(memory: () => WebAssembly.Memory): WebAssembly.Imports {
   } as unknown as WebAssembly.Imports;
 }
 
-/** `bytes`: gzipped. */
+/** Creates the module. `bytes`: gzipped. */
 export async function make<Module extends Simulator>(bytes: Uint8Array): Promise<Module> {
   let module: Module;
   const unpacked = new Response(new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip")));

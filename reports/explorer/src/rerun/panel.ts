@@ -1,12 +1,12 @@
-// The run of the page once more, in this browser: a button, how far it is, and whether the bits are those that are stored. The
-// organism is shown as it grows here.
+// Repeats the page's run in this browser: a button, the progress, and a comparison with the stored bits. The explorer
+// shows the organism of the repeated run.
 import { Run } from "../data";
 import { element } from "../tools";
 import { start, whyNot, type News } from "./talk";
 
-/** As runner/publish/report/rerun_block.cpp writes it. */
+/** The stored run, as runner/publish/report/rerun_block.cpp writes it. */
 interface Stored {
-  scene: string; // its hash
+  scene: string; // the scene's hash
   state: string; // the hash of the last state
   steps: number;
   every: number; // steps between hashes; 0: none are stored
@@ -27,9 +27,9 @@ export class Panel {
   private readonly hash = element("code");
   private readonly stored: Stored;
   private readonly links: Map<number, string>;
-  private readonly frames = new Map<number, Float32Array>(); // by number: shapes that were made here
-  private readonly numbers = new Map<number, number>(); // of frames, by step
-  private agreed = 0; // links
+  private readonly frames = new Map<number, Float32Array>(); // shapes of the repeated run by frame number
+  private readonly numbers = new Map<number, number>(); // frame numbers by step
+  private agreed = 0; // number of equal links
   private lastSame = -1;
   private firstOther = -1;
   private running: { end(): void } | null = null;
@@ -74,7 +74,8 @@ export class Panel {
     const why = whyNot();
     if (why)
       return this.finish(
-        `${why[0].toUpperCase()}${why.slice(1)}, so the run cannot be made again here; the command below makes it again elsewhere.`,
+        `${why[0].toUpperCase()}${why.slice(1)}, so the run cannot be made again here; ` +
+          "the command below makes it again elsewhere.",
         "bad",
         "✗ Not run",
       );
@@ -115,7 +116,7 @@ export class Panel {
     this.finish(`Stopped at step ${this.progress.value} of ${this.stored.steps}${this.soFar()}.`, "warn", "! Stopped");
   }
 
-  /** What the step hashes say up to here. */
+  /** Describes the comparison of step hashes so far. */
   private soFar(): string {
     if (this.firstOther >= 0) return `; other bits than stored since ${this.whereOther()}`;
     return this.agreed ? `; ${counted(this.agreed, "step hash").replace("hashs", "hashes")} so far, all as stored` : "";
@@ -149,32 +150,34 @@ export class Panel {
       took = `${seconds.toFixed(2)} s in this browser`;
     this.hash.textContent = hash;
     this.hash.dataset.same = String(same && this.firstOther < 0);
-    const hashes = this.agreed
-      ? `, and ${this.agreed === this.links.size ? "all" : `${this.agreed} of`} ${this.links.size} step hashes are as stored`
-      : "";
+    const share = this.agreed === this.links.size ? "all" : `${this.agreed} of`,
+      hashes = this.agreed ? `, and ${share} ${this.links.size} step hashes are as stored` : "";
     if (same && this.firstOther < 0)
       this.finish(`The last state has the stored hash${hashes}. ${took}.`, "good", "✓ The same bits");
     else if (this.firstOther >= 0)
       this.finish(
-        `They begin to differ from those stored ${this.lastSame >= 0 ? "" : "at "}${this.whereOther()}${same ? ", though the last state is as stored" : ""}. ${took}.`,
+        `They begin to differ from those stored ${this.lastSame >= 0 ? "" : "at "}${this.whereOther()}` +
+          `${same ? ", though the last state is as stored" : ""}. ${took}.`,
         "bad",
         "✗ Other bits",
       );
     else if (this.agreed)
       this.finish(
-        `The last state has another hash than stored, though all ${this.agreed} step hashes agree: the stored hash is not that of this run. ${took}.`,
+        `The last state has another hash than stored, though all ${this.agreed} step hashes agree: ` +
+          `the stored hash is not that of this run. ${took}.`,
         "bad",
         "✗ Other bits",
       );
     else
       this.finish(
-        `The last state has another hash than stored; no step hashes are stored that would tell where they begin to differ. ${took}.`,
+        "The last state has another hash than stored; " +
+          `no step hashes are stored that would tell where they begin to differ. ${took}.`,
         "bad",
         "✗ Other bits",
       );
   }
 
-  /** The explorer shows shapes that were made here in place of those in the page. */
+  /** Makes the explorer show the shapes of the repeated run in place of stored ones. */
   private showOwnFrames(): void {
     const { frames } = this,
       { title } = this.run,
@@ -191,7 +194,7 @@ export class Panel {
       slider = document.querySelector<HTMLInputElement>("#time");
     if (number === undefined || !slider) return;
     const stored = this.run.frame(number);
-    // Other cells than those in the page: what they look like is not known to it.
+    // The page has no data for cells that differ from the stored ones.
     if (stored.positions.length !== vertices.length || stored.cell.some((cell, i) => cell !== cells[i])) return;
     this.frames.set(number, vertices);
     slider.value = String(time);

@@ -1,4 +1,4 @@
-// The simulator at work, beside the page: makes the world of a scene, steps, and tells of it. Whoever stops it ends the worker.
+// Runs the simulator beside the page: makes the world of a scene, steps, and reports. Ending the worker stops the run.
 import { give, make, said as saidBy, verticesOf, type Simulator } from "./module";
 import type { Order, News } from "./talk";
 
