@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of the README anew, from shipped scenarios, into reports/gallery: half a minute. The film needs ffmpeg.
+# Redraws the pictures of the README from shipped scenarios into reports/gallery, in half a minute. The film needs
+# ffmpeg.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 draw() { # NAME SCENARIO OPTION...
@@ -12,7 +13,7 @@ draw names.png worm/embryo --view iso --colour clone --labels name --size 440x33
 draw sorting.png patterns/sorting --size 440x330
 draw volvox.png patterns/volvox --size 440x330
 draw box.png organisms/box-shell --size 440x330
-# The worm's fifteen cells: the real ones, and what rules of division make of them (scenarios/worm/README.md).
+# Draws the worm's fifteen cells: the real ones, and the results of rules of division (scenarios/worm/README.md).
 seen=(--view top --labels name --size 400x300)
 draw fifteen-real.png worm/real-fifteen "${seen[@]}"
 draw fifteen-measured.png worm/embryo --time 16.7 "${seen[@]}"

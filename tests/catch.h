@@ -1,5 +1,5 @@
 #pragma once
-// Catch2 2 and 3 differ in their headers only, as far as these tests go.
+// Includes Catch2 2 or 3, which differ for these tests only in their headers.
 #include "base/error.h"
 #if MORULA_CATCH >= 3
 #include <catch2/catch_all.hpp>
@@ -10,7 +10,7 @@ using Catch::Matchers::ContainsSubstring;
 inline auto ContainsSubstring(const std::string& part) { return Catch::Contains(part); }
 #endif
 
-// Sanitizers take all of the address space, and end a program that finds no memory.
+// Sanitizers take all of the address space, and end programs that run out of memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool memoryCanBeLimited = false;
 #else

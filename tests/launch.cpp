@@ -20,7 +20,7 @@ namespace morula::test {
 
 namespace {
 
-/// In the child: becomes the program.
+/// Turns the child process into the program.
 [[noreturn]] void become(const Words& arguments, const Environment& environment, int out, int err) {
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
@@ -33,8 +33,8 @@ namespace {
   _exit(127);
 }
 
-/// The two ends of a pseudo-terminal: what the program writes to, and where that can be read; −1, both, if
-/// there is none to open.
+/// The two ends of a pseudo-terminal: the program writes to one, and the test reads from the other. Both are −1 if
+/// there is no pseudo-terminal.
 struct Terminal {
   int program = -1, reader = -1;
 };
@@ -104,7 +104,7 @@ void waitUntil(const std::function<bool()>& holds) {
 
 void waitUntilComputing(int process) {
   const std::string folder = "/proc/" + std::to_string(process);
-  const auto cpuTime = [&] {  // [clock ticks], its 14th field
+  const auto cpuTime = [&] {  // [clock ticks] user time, the 14th field
     const std::string stat = readWhole(folder + "/stat");
     std::istringstream words(stat.substr(stat.rfind(')') + 1));
     std::string word;
@@ -117,7 +117,7 @@ void waitUntilComputing(int process) {
     return at != status.npos && (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
   });
   const long begun = cpuTime();
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)  // under which it takes that long to begin
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)  // sanitizers make the start slow
   const double seconds = 3;
 #else
   const double seconds = .1;

@@ -5,8 +5,9 @@
 
 namespace morula {
 
-/// The number of faces whose inner side is not turned to `centre`: 0 for a mesh that is star-shaped about it,
-/// as every convex one is about any point inside. A convex cell that comes to have many is turning inside out.
+/// Returns the number of faces whose inner side is turned away from `centre`. The number is 0 for a mesh that is
+/// star-shaped about `centre`, as convex meshes are about any inner point. A convex cell with many such faces is
+/// turning inside out.
 inline int countFacesTurnedInward(Points vertices, Faces faces, const Point& centre) {
   int count = 0;
   for (const auto& [a, b, c] : faces) {
@@ -16,9 +17,8 @@ inline int countFacesTurnedInward(Points vertices, Faces faces, const Point& cen
   return count;
 }
 
-/// True if the closed mesh winds around the point, from the crossings of the half line upwards (+z) from it.
-/// A point on the surface counts as inside or outside, but as one of them: of meshes that tile space exactly
-/// one has it.
+/// Returns true if the closed mesh winds around the point, by the crossings of the half line upwards (+z) from it. A
+/// point on the surface counts as inside or outside consistently: exactly one of meshes that tile space has it.
 inline bool isInside(const Point& point, Points vertices, Faces faces) {
   int winding = 0;
   Slice s;

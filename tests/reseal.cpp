@@ -1,4 +1,4 @@
-// reseal FILE: takes the digests of a database's rows anew, for tests that change rows by other programs.
+// reseal FILE: renews the digests of a database's rows, for tests that change rows with other programs.
 #include "reseal.h"
 
 int main(int count, char** words) {

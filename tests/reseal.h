@@ -1,5 +1,5 @@
 #pragma once
-// Digests of rows that were changed from outside, taken anew, so that tests reach what else guards a reader.
+// Renews digests of rows that tests have changed, so that tests reach the other checks of readers.
 #include <string>
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace morula::test {
 
 inline Database opened(const std::string& file) { return {file, Database::Mode::existing, std::chrono::seconds(5)}; }
 
-/// Takes the digests of all rows anew, as somebody would who changes rows and knows of digests.
+/// Renews the digests of all rows, like an attacker who knows of digests.
 inline void reseal(const std::string& file) {
   try {
     Database db = opened(file);
@@ -25,7 +25,7 @@ inline void reseal(const std::string& file) {
       const RowDigest digest = digestRows(db, table, "");
       Statement(db, "UPDATE study_digest SET rows = ?, digest = ? WHERE name = ?").run(digest.rows, digest.sum, table);
     }
-  } catch (const FileError&) {}  // what is damaged that much is told by other checks
+  } catch (const FileError&) {}  // other checks report such damage
 }
 
 }  // namespace morula::test

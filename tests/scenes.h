@@ -1,6 +1,5 @@
 #pragma once
-// Scenes that several kinds of tests share. All numbers are written out, so that better defaults do not
-// change them.
+// Scenes that several kinds of tests share. They give all numbers, so that new defaults do not change them.
 #include <string>
 
 #include "mesh/measures.h"
@@ -17,8 +16,7 @@ inline const std::string uniqueFour =
     "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(a4|a2,A)\ng7(a5|a2,B)\ng8(a6|a3,A)\n"
     "g9(a7|a3,B)\ng10(a4|a4)\ng11(a5|a5)\ng12(a6|a6)\ng13(a7|a7)\n";
 
-// Everything a cell can want: seven cells, then a death, growth, shrinkage, and connections made and released
-// by gene.
+// DNA with every action: seven cells, then a death, growth, shrinkage, and connections made and released by genes.
 inline const std::string eventful =
     "START: a0\n"
     "g1(a1|a0)\ng2(divide|a0)\n"
@@ -34,7 +32,7 @@ inline Mesh scaled(Mesh mesh, double radius) {
 
 inline Mesh cube() { return zoo::box({-0.55, -0.55, -0.55}, {0.55, 0.55, 0.55}); }
 
-/// DNA whose genes read what the simulator inserts.
+/// Returns DNA whose genes read substances that the simulator inserts.
 inline Dna dnaThatSenses(const std::string& text, std::set<std::string> sensed) {
   DnaSurroundings around;
   around.sensed = std::move(sensed);
@@ -108,7 +106,8 @@ inline Scene thesis() {
   return s;
 }
 
-/// Odd numbers of cells, births and deaths, growth, genes that connect: what lanes and slots must stand.
+/// Returns a scene with odd numbers of cells, births and deaths, growth, and genes that connect, to test lanes and
+/// slots.
 inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   Scene s = withBodies(eventful, 6, egg);
   s.name = "life";
@@ -120,7 +119,7 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
-/// The same of cells whose meshes have corners or a hole, and by other means.
+/// Variants of `life`: meshes with corners or a hole, and other precision or methods.
 inline Scene lifeOfCubes() {
   Scene s = life(cube());
   s.name = "life-of-a-cube";
@@ -166,7 +165,7 @@ inline Scene spheres() {
   return s;
 }
 
-/// As life, and cells stick to others by what they hold, crawl, and are tied by springs to what they touch.
+/// Returns `life` with cells that stick by substances, crawl, and connect by springs to cells they touch.
 inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   Scene s = life(egg);
   s.name = "sticky";
@@ -182,7 +181,7 @@ inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
-/// The same by quasi-static growth: what acts for a time has no part in it.
+/// Returns the scene with quasi-static growth, without time step and motility.
 inline Scene settling(Scene s) {
   s.name += " settling";
   s.mechanics->physics.integrator = Integrator::fire;
@@ -191,7 +190,7 @@ inline Scene settling(Scene s) {
   return s;
 }
 
-/// For cells put together by hand: those with the mesh of 162 vertices may touch those with 42.
+/// Returns a scene for hand-made cells: meshes of 162 vertices may touch meshes of 42.
 inline Scene mixedMeshes() {
   Scene s = withBodies(uniqueFour, 1, makeIcosphere(2));
   s.name = "mixed-meshes";
@@ -202,8 +201,8 @@ inline Scene mixedMeshes() {
   return s;
 }
 
-/// Five cells with two meshes between them, in contact, in a shell, and connected: daughter A of the egg
-/// rests and keeps the finer mesh; daughter B's daughters and theirs take the coarser one.
+/// Returns five cells with two meshes, in contact, in a shell, and connected. Daughter A of the egg rests and keeps the
+/// finer mesh; daughter B's descendants take the coarser one.
 inline Scene coarsening() {
   Scene s = withBodies(
       "START: a0\n"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs a test: skippable.sh COMMAND... Exit code 77 says that the test was skipped. With CI set in the environment a skipped test is a failed
-# one, for continuous integration has installed all that tests need.
+# Runs a test: skippable.sh COMMAND... Exit code 77 means that the test was skipped. With CI in the environment it
+# becomes a failure, because continuous integration has installed everything that tests need.
 code=0
 "$@" || code=$?
 if [ "$code" = 77 ] && [ "${CI:+set}" ]; then

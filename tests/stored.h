@@ -1,13 +1,13 @@
 #pragma once
-// Databases that the program has written, read and changed from outside.
+// Functions that read and change databases that the program has written.
 #include "catch.h"
 #include "database/database.h"
 #include "reseal.h"
 
 namespace morula::test {
 
-/// Statements; or one statement, and a value for each of its parameters. Rows fit their digests afterwards, so that
-/// what else guards a reader is tested.
+/// Runs statements, or one statement with a value for each of its parameters. Then renews the rows' digests, so that
+/// tests reach the other checks of readers.
 template <class... Values>
 void change(const std::string& file, const std::string& sql, const Values&... values) {
   {
@@ -18,7 +18,7 @@ void change(const std::string& file, const std::string& sql, const Values&... va
   reseal(file);
 }
 
-/// The first column of the first row.
+/// Return the first column of the first row.
 inline std::int64_t integerIn(const std::string& file, const std::string& sql) { return opened(file).integer(sql); }
 inline double realIn(const std::string& file, const std::string& sql) {
   Database db = opened(file);

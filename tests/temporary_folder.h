@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, gone at its end.
+// A temporary folder that is removed at the end of a test.
 #include <stdlib.h>
 
 #include <filesystem>

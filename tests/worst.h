@@ -3,7 +3,7 @@
 
 namespace morula {
 
-/// The largest of many numbers, for one CHECK over all of them. A NaN is the worst there is.
+/// The largest of many numbers, for one CHECK over all of them. NaN counts as largest.
 class Worst {
  public:
   void see(double x) {

@@ -38,7 +38,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
     if (levelIsLinear) x.low -= 0.5, x.high += 0.5;
     else x.low /= 2, x.high *= 2;
   }
-  if (upIsLinear) {  // space above and below; also around a horizontal line
+  if (upIsLinear) {  // room above and below the values; a horizontal line gets room too
     const double room = y.low < y.high ? 0.04 * (y.high - y.low) : std::max(1e-300, 0.1 * std::abs(y.low));
     y.low -= room, y.high += room;
   } else y.low *= 0.8, y.high *= 1.25;
@@ -62,8 +62,8 @@ struct Box {
 
 Box around(Spot p, double reach) { return {p.x - reach, p.y - reach, p.x + reach, p.y + reach}; }
 
-/// Puts labels beside their points: of a few places, nearest first, the one where a label covers the fewest points and
-/// labels, and then the least of lines.
+/// Puts labels beside their points. Of twelve places it takes the one where the label covers the fewest points and
+/// labels; among equals, the fewest lines.
 class PointLabels {
  public:
   PointLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) : drawing_(drawing), sheet_(sheet) {
@@ -84,8 +84,8 @@ class PointLabels {
     const Spot p = sheet_.place(point);
     const double wide = textWidth(label, style);
     const auto at = [&](int turn) {
-      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right or left of the point,
-      const double y = p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * textSize;  // above or below
+      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right, left, right, left
+      const double y = p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * textSize;  // above, above, below, below
       return Box{x, y - style.size, x + wide, y + 0.25 * style.size};
     };
     Box box = at(0);
@@ -108,7 +108,7 @@ class PointLabels {
   std::vector<Box> taken_, lines_;
 };
 
-/// The marker of each colour, so that lines differ without colour, too.
+/// Assigns a marker to each colour, so that lines also differ without colour.
 class Shapes {
  public:
   explicit Shapes(const Chart& chart) {
@@ -122,12 +122,12 @@ class Shapes {
   bool tellApart() const { return shown_ && colours_.size() > 1; }
 
  private:
-  static constexpr std::size_t maxLines = 200;  // without dots: markers of more lines would hide them
+  static constexpr std::size_t maxLines = 200;  // more lines have markers only with dots, which else would hide them
   std::vector<Colour> colours_;
   bool shown_ = false;
 };
 
-/// Draws marks on lines without dots now and then, at other places than on the line before.
+/// Draws sparse markers on lines without dots, shifted from line to line.
 void drawSparseMarks(Drawing& drawing, const std::vector<std::vector<Spot>>& lines, const Chart& chart,
                      const Shapes& shapes) {
   constexpr double apart = 130;  // [pixel]
@@ -149,7 +149,7 @@ void drawSparseMarks(Drawing& drawing, const std::vector<std::vector<Spot>>& lin
   }
 }
 
-/// Labels beside the ends of their lines, moved apart where they would touch.
+/// Draws labels beside the ends of their lines and moves touching ones apart.
 void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart, const Shapes& shapes) {
   struct Label {
     const ChartLine* line;

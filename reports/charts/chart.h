@@ -1,5 +1,5 @@
 #pragma once
-// Lines over two axes.
+// Charts of lines over two axes.
 #include <string>
 #include <vector>
 
@@ -11,12 +11,12 @@ namespace morula {
 struct ChartLine {
   std::string label;
   Colour colour;
-  std::vector<Spot> points;  // by x; both > 0 where the axis is logarithmic
+  std::vector<Spot> points;  // sorted by x; both coordinates > 0 on logarithmic axes
   bool dashed = false;
-  std::vector<std::string> pointLabels = {};  // one for each point, or none at all
+  std::vector<std::string> pointLabels = {};  // one label for each point, or empty
 };
 
-/// A point that no line goes through: a hollow one.
+/// A hollow point that no line goes through.
 struct ChartMark {
   Spot at;  // both > 0
   Colour colour;
@@ -28,13 +28,14 @@ struct Chart {
   std::vector<ChartLine> lines;
   std::vector<ChartMark> marks;
   Axis::Scale xScale = Axis::Scale::powersOfTwo, yScale = Axis::Scale::decades;
-  std::vector<LegendEntry> legend = {};  // where lines share colours
-  bool dots = true;                      // at all points of lines; else at a few
+  std::vector<LegendEntry> legend = {};  // for lines that share colours
+  bool dots = true;                      // markers at all points of lines; else at a few
   int width = 1100, height = 760;        // [pixel]
 };
 
-/// Each line's label stands at its right end. Colours have shapes of their own at the points of lines and in the
-/// legend, for print in grey: by the order in which lines bring the colours. Without points: the words alone.
+/// Draws the label of each line at its right end. For print in grey each colour has a marker of its own, at the points
+/// of lines and in the legend; markers are assigned in the order of the lines. A chart without points shows its words
+/// only.
 Drawing drawChart(const Chart& chart);
 
 }  // namespace morula

@@ -12,8 +12,8 @@
 namespace morula {
 namespace {
 
-constexpr double minText = 6;    // [pixel] smaller letters cannot be read
-constexpr double minFramed = 5;  // [pixel] a frame around less would hide the colour
+constexpr double minText = 6;    // [pixel] smaller letters are illegible
+constexpr double minFramed = 5;  // [pixel] a frame around a smaller square would hide its colour
 
 struct Circle {
   Spot middle;
@@ -24,7 +24,7 @@ struct Circle {
   }
 };
 
-/// Points along the arc between two directions.
+/// Returns points along the arc between two directions [degree], at this share of the radius.
 std::vector<Spot> arc(const Circle& circle, double from, double to, double share) {
   std::vector<Spot> points;
   const int steps = std::max(2, int(std::ceil((to - from) / 3)));
@@ -76,7 +76,7 @@ Drawing drawMatrix(const MatrixPicture& asked) {
   const double size = textSizeFor(picture.width, picture.height);
   const double bar = colourBarHeight(size) + 2 * size, top = bandsFor(words, picture.width, picture.height).top;
   const double most = std::min(picture.width - 3 * size, picture.height - top - bar - size);
-  // Names take a part of the square; their letters are as high as a row.
+  // Letters are at most 0.8 of a row high. Names take part of the square, which lowers the rows: hence two turns.
   double text = std::min(size, 0.8 * most / double(n)), room = 0;
   for (int turn = 0; turn < 2; ++turn) {
     room = 0;
@@ -98,8 +98,7 @@ Drawing drawMatrix(const MatrixPicture& asked) {
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column)
       if (const auto& value = picture.values[row * n + column]) {
-        // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around
-        // it.
+        // A frame and a gap tell values from the ground, which in grey is as light as the brightest colours.
         const double gap = side >= minFramed ? 0.06 * side : 0, own = side - 2 * gap;
         const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
         drawing.box({x, y}, own, own, scaleColour(range.shareOf(*value)));

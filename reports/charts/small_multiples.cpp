@@ -10,14 +10,14 @@
 namespace morula {
 namespace {
 
-constexpr double size = 13;         // [pixel] of text
-constexpr double row = 1.5 * size;  // [pixel] of a strip
+constexpr double size = 13;         // [pixel] text size
+constexpr double row = 1.5 * size;  // [pixel] height of a strip
 
 struct Place {
   double left, top, width, height;
 };
 
-/// A range with room at both ends; around a single number, too.
+/// Returns an axis with room at both ends of the range, also if the range is a single number.
 Axis axisOver(Range range, double share) {
   if (!(range.low <= range.high)) range = {0, 1};
   double room = share * (range.high - range.low);
@@ -43,7 +43,7 @@ bool startsGroup(const Panel& panel, std::size_t strip) {
   return strip == 0 || panel.strips[strip].label != panel.strips[strip - 1].label;
 }
 
-/// [pixel] From the top of a group to its first strip.
+/// Returns the distance [pixel] from the top of a group to its first strip.
 double headOf(const Strip& strip) { return strip.label.empty() ? 0.4 * size : 1.9 * size; }
 
 int heightOf(const Panel& panel) {
@@ -54,7 +54,7 @@ int heightOf(const Panel& panel) {
   return static_cast<int>(height + 0.4 * size);
 }
 
-/// The value below which so large a share of the sorted values lies, between neighbours in proportion.
+/// Returns the quantile of sorted values at this share, interpolated linearly.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -144,7 +144,7 @@ void drawPanel(Drawing& drawing, const Panel& panel, const Place& place) {
   drawLines(drawing, panel, frame, values);
 }
 
-/// [pixel] Of each row of panels.
+/// Returns the height [pixel] of each row of panels.
 std::vector<int> rowHeights(const std::vector<Panel>& panels, std::size_t columns) {
   std::vector<int> heights((panels.size() + columns - 1) / columns);
   for (std::size_t i = 0; i < panels.size(); ++i)
@@ -155,7 +155,7 @@ std::vector<int> rowHeights(const std::vector<Panel>& panels, std::size_t column
 }  // namespace
 
 Drawing drawSmallMultiples(const SmallMultiples& chart) {
-  constexpr double page = 1.42;  // height over width
+  constexpr double page = 1.42;  // max height over width
   constexpr std::size_t maxColumns = 4;
   std::size_t columns = 1;
   std::vector<int> heights;

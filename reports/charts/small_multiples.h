@@ -1,5 +1,5 @@
 #pragma once
-// Small multiples: panels side by side with scales of their own, each with strips of single values or with lines over
+// Small multiples: panels side by side with scales of their own. A panel has strips of single values, or lines over
 // time.
 #include <optional>
 #include <string>
@@ -11,30 +11,29 @@
 
 namespace morula {
 
-/// All values of one group in a row, and below them their mean with its interval.
+/// A strip shows all values of one group in a row, and below them their mean with its interval.
 struct Strip {
-  std::string label;  // strips behind each other with one label stand below it together
+  std::string label;  // consecutive strips with one label share it
   Colour colour;
-  std::vector<double> values;  // all are shown, in this order from top to bottom
+  std::vector<double> values;  // drawn from top to bottom in this order
   double mean = 0;
-  std::optional<std::pair<double, double>> interval{};  // from low to high
+  std::optional<std::pair<double, double>> interval{};  // low and high end
   Marker marker = Marker::disc;
 };
 
-/// One group over time, with the band in which its mean lies.
+/// A line shows one group over time, with the interval of the mean at each point.
 struct PanelLine {
   Colour colour;
-  std::vector<Spot> points;                               // by x
-  std::vector<std::pair<double, double>> intervals = {};  // one for each point, or none at all
+  std::vector<Spot> points;                               // sorted by x
+  std::vector<std::pair<double, double>> intervals = {};  // one for each point, or empty
 };
 
 struct Panel {
-  std::string title;  // above it: what is measured, and its unit
+  std::string title;  // measure and unit, above the panel
   std::vector<Strip> strips;
-  std::vector<PanelLine> lines;  // where there are no strips
-  std::string xLabel = {};       // of lines
-  /// Max number of points of a strip. The median, quartiles and range of more values take the place of points that
-  /// would lie on each other.
+  std::vector<PanelLine> lines;  // drawn if there are no strips
+  std::string xLabel = {};       // title of the lines' x axis
+  /// If true, a strip of more than `maxPoints` values shows their median, quartiles and range in place of points.
   bool counts = false;
 };
 
@@ -46,8 +45,8 @@ struct SmallMultiples {
   int panelWidth = 400;  // [pixel]
 };
 
-/// Panels as high as their strips need, in as few columns as suit a page. All words are level. One panel alone is
-/// legible on a telephone.
+/// Draws panels as high as their strips need, in as few columns as suit a page. All words are horizontal. A single
+/// panel is legible on a phone.
 Drawing drawSmallMultiples(const SmallMultiples& chart);
 
 }  // namespace morula

@@ -14,7 +14,7 @@
 namespace morula {
 namespace {
 
-constexpr double minArrow = 0.02;  // [radii of the egg] a shorter arrow is only a head
+constexpr double minArrow = 0.02;  // [radii of the egg] a shorter arrow would be only a head
 
 /// Returns for each cell of `of` the place in `beside` of the cell with the same path.
 std::vector<std::optional<std::size_t>> matchCells(const OrganismPicture& of, const OrganismPicture& beside) {
@@ -35,7 +35,7 @@ std::size_t countUnmatched(const OrganismPicture& of, const OrganismPicture& bes
 
 std::string cellsOf(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
 
-/// `of` in the colours of its distances from `beside`.
+/// Returns `of`, coloured by its distances from `beside`.
 OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, double eggRadius,
                       const DistanceMap& what) {
   OrganismPicture map = of;
@@ -79,7 +79,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
 
 ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, double eggRadius,
                                   const DistanceMap& map) {
-  // One framing and one band of words, so that the three can be laid over each other by eye.
+  // All pictures have one framing and bands of one height, so that they can be overlaid by eye.
   for (OrganismPicture* picture : {&one, &other}) {
     picture->legend.clear();
     picture->instruments.colourBar = ColourBar{.title = "", .blank = true};

@@ -1,5 +1,5 @@
 #pragma once
-// Organisms that should be the same, side by side, and how far their surfaces are apart.
+// Pictures that compare two organisms: both side by side, and the distances of their surfaces.
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,34 +11,33 @@ namespace morula {
 
 /// The distance that the third picture of a comparison maps.
 struct DistanceMap {
-  bool ofOther = false;    // the vertices of `other` beside the surfaces of `one`; else those of `one` beside `other`
-  bool ofCentres = false;  // how far the centroid of each cell has moved, with an arrow, in place of its vertices
-  std::function<std::string(const std::string&)> named = {};  // puts names of cells into words, for "cell AB"
+  bool ofOther = false;    // true: from the vertices of `other` to the surfaces of `one`; false: the other way
+  bool ofCentres = false;  // map how far each cell's centroid has moved, with an arrow, instead of vertices
+  std::function<std::string(const std::string&)> named = {};  // replaces paths by names of cells, as in "cell AB"
 };
 
-/// The three pictures, of one size and seen from one place.
+/// Three pictures of one size, seen by one camera.
 struct ComparisonImages {
   Image one, other, distance;
-  std::string unmatched;  // a sentence on the cells that only one of the two has; "" if both have the same
+  std::string unmatched;  // a sentence on cells that only one organism has; "" if both have the same
 };
 
-/// `one`, `other`, and the cells of one of them with each vertex in the colour of its distance [length] from the
-/// surface that the cell of the same path has in the other one, with their scale below. Cells that only one of the two
-/// has are grey there: nothing can be said of them. Size, camera direction and titles are those of the two; their
-/// legends are left out. `eggRadius` [length] is for the caption. Throws InputError as drawOrganism does.
+/// Draws `one`, `other`, and a map of distances. Each vertex of the map has the colour of its distance [length] from
+/// the surface of the cell with the same path in the other organism; the colour bar is below. Cells that only one
+/// organism has are grey. Size, camera direction and titles are those of the pictures; their legends are left out.
+/// `eggRadius` [length] is for the caption. Throws InputError as drawOrganism does.
 ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, double eggRadius,
                                   const DistanceMap& map = {});
 
-/// The three in a row, and below them the notes and what is unmatched, a line each.
+/// Puts the three images in a row, and below them the notes and `unmatched`, a line each.
 Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string> notes = {});
 
-/// comparisonSheet of compareOrganisms, for organisms with the same cells in one order. Throws InputError if
-/// their numbers differ.
+/// Draws comparisonSheet of compareOrganisms. Throws InputError if the numbers of cells differ.
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius);
 
-/// All images as tiles in rows of `columns` (0: as square as possible), with a gap of `gap` pixels. Tiles are as large
-/// as the largest image; smaller ones stand centred. `notes`: lines below all of them, shortened to the sheet's width.
-/// Throws InputError for no image.
+/// Draws all images as tiles in rows of `columns` (0: as square as possible), `gap` pixels apart. Tiles are as large as
+/// the largest image; smaller images are centred. `notes`: lines below the tiles, shortened to the sheet's width.
+/// Throws InputError if there is no image.
 Drawing contactSheet(const std::vector<Image>& images, int columns = 0, int gap = 8,
                      const std::vector<std::string>& notes = {});
 

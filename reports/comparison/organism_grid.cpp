@@ -10,7 +10,7 @@ namespace morula {
 namespace {
 
 constexpr double textSize = 15;  // [pixel]
-constexpr double most = 190;     // [pixel] of the words before a row
+constexpr double most = 190;     // [pixel] max width of the words before a row
 
 void check(const OrganismGrid& grid) {
   const std::size_t rows = grid.rows.size(), columns = grid.columns.size();
@@ -23,7 +23,7 @@ void check(const OrganismGrid& grid) {
                      std::to_string(maxGridColumns));
 }
 
-/// Gives all pictures one size and one framing, and returns it. All empty: nothing.
+/// Gives all pictures one size and one framing. Returns the framing, or none if all tiles are empty.
 std::optional<Framing> frameAlike(std::vector<OrganismTile>& tiles, int side) {
   std::vector<OrganismPicture> shown;
   for (OrganismTile& tile : tiles) {
@@ -40,12 +40,12 @@ std::optional<Framing> frameAlike(std::vector<OrganismTile>& tiles, int side) {
   return framing;
 }
 
-/// Rows beside each other and on pages. [pixel]
+/// The layout [pixel] of a grid: rows run down blocks, blocks stand side by side, and pages follow each other.
 struct Sheet {
   int side = 0, pitch = 0, first = 0,
-      block = 0;                        // of a tile; from row to row; before a row's first tile; of a row
+      block = 0;                        // a tile's side; row to row; block's edge to first tile; width of a block
   int pages = 1, blocks = 1, rows = 1;  // rows of each block
-  double room = 0;                      // of the words before a row
+  double room = 0;                      // width of the words before a row
   std::size_t rowsOfPage() const { return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows); }
 };
 
@@ -54,7 +54,7 @@ constexpr int heading = static_cast<int>(2 * textSize);
 /// Lays out the grid with tiles of this side.
 Sheet layOut(const OrganismGrid& grid, int side) {
   constexpr int maxWidth = 1250;
-  constexpr double page = 1.42;  // height over width
+  constexpr double page = 1.42;  // max height over width
   const int columns = static_cast<int>(grid.columns.size()), rows = static_cast<int>(grid.rows.size());
   double wordsWidth = 0;
   for (const auto& lines : grid.rows)
@@ -65,17 +65,17 @@ Sheet layOut(const OrganismGrid& grid, int side) {
   sheet.first = static_cast<int>(2.5 * textSize + sheet.room);
   sheet.block = std::max(480, sheet.first + columns * side + 12);
   const auto fitting = [&](int blocks) {
-    const int words = heading + static_cast<int>(12 * textSize);  // with legend and scale bar
+    const int words = heading + static_cast<int>(12 * textSize);  // heading, legend and scale bar
     return blocks * std::max(1, (static_cast<int>(page * std::max(blocks * sheet.block, 800)) - words) / sheet.pitch);
   };
   while (rows > fitting(sheet.blocks) && (sheet.blocks + 1) * sheet.block <= maxWidth) ++sheet.blocks;
   sheet.pages = (rows + fitting(sheet.blocks) - 1) / fitting(sheet.blocks);
-  const int onPage = (rows + sheet.pages - 1) / sheet.pages;  // evenly, so that none is almost empty
+  const int onPage = (rows + sheet.pages - 1) / sheet.pages;  // the same for all pages, so that no page is almost empty
   sheet.rows = (onPage + sheet.blocks - 1) / sheet.blocks;
   return sheet;
 }
 
-/// Lays out the grid with the largest tiles of which all have room on one page, or else with the smallest.
+/// Lays out the grid with the largest tiles that fit one page, or else with the smallest.
 Sheet layOut(const OrganismGrid& grid) {
   for (const OrganismTile& tile : grid.tiles)
     if (tile.drawn) return layOut(grid, tile.drawn->width);

@@ -14,10 +14,10 @@
 namespace morula {
 namespace {
 
-constexpr double deviation = 1.5;  // [pixel] of the Gaussian
+constexpr double deviation = 1.5;  // [pixel] standard deviation of the Gaussian
 constexpr int reach = 6;           // [pixel] 4 deviations: less than 1e-4 of its weight lies beyond
 
-/// Weights of pixels 0 to `reach` away; on both sides together they add up to 1.
+/// Returns the weights of pixels 0 to `reach` away; the weights of both sides add up to 1.
 std::array<double, reach + 1> weights() {
   std::array<double, reach + 1> w{};
   double sum = 0;
@@ -31,7 +31,7 @@ std::array<double, reach + 1> weights() {
 
 using Pixels = std::vector<LinearColour>;
 
-/// One direction of a Gaussian; beyond the edge the picture goes on with the pixel at the edge.
+/// Smooths along rows or columns with the Gaussian. Beyond the edge the pixel at the edge repeats.
 Pixels smoothAlong(const Pixels& in, int width, int height, bool rows) {
   static const auto weight = weights();
   Pixels out(in.size());
@@ -74,7 +74,7 @@ PictureDifference differenceOf(const Image& one, const Image& other) {
   double sum = 0;
   std::size_t noticeable = 0, worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    // Where nothing differs within reach both sums are the same to the bit.
+    // Equal pixels give exactly 0; the conversion to Lab is skipped.
     const bool same = a[i].r == b[i].r && a[i].g == b[i].g && a[i].b == b[i].b;
     const double d = same ? 0 : colourDifference(labOf(a[i]), labOf(b[i]));
     difference.map[i] = d;
@@ -92,7 +92,7 @@ PictureDifference differenceOf(const Image& one, const Image& other) {
 
 Drawing drawPictureDifference(const Image& one, const Image& other, const PictureDifference& difference,
                               const std::vector<std::string>& notes) {
-  // At least up to what is noticed: what is not must not glow.
+  // The scale ends at `noticeableDifference` or above, so that differences nobody sees do not glow.
   const double end = std::max(difference.most, noticeableDifference);
   Image map(one.width, one.height, paper);
   for (std::size_t i = 0; i < difference.map.size(); ++i) map.pixels[i] = scaleColour(difference.map[i] / end);

@@ -1,5 +1,5 @@
 #pragma once
-// How different two pictures of the same look, where their pixels need not be equal: drawn by other renderers.
+// The difference of two pictures as people see it: pictures of different renderers need not have equal pixels.
 #include <string>
 #include <vector>
 
@@ -8,27 +8,27 @@
 namespace morula {
 
 struct PictureDifference {
-  double most = 0;                // ΔE00 where they look most different
-  int x = 0, y = 0;               // [pixel] where that is; the first such place in reading order
+  double most = 0;                // the largest ΔE00
+  int x = 0, y = 0;               // [pixel] place of the largest ΔE00; the first one in reading order
   double mean = 0;                // ΔE00 over all pixels
-  double share = 0;               // [1] of the pixels, above noticeableDifference
+  double share = 0;               // [1] share of the pixels above noticeableDifference
   std::vector<double> map = {};   // ΔE00 of each pixel, row by row
-  std::size_t unequalPixels = 0;  // that are not the same to the bit
+  std::size_t unequalPixels = 0;  // pixels that differ in any bit
 
   bool isNoticeable() const;
 };
 
-/// ΔE00 above which two pictures are called different: the difference that people just notice in a patch of colour
-/// [Mahy, Van Eycken, Oosterlinck 1994: 2.3, in ΔE of 1976]. The same organism as drawn by softpipe in place of
-/// llvmpipe comes to 1.0, moved sideways by one pixel to 19.
+/// The ΔE00 above which two pictures are called different: the just noticeable difference of patches of colour [Mahy,
+/// Van Eycken, Oosterlinck 1994: 2.3, in ΔE of 1976]. An organism drawn by softpipe and by llvmpipe differs by 1.0; one
+/// moved sideways by a pixel by 19.
 inline constexpr double noticeableDifference = 2.3;
 
-/// CIEDE2000 [Sharma, Wu, Dalal 2005] between the two, pixel by pixel, after either has been smoothed in linear light
-/// by a Gaussian of 1.5 pixels, for edges that are off by a share of a pixel are seen as the same, as in S-CIELAB
-/// [Zhang & Wandell 1997]. Opacity is not looked at. Throws InputError if their sizes differ.
+/// Returns CIEDE2000 [Sharma, Wu, Dalal 2005] between two pictures, pixel by pixel. Both are first smoothed in linear
+/// light by a Gaussian of 1.5 pixels, because people do not see edges that are off by a fraction of a pixel, as in
+/// S-CIELAB [Zhang & Wandell 1997]. Opacity is ignored. Throws InputError if the sizes differ.
 PictureDifference differenceOf(const Image& one, const Image& other);
 
-/// Both and the map of their difference in a row, with a scale.
+/// Draws both pictures and the map of their difference in a row, with a colour bar.
 Drawing drawPictureDifference(const Image& one, const Image& other, const PictureDifference& difference,
                               const std::vector<std::string>& notes);
 

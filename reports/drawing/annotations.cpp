@@ -9,13 +9,13 @@
 namespace morula {
 namespace {
 
-/// A polygon around the centre, of points in units of the radius.
+/// Draws a polygon around `centre`; the points are in units of the radius.
 void drawShape(Drawing& drawing, Spot centre, double radius, Colour colour, std::vector<Spot> points) {
   for (Spot& p : points) p = {centre.x + radius * p.x, centre.y + radius * p.y};
   drawing.area(points, colour);
 }
 
-/// Two bars across each other, upright and level.
+/// Returns the outline of a plus: a vertical and a horizontal bar that cross.
 std::vector<Spot> bars(double reach, double half) {
   return {{-half, -reach}, {half, -reach}, {half, -half}, {reach, -half}, {reach, half},   {half, half},
           {half, reach},   {-half, reach}, {-half, half}, {-reach, half}, {-reach, -half}, {-half, -half}};
@@ -32,7 +32,7 @@ std::string legendText(const LegendEntry& entry, double size, double width) {
   return shortened(entry.label, {.size = size}, width - swatch(size) - 0.45 * size);
 }
 
-/// Entries run from left to right and wrap; every place is relative to the legend's left end.
+/// Returns the places of the entries, which run from left to right and wrap. x is relative to the legend's left end.
 std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, double size, double width) {
   std::vector<LegendPlace> places;
   double x = 0;
@@ -46,7 +46,7 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
   return places;
 }
 
-/// Both with as many digits as it takes to tell them apart, four at least.
+/// Returns both numbers with the digits that tell them apart, four at least.
 std::pair<std::string, std::string> endTexts(double low, double high) {
   for (int digits = 4; digits < 17; ++digits) {
     const auto a = numberText(low, digits), b = numberText(high, digits);
@@ -84,7 +84,7 @@ void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Mar
 
 double textSizeFor(int width, int height) {
   const int side = std::min(width, height);
-  return std::clamp(side / 56.0, side < 300 ? 10.0 : 11.0, 40.0);  // in a small picture cells need the room, too
+  return std::clamp(side / 56.0, side < 300 ? 10.0 : 11.0, 40.0);  // in small pictures cells need the room
 }
 
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize) {
@@ -101,7 +101,7 @@ Bands bandsFor(const Annotations& annotations, int width, int height, double tex
 }
 
 Bands bandsAround(int middle, const Annotations& annotations, int width, double textSize) {
-  Bands bands;  // at most a quarter of the whole height each, and so they depend on it
+  Bands bands;  // iterated, because each band is at most a quarter of the whole height
   for (int i = 0; i < 16; ++i) bands = bandsFor(annotations, width, middle + bands.top + bands.bottom, textSize);
   return bands;
 }
@@ -143,7 +143,7 @@ void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot at, double width
   drawing.text({at.x, at.y + textSize}, shortened(bar.title, title, width), title);
   const double top = at.y + 1.5 * textSize, height = 0.9 * textSize;
   const int steps = std::max(2, int(width));
-  // Each box reaches to the bar's end, so that no edges shine through between two of them.
+  // Each box reaches to the bar's end, so that no edges shine through between neighbours.
   for (int i = 0; i < steps; ++i) {
     const double from = width * i / steps;
     const double share = bar.low < bar.high ? double(i) / (steps - 1) : 0;

@@ -1,7 +1,6 @@
 #pragma once
-// Title, caption and legend: bands above and below a picture, so that words never cover what is shown.
-// Marks of several shapes tell apart in grey, too, what has a colour; a colour bar shows the colours of a quantity from
-// its least to its greatest value, with both numbers.
+// Title, caption and legend: bands above and below a picture, so that words never cover the picture. Markers of several
+// shapes tell colours apart in grey. A colour bar shows the colours of a quantity from its least to its greatest value.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -15,14 +14,14 @@ enum class Marker { disc, square, triangle, diamond, hanging, plus, ring, cross 
 /// Returns the marker of series number i, from 0: no two of the first seven are alike, and none is a cross.
 Marker seriesMarker(std::size_t i);
 
-/// Around the centre, about as large as a disc of this radius.
+/// Draws a marker around `centre`, about as large as a disc of this radius.
 void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Marker marker);
 
 struct LegendEntry {
   Colour colour;
   std::string label;
   Marker marker = Marker::square;
-  bool shown = true;  // else room is kept for it: pictures of a sequence have bands of one height
+  bool shown = true;  // false: only keeps room, so that the bands of a sequence have one height
 };
 
 struct Annotations {
@@ -34,8 +33,8 @@ struct Bands {
   int top = 0, bottom = 0;  // [pixel]
 };
 
-/// The heights that the words need on a picture of this size: none without words, and never so much that the
-/// middle loses more than half of the height. `textSize` [pixel]: of ordinary text; 0: textSizeFor's.
+/// Returns the heights that the words need on a picture of this size; both bands take at most half of the height.
+/// `textSize` [pixel]: of ordinary text; 0: textSizeFor's.
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize = 0);
 
 /// Returns the bands around a middle of this height.
@@ -44,20 +43,19 @@ Bands bandsAround(int middle, const Annotations& annotations, int width, double 
 /// Draws the words into the bands of a drawing.
 void annotate(Drawing& drawing, const Annotations& annotations, double textSize = 0);
 
-/// [pixel] of ordinary text on a picture of this size.
+/// Returns the size [pixel] of ordinary text on a picture of this size.
 double textSizeFor(int width, int height);
 
 struct ColourBar {
-  std::string title;  // of the quantity, with its unit
+  std::string title;  // the quantity with its unit
   double low = 0, high = 1;
-  bool blank = false;  // room is kept for it, and nothing is drawn: for pictures beside one that has it
+  bool blank = false;  // keeps room and draws nothing, for pictures beside one with a colour bar
 };
 
-/// Draws it into a box from `topLeft`, `width` pixels wide and colourBarHeight high: the title, the colours of
-/// scaleColour, the numbers below its two ends. One number alone where both are the same.
+/// Draws the colour bar into a box from `topLeft`, `width` pixels wide and colourBarHeight high: the title, the colours
+/// of scaleColour, and the numbers below both ends; one number if both are equal.
 void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot topLeft, double width, double textSize);
 
-/// [pixel]
 double colourBarHeight(double textSize);
 
 }  // namespace morula

@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-constexpr double manyDecades = 2e3;  // from this ratio on powers of ten alone
+constexpr double manyDecades = 2e3;  // ratio from which ticks are powers of ten only
 
 std::string tickText(double value) { return numberText(value, 6); }
 
@@ -89,7 +89,7 @@ double roomForUprightAxis(const Axis& axis, double textSize) {
   double widest = 0;
   for (const double tick : axis.ticks(10))
     widest = std::max(widest, textWidth(tickText(tick), tickStyle(textSize, Anchor::right)));
-  // From the edge: half a line, the upright title, half a line, the numbers, and their distance to the axis.
+  // The room is made up of half a line, the upright title, half a line, the numbers, and their distance to the axis.
   return std::max(4.5 * textSize, 2.6 * textSize + widest);
 }
 

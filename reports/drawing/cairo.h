@@ -1,5 +1,5 @@
 #pragma once
-// Parts of cairo that the files of this module share.
+// cairo's objects and errors, as the files of this module share them.
 #include <cairo.h>
 
 #include <memory>
@@ -23,7 +23,7 @@ using CairoPointer = std::unique_ptr<T, CairoDestroy<destroy>>;
 using Surface = CairoPointer<cairo_surface_t, cairo_surface_destroy>;
 using Context = CairoPointer<cairo_t, cairo_destroy>;
 
-/// cairo fails on what we have checked only by a bug of ours or for want of memory. Throws BugError.
+/// Throws std::bad_alloc if memory ran out, else BugError: our arguments are checked, so other failures are bugs.
 inline void requireSuccess(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS) throw BugError(std::string("cairo: ") + cairo_status_to_string(status));

@@ -14,13 +14,13 @@
 namespace morula {
 namespace {
 
-/// A channel times its pixel's opacity, as cairo keeps them, and back.
+/// Convert between a channel and cairo's premultiplied channel.
 std::uint32_t covered(std::uint8_t channel, std::uint32_t opacity) { return (channel * opacity + 127) / 255; }
 std::uint8_t uncovered(std::uint32_t channel, std::uint32_t opacity) {
   return opacity == 0 ? 0 : std::uint8_t(std::min(255u, (channel * 255 + opacity / 2) / opacity));
 }
 
-/// cairo's pixels are numbers 0xrrggbb, or with opacity 0xaarrggbb.
+/// Returns a cairo surface of the image. cairo's pixels are numbers 0xrrggbb, or with opacity 0xaarrggbb.
 Surface surfaceOf(const Image& image) {
   const bool opaque = image.opacity.empty();
   Surface surface(
@@ -72,7 +72,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 Spot between(Spot a, Spot b, double share) { return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}; }
 
 void trace(cairo_t* target, const std::vector<Spot>& points, double rounding) {
-  constexpr double quarterCircle = 0.5523;  // where a cubic's control points stand on the way to the corner
+  constexpr double quarterCircle = 0.5523;  // control points stand at this share of the way to the corner
   const auto before = [&](Spot corner, Spot other) {
     const double length = std::hypot(other.x - corner.x, other.y - corner.y);
     return between(corner, other, length > 0 ? std::min(0.5, rounding / length) : 0);
@@ -87,7 +87,7 @@ void trace(cairo_t* target, const std::vector<Spot>& points, double rounding) {
   cairo_line_to(target, points.back().x, points.back().y);
 }
 
-constexpr std::string_view svgEnd = "?>\n";  // of the first line
+constexpr std::string_view svgEnd = "?>\n";  // end of the first line
 
 }  // namespace
 
@@ -98,7 +98,7 @@ Drawing::Drawing(int width, int height, Ground ground) : width_(width), height_(
 void Drawing::line(const std::vector<Spot>& points, const Stroke& stroke) {
   if (points.empty() || !(stroke.width > 0)) return;
   marks_.push_back([=](cairo_t* target) {
-    constexpr double dashes[] = {9, 6};  // [pixel] of ink and of none
+    constexpr double dashes[] = {9, 6};  // [pixel] drawn and blank
     setColour(target, stroke.colour);
     cairo_set_line_width(target, stroke.width);
     cairo_set_dash(target, dashes, stroke.dashed ? 2 : 0, 0);
@@ -154,7 +154,7 @@ void Drawing::replay(cairo_t* target) const {
   cairo_set_line_join(target, CAIRO_LINE_JOIN_ROUND);
   for (const auto& mark : marks_) {
     mark(target);
-    cairo_new_path(target);  // words leave their end behind, from which a disc would begin
+    cairo_new_path(target);  // without this a disc would begin where the words end
   }
   requireSuccess(cairo_status(target));
 }
@@ -182,7 +182,7 @@ std::string Drawing::file(PictureFormat format) const {
   cairo_surface_finish(surface.get());
   requireSuccess(cairo_surface_status(surface.get()));
   if (!svg) return bytes;
-  // cairo numbers all surfaces of the process: the only thing that would differ between equal drawings.
+  // cairo numbers all surfaces of the process; without this number equal drawings give equal bytes.
   if (const auto id = bytes.find(" id=\"surface"); id != bytes.npos) bytes.erase(id, bytes.find('"', id + 5) + 1 - id);
   return bytes.insert(bytes.find(svgEnd) + svgEnd.size(), "<!-- Morula -->\n");
 }

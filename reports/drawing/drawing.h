@@ -1,7 +1,7 @@
 #pragma once
-// Lines, discs, words and pixels on paper, kept as what is drawn: one drawing becomes pixels, PNG, SVG or
-// PDF. By cairo. Coordinates in pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. In
-// SVG a pixel is a px, in PDF a point (1/72 inch).
+// A drawing keeps its lines, discs, words and pixels, and becomes pixels, PNG, SVG or PDF, by cairo. Coordinates are in
+// pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. In SVG a pixel is a px, in PDF a point
+// (1/72 inch).
 #include <functional>
 #include <string>
 #include <string_view>
@@ -19,40 +19,40 @@ struct Spot {
 };
 
 struct Stroke {
-  double width = 1;  // [pixel] thinner than 1: that share of a pixel's ink
+  double width = 1;  // [pixel] below 1: the share of a pixel's ink
   Colour colour;
   bool dashed = false;
-  double rounding = 0;  // [pixel] from a corner to where the line bends, at most half of its sides
+  double rounding = 0;  // [pixel] radius of rounded corners, at most half of a corner's sides
 };
 
 enum class PictureFormat { png, svg, pdf };
 
 class Drawing {
  public:
-  enum class Ground { paper, none };  // none: what nothing is drawn on is transparent
-  /// Empty. Throws InputError as checkSides does.
+  enum class Ground { paper, none };  // none: transparent where nothing is drawn
+  /// Creates an empty drawing. Throws InputError as checkSides does.
   Drawing(int width, int height, Ground ground = Ground::paper);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Each lies on top of those before it; what falls outside of the paper is cut off.
+  // Each element lies on top of earlier ones; parts outside of the paper are cut off.
 
-  /// Through the points, with round ends and joints. Where it meets itself it is not darker.
+  /// Draws a line through the points, with round ends and joints. Where the line crosses itself it is not darker.
   void line(const std::vector<Spot>& points, const Stroke& stroke);
   void disc(Spot centre, double radius, Colour colour);
   /// Fills the area that the closed line through the points encloses.
   void area(const std::vector<Spot>& points, Colour colour);
   void box(Spot topLeft, double width, double height, Colour colour);
-  /// UTF-8 on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
+  /// Draws UTF-8 text on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
   void text(Spot baseline, std::string_view text, const TextStyle& style);
-  /// The image's own pixels, top left corner at (x, y).
+  /// Draws the image's pixels unscaled, top left corner at (x, y).
   void image(int x, int y, const Image& image);
 
   Image pixels() const;
 
-  /// The content of a file. Equal drawings give equal bytes on one machine: there is no date in them. In PDF
-  /// words can be searched and marked; in SVG they are shapes, so that they look the same without the font.
+  /// Returns the content of a file. Equal drawings give equal bytes on one machine: files contain no date. Words can be
+  /// searched and marked in PDF; in SVG they are shapes, so that they look the same without the font.
   std::string file(PictureFormat format) const;
 
  private:

@@ -25,8 +25,8 @@ Colour cloneColour(std::string_view founder) {
 }
 
 Colour scaleColour(double share) {
-  // viridis at every sixteenth of its way [van der Walt & Smith 2015, CC0]; the mean of two neighbours is off
-  // by 6 of 255 at most.
+  // viridis at 17 equally spaced places [van der Walt & Smith 2015, CC0]; linear interpolation is off by at most 6 of
+  // 255.
   static constexpr std::array<std::uint32_t, 17> scale{0x440154, 0x48186a, 0x472d7b, 0x424086, 0x3b528b, 0x33638d,
                                                        0x2c728e, 0x26828e, 0x21918c, 0x1fa088, 0x28ae80, 0x3fbc73,
                                                        0x5ec962, 0x84d44b, 0xaddc30, 0xd8e219, 0xfde725};

@@ -11,10 +11,10 @@ namespace morula {
 namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
-constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, always the first
+constexpr std::size_t headerEnd = 8 + 25;  // the signature and the chunk IHDR, which is always the first
 constexpr std::uint64_t maxPixels = 100'000'000;
 
-/// The chunk "Software: Morula" with its length before it and its check sum behind it [PNG specification, annex D].
+/// The chunk "Software: Morula" with its length before and its checksum behind [PNG specification, annex D].
 constexpr std::string_view ownMark{
     "\0\0\0\x0f"
     "tEXtSoftware\0Morula\x19"
@@ -32,20 +32,20 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-/// `to.bytes` has room for all.
+/// Appends to the writer's bytes, which have room reserved.
 void append(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
-/// False where libpng has no memory: all else fits. No object with a destructor may stand in here, because libpng
-/// leaves it by a long jump.
+/// Returns false if libpng has no memory, the only failure here. No object with a destructor may stand in this
+/// function, because libpng leaves it by a long jump.
 bool write(Writer& to, const Image& image) {
   if (!to.info || setjmp(png_jmpbuf(to.png))) return false;
   const bool opaque = image.opacity.empty();
-  png_set_write_fn(to.png, &to.bytes, append, [](png_structp) {});  // without one libpng would flush a file
+  png_set_write_fn(to.png, &to.bytes, append, [](png_structp) {});  // libpng's default would flush a file
   png_set_IHDR(to.png, to.info, image.width, image.height, 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // A third of the time of libpng's own choices, and files larger by a seventh, in pictures of cells.
+  // For pictures of cells, a third of the time of libpng's defaults; files are larger by a seventh.
   png_set_compression_level(to.png, 4);
   png_set_filter(to.png, PNG_FILTER_TYPE_DEFAULT, PNG_FILTER_UP);
   png_write_info(to.png, to.info);
@@ -62,14 +62,14 @@ bool write(Writer& to, const Image& image) {
   return true;
 }
 
-/// Each chunk ends before the file does: libpng takes memory for as many bytes as a chunk says it has.
+/// Returns true if each chunk ends before the file does. libpng allocates as many bytes as a chunk claims.
 bool chunksFit(std::string_view left) {
   constexpr std::size_t frame = 12;  // length and type before, a checksum behind
   for (left.remove_prefix(signature.size()); left.size() >= frame;) {
     std::uint64_t length = 0;
     for (int i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(left[i]);
     if (length > left.size() - frame) return false;
-    if (left.substr(4, 4) == "IEND") return true;  // what follows is not read
+    if (left.substr(4, 4) == "IEND") return true;  // libpng reads nothing after this chunk
     left.remove_prefix(frame + length);
   }
   return false;
@@ -82,7 +82,7 @@ std::string pngFile(const Image& image) {
   Writer to;
   to.row.resize(4 * std::size_t(image.width));
   const std::size_t pixels = 4 * image.pixels.size() + image.height;
-  to.bytes.reserve(pixels + pixels / 100 + 4096);  // more than what cannot be made smaller takes in zlib and chunks
+  to.bytes.reserve(pixels + pixels / 100 + 4096);  // an upper bound also of incompressible pixels
   if (!write(to, image)) throw std::bad_alloc();
   to.bytes.insert(headerEnd, ownMark);
   to.bytes.shrink_to_fit();

@@ -7,15 +7,15 @@
 
 namespace morula {
 
-/// The content of a PNG file, 8-bit RGB or RGBA, which says that Morula made it. Equal images give equal bytes
-/// on one libpng.
+/// Returns the content of a PNG file, 8-bit RGB or RGBA, marked as made by Morula. Equal images give equal bytes with
+/// one version of libpng.
 std::string pngFile(const Image& image);
 
-/// Returns true if a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
+/// Returns true if a file that begins with `head` is a PNG of pngFile; the first 64 bytes are enough.
 bool isOwnPng(std::string_view head);
 
-/// The pixels of a PNG file's content; what shines through lies on `paper`. 16 bits a channel become 8. Throws
-/// InputError that begins with `name` for another file, a damaged one, and one of more than 100 million pixels.
+/// Returns the pixels of a PNG file's content; translucent pixels lie on `paper`, and 16 bits a channel become 8.
+/// Throws InputError that begins with `name` for other files, damaged files, and more than 100 million pixels.
 Image readPng(const std::string& bytes, const std::string& name);
 
 }  // namespace morula

@@ -36,8 +36,8 @@ ScaledFont scaled(cairo_font_face_t* face, double size) {
   return ScaledFont(cairo_scaled_font_create(face, &sized, &asIs, unhinted()));
 }
 
-/// The font's file where systems keep it: by name fontconfig would read its settings, and perhaps write a
-/// cache into the user's home directory.
+/// Returns the font from its file. Asked by name, fontconfig would read its settings, and perhaps write a cache into
+/// the user's home directory.
 Face findFace(bool bold) {
   for (const std::string folder :
        {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/", "/usr/share/fonts/dejavu/",
@@ -60,7 +60,7 @@ cairo_font_face_t* face(bool bold) {
 
 struct Letters {
   std::string text;                 // valid UTF-8 without NUL
-  std::vector<std::size_t> starts;  // of its letters in `text`, and its end
+  std::vector<std::size_t> starts;  // first byte of each letter in `text`, and the end
 };
 
 /// Returns the letters of a text. A byte that is not UTF-8 becomes U+FFFD.
@@ -78,12 +78,12 @@ Letters lettersOf(std::string_view text) {
 
 constexpr const char* ellipsis = "…";
 
-/// [pixel] Where each letter begins, and where the last one ends.
+/// Returns the places [pixel] at which letters begin, and the end of the last one.
 std::vector<double> edgesOf(const Letters& letters, const TextStyle& style) {
   const ScaledFont font = scaled(face(style.bold), style.size);
   cairo_glyph_t* glyphs = nullptr;
   int count = 0;
-  const std::string text = letters.text + ellipsis;  // begins where the text ends
+  const std::string text = letters.text + ellipsis;  // the ellipsis begins where the text ends
   const auto status = cairo_scaled_font_text_to_glyphs(font.get(), 0, 0, text.data(), int(text.size()), &glyphs, &count,
                                                        nullptr, nullptr, nullptr);
   const std::unique_ptr<cairo_glyph_t, decltype(&cairo_glyph_free)> owned(glyphs, cairo_glyph_free);
@@ -127,7 +127,7 @@ void showText(cairo_t* target, double x, double y, const std::string& text, cons
   }
   setColour(target, style.colour);
   if (cairo_surface_get_type(cairo_get_target(target)) == CAIRO_SURFACE_TYPE_IMAGE) {
-    // Letters are drawn as shapes: glyphs would be moved to whole pixels, and letters stand unevenly.
+    // Letters are drawn as shapes, because cairo would move glyphs to whole pixels.
     cairo_text_path(target, shown.c_str());
     cairo_fill(target);
   } else cairo_show_text(target, shown.c_str());

@@ -1,6 +1,6 @@
 #pragma once
-// Words in drawings: how wide they are and how they are shortened. The font is DejaVu Sans, or without it whatever the
-// system calls sans-serif. Letters are not hinted, so that text scales evenly; there is no kerning.
+// Text in drawings: width and shortening. The font is DejaVu Sans, or else the system's sans-serif. Letters are not
+// hinted, so that text scales evenly; there is no kerning.
 #include <string>
 #include <string_view>
 
@@ -10,28 +10,27 @@ typedef struct _cairo cairo_t;
 
 namespace morula {
 
-enum class Anchor { left, centre, right };  // which end of the text stands at the given place
+enum class Anchor { left, centre, right };  // the end of the text that stands at the given place
 
 struct TextStyle {
-  double size = 14;  // [pixel] of the em square
+  double size = 14;  // [pixel] size of the em square
   Colour colour{0x22, 0x26, 0x2b};
   bool bold = false;
   Anchor anchor = Anchor::left;
   bool upward = false;  // reads from bottom to top
-  double halo = 0;      // [pixel] of paper around the letters, for words that lie on a picture
+  double halo = 0;      // [pixel] width of paper around the letters, for text on a picture
 };
 
 /// Max number of letters of a text that are drawn; no picture has room for more.
 inline constexpr std::size_t maxLetters = 8192;
 
-/// How far the text runs. [pixel]
+/// Returns the width of the text [pixel].
 double textWidth(std::string_view text, const TextStyle& style);
 
-/// The text, shortened with an ellipsis to the most letters that fit if it would run farther than `width`
-/// pixels; empty if not even one and the ellipsis fit.
+/// Returns the text, shortened with an ellipsis to at most `width` pixels; empty if not even one letter fits.
 std::string shortened(std::string_view text, const TextStyle& style, double width);
 
-/// Draws, for drawing.cpp, the text with its baseline through (x, y).
+/// Draws the text for drawing.cpp, with its baseline through (x, y).
 void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style);
 
 }  // namespace morula

@@ -1,5 +1,5 @@
-// explorer.js out of the sources; rerun.js, which runs the page's run again besides; and playground.js: node build.mjs FOLDER, where FOLDER
-// holds node_modules.
+// Builds explorer.js, rerun.js (which also repeats the page's run) and playground.js from the sources:
+// node build.mjs FOLDER, where FOLDER holds node_modules.
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,7 +11,7 @@ const common = {
   nodePaths: [join(folder, "node_modules")],
   bundle: true,
   minify: true,
-  legalComments: "eof", // licences stay with what they are of
+  legalComments: "eof", // keeps the licences of libraries
   target: "es2021",
   format: "iife",
   charset: "ascii",
@@ -21,6 +21,6 @@ const program = async (of) => JSON.stringify((await build({ ...common, entryPoin
 for (const [name, entry, define] of [
   ["playground.js", "src/playground/main.ts", { PLAYGROUND_WORKER: await program("src/playground/worker.ts"), WORKER: '""' }],
   ["rerun.js", "src/rerun/main.ts", { WORKER: await program("src/rerun/worker.ts") }],
-  ["explorer.js", "src/main.ts", {}], // what build.sh looks for comes last
+  ["explorer.js", "src/main.ts", {}], // last, because build.sh checks this file
 ])
   await build({ ...common, entryPoints: [join(here, entry)], outfile: join(folder, name), define });

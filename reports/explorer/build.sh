@@ -1,10 +1,10 @@
 #!/bin/sh
-# The explorer of the pages that `morula report` writes, out of the sources beside this script:
+# Builds the explorer of the pages that `morula report` writes from the sources beside this script:
 #
-#   build.sh FOLDER [--tests]     makes FOLDER/explorer.js, rerun.js and playground.js, unless they are as new as their sources
+#   build.sh FOLDER [--tests]     makes FOLDER/explorer.js, rerun.js and playground.js, unless they are up to date
 #
-# FOLDER gets the packages that package-lock.json names, too; with --tests also those that only tests need.
-# Exit codes: 0 it is there, 77 there is no Node.js or no npm, 1 it could not be built.
+# FOLDER also gets the packages that package-lock.json names; with --tests those of tests, too.
+# Exit codes: 0 built or up to date, 77 no Node.js or no npm, 1 failed.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
@@ -13,7 +13,7 @@ tests=${2-}
 
 command -v node >/dev/null && command -v npm >/dev/null || exit 77
 
-# One at a time.
+# Builds of one folder run one at a time.
 exec 8>"$folder/lock"
 if command -v flock >/dev/null; then flock 8; fi
 
@@ -24,7 +24,7 @@ has_packages() {
 if ! has_packages; then
   rm -f "$folder/installed"
   cp "$here/package.json" "$here/package-lock.json" "$folder"
-  # Scripts of packages are not run: none of these needs one.
+  # Packages' scripts are not run; none needs one.
   (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund ${tests:+--include=dev} $([ -n "$tests" ] || echo --omit=dev)) >&2 || exit 1
   : >"$folder/installed"
 fi

@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// Linear light of every channel value; the one place that computes the transfer curve.
+/// Returns the linear light of every channel value. No other function computes the transfer curve.
 const std::array<double, 256>& linearTable() {
   static const std::array<double, 256> table = [] {
     std::array<double, 256> t;
@@ -47,7 +47,8 @@ Colour parseColour(std::string_view text) {
 Colour mixColours(const std::vector<Colour>& colours) {
   if (colours.empty()) return neutralGrey;
   if (colours.size() == 1) return colours.front();
-  // Counted per channel value and summed from dark to light, so that the order of the colours cannot move a bit.
+  // Colours are counted per channel value and summed from dark to light, so that their order does not affect the
+  // result.
   std::array<std::array<int, 256>, 3> count{};
   for (const Colour& c : colours) ++count[0][c.r], ++count[1][c.g], ++count[2][c.b];
   std::array<std::uint8_t, 3> mean;

@@ -1,5 +1,5 @@
 #pragma once
-// Colours as people write them (sRGB, 8 bits a channel), and how cells with several coloured substances get theirs.
+// sRGB colours with 8 bits a channel, and the mixed colour of cells with several coloured substances.
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -11,23 +11,23 @@ struct Colour {
   friend constexpr bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// 0xrrggbb.
+/// Returns the colour of 0xrrggbb.
 constexpr Colour colourFrom(std::uint32_t rgb) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
 }
 
-/// Cells none of whose substances has a colour.
+/// The colour of cells none of whose substances has a colour.
 inline constexpr Colour neutralGrey{0xbd, 0xbd, 0xbd};
 
-/// Reads "#rrggbb", either case. Throws InputError for anything else.
+/// Reads "#rrggbb" in lower or upper case. Throws InputError for anything else.
 Colour parseColour(std::string_view text);
 
-/// The average in linear light, as if the colours were lamps: red and green give yellow and not brown. Order
-/// does not matter; none gives neutralGrey.
+/// Returns the average in linear light, as if the colours were lamps: red and green give yellow and not brown. Order
+/// does not matter; no colours give neutralGrey.
 Colour mixColours(const std::vector<Colour>& colours);
 
-/// Linear light in [0, 1] of an sRGB channel, and back to the nearest channel (values outside are clamped)
-/// [IEC 61966-2-1].
+/// Convert an sRGB channel to linear light in [0, 1], and back to the nearest channel; values outside are clamped [IEC
+/// 61966-2-1].
 double linearLight(std::uint8_t channel);
 std::uint8_t channelOf(double linear);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The cube root, made straight near 0 [CIE 15:2018].
+/// Returns CIELAB's f: the cube root, continued by a straight line near 0 [CIE 15:2018].
 double lightness(double share) {
   constexpr double knee = 6.0 / 29;
   return share > knee * knee * knee ? std::cbrt(share) : share / (3 * knee * knee) + 4.0 / 29;
@@ -17,13 +17,13 @@ double lightness(double share) {
 
 double pow7(double x) { return x * x * x * x * x * x * x; }
 
-/// sqrt(C⁷ / (C⁷ + 25⁷)): 0 for greys, to 1 for vivid colours.
+/// Returns sqrt(C⁷ / (C⁷ + 25⁷)): 0 for greys, towards 1 for vivid colours.
 double vividness(double chroma) {
   const double c7 = pow7(chroma);
   return std::sqrt(c7 / (c7 + pow7(25)));
 }
 
-/// The angle of (a, b) in [0°, 360°); 0 of greys.
+/// Returns the angle of (a, b) in [0°, 360°); 0 for greys.
 double hueOf(double a, double b) {
   if (a == 0 && b == 0) return 0;
   const double angle = std::atan2(b, a) / degree;
@@ -35,7 +35,7 @@ double hueOf(double a, double b) {
 LinearColour linearColour(Colour c) { return {linearLight(c.r), linearLight(c.g), linearLight(c.b)}; }
 
 Lab labOf(const LinearColour& c) {
-  // XYZ over the white point: each row is divided by its sum, so that white is (1, 1, 1).
+  // XYZ relative to the white point: each row is divided by its sum, so that white is (1, 1, 1).
   const double x = (0.4124564 * c.r + 0.3575761 * c.g + 0.1804375 * c.b) / 0.95047;
   const double y = 0.2126729 * c.r + 0.7151522 * c.g + 0.0721750 * c.b;
   const double z = (0.0193339 * c.r + 0.1191920 * c.g + 0.9503041 * c.b) / 1.08883;
@@ -57,7 +57,7 @@ double colourDifference(const Lab& one, const Lab& other) {
   const double dL = other.L - one.L, dC = c2 - c1, dH = 2 * std::sqrt(c1 * c2) * std::sin(dh / 2 * degree);
 
   const double meanL = (one.L + other.L) / 2, meanC = (c1 + c2) / 2;
-  double meanH = h1 + h2;  // with a grey the hue is that of the other one
+  double meanH = h1 + h2;  // a grey has no hue: the other colour's counts
   if (!grey) {
     if (std::abs(h1 - h2) > 180) meanH += meanH < 360 ? 360 : -360;
     meanH /= 2;

@@ -1,5 +1,5 @@
 #pragma once
-// How different two colours look: CIEDE2000.
+// The perceived difference of two colours: CIEDE2000.
 #include "image/colour.h"
 
 namespace morula {
@@ -17,8 +17,8 @@ struct LinearColour {
 LinearColour linearColour(Colour colour);
 Lab labOf(const LinearColour& colour);
 
-/// The difference ΔE00 of two colours, with all weights 1 [Sharma, Wu, Dalal 2005]. 0: equal; about 1: just to be told
-/// apart side by side; 100: black and white. Symmetric.
+/// Returns the difference ΔE00 of two colours, with all weights 1 [Sharma, Wu, Dalal 2005]. 0: equal; about 1: just
+/// noticeable side by side; 100: black and white. Symmetric.
 double colourDifference(const Lab& one, const Lab& other);
 
 }  // namespace morula

@@ -1,20 +1,20 @@
 #pragma once
-// Pictures as pixels, in memory.
+// Pixel images in memory.
 #include <vector>
 
 #include "image/colour.h"
 
 namespace morula {
 
-inline constexpr int maxSide = 16384;  // [pixel] of a picture
+inline constexpr int maxSide = 16384;  // [pixel] max width and height
 /// Throws InputError unless both sides of a picture are 1 to `maxSide` pixels.
 void checkSides(int width, int height);
 
-/// Pixels, row by row from the top left.
+/// Pixels row by row from the top left.
 struct Image {
   int width = 0, height = 0;
   std::vector<Colour> pixels;
-  std::vector<std::uint8_t> opacity = {};  // of each pixel, 0 to 255; empty: all are opaque
+  std::vector<std::uint8_t> opacity = {};  // one per pixel, 0 to 255; empty: all are opaque
 
   Image() = default;
   /// Throws InputError as checkSides does.
@@ -25,7 +25,7 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// The ground of pictures: near white, so that light cells still stand out against it.
+/// The background of pictures: near white, so that light cells stand out.
 inline constexpr Colour paper{0xfa, 0xfa, 0xf8};
 
 }  // namespace morula

@@ -21,13 +21,13 @@ struct View {
   double azimuth, elevation;  // [degree]
 };
 
-/// asin(1/√3): the eye stands on the diagonal of a cube.
+/// asin(1/√3): the elevation of a cube's diagonal.
 constexpr double cubeDiagonal = 35.264389682754654;
 constexpr std::array views{View{"front", 0, 0},          View{"back", 180, 0}, View{"left", -90, 0},
                            View{"right", 90, 0},         View{"top", 0, 90},   View{"bottom", 0, -90},
                            View{"iso", 45, cubeDiagonal}};
 
-/// Sine of whole quarter turns is exact, so that axes lie along rows and columns of pixels.
+/// Returns the sine, exact for whole quarter turns, so that axes lie along rows and columns of pixels.
 double sine(double degrees) {
   const double turn = std::fmod(degrees, 360.0);
   if (std::fmod(turn, 90.0) == 0) {
@@ -45,11 +45,11 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// The eye's direction by its azimuth and elevation [degrees]: (0, 0) looks along +y with z up, from the front; the
-/// azimuth turns the eye towards +x, to the right side, the elevation lifts it towards +z.
+/// Returns the camera at this azimuth and elevation [degrees]. (0, 0) looks along +y with z up, from the front. The
+/// azimuth turns the eye towards +x, to the right side; the elevation lifts it towards +z.
 Camera cameraAt(double azimuth, double elevation) {
   const double sa = sine(azimuth), ca = cosine(azimuth), se = sine(elevation), ce = cosine(elevation);
-  // `up` is what the direction changes by with the elevation, so it is never parallel to it.
+  // `up` is the derivative of the direction by the elevation, so the two are perpendicular.
   return {.towardsEye = {sa * ce, -ca * ce, se}, .up = {-sa * se, ca * se, ce}, .framing = std::nullopt};
 }
 
@@ -87,7 +87,7 @@ void FramingFinder::seeFirst(const Point& point) {
 }
 
 void FramingFinder::seeAgain(const Point& point) {
-  // A point at (x, y, z) from the middle is seen if |x| <= aperture · (distance − z).
+  // A point at (x, y, z) from the middle is visible if |x| <= aperture · (distance − z).
   const Vector p = axes_.of(point) - middle();
   distance_ =
       std::max({distance_, std::abs(p.x) * margin / aperture_.x + p.z, std::abs(p.y) * margin / aperture_.y + p.z});

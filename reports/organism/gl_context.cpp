@@ -16,8 +16,8 @@
 
 #include "base/error.h"
 
-// OSMesa never frees a few hundred bytes for each context's framebuffer. The leak checker of the sanitizer
-// builds should report our leaks, not that one, and print no list of what it left out: tests look at standard error.
+// OSMesa never frees a few hundred bytes for each context's framebuffer. The leak checker of sanitizer builds ignores
+// this leak, and prints no list of ignored leaks, because tests check standard error.
 #if defined(__has_feature)
 #define MORULA_ASAN __has_feature(address_sanitizer)
 #elif defined(__SANITIZE_ADDRESS__)
@@ -38,14 +38,14 @@ MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
 
 struct OffscreenContext::Handle {
   OSMesaContext context = nullptr;
-  // OSMesa insists on a default framebuffer; nothing is drawn there
+  // OSMesa requires a default framebuffer; nothing is drawn into it
   std::array<unsigned char, 4 * 16 * 16> pixels{};
 };
 
 namespace {
 
-/// Removes from the environment what users set for other programs, and what would give another driver, an older OpenGL
-/// or other pixels.
+/// Removes environment variables that users set for other programs, and those that would select another driver, an
+/// older OpenGL or different pixels.
 void unsetMesaVariables() {
   std::vector<std::string> names;
   for (char** entry = environ; *entry; ++entry) {
@@ -56,10 +56,10 @@ void unsetMesaVariables() {
   for (const std::string& name : names) unsetenv(name.c_str());
 }
 
-/// llvmpipe compiles shaders for the CPU it finds. At a width of 128 bits it still fuses multiplications with additions
-/// where the CPU can, which moves a pixel in ten thousand by one level; told that there is nothing beyond SSE 4.1 it
-/// does not, and gives the same pixels on every x86-64. The disk cache would write into the user's home directory, so
-/// it is off unless the environment asks for it: it saves the 0.05 s in which a process compiles shaders.
+/// Configures the driver, once. llvmpipe compiles shaders for the CPU. Even at 128 bits it fuses multiplications with
+/// additions if the CPU can, which changes one pixel in ten thousand by a level. Limited to SSE 4.1 it does not, and
+/// pixels are the same on every x86-64. The shader cache saves 0.05 s per process but writes into the user's home
+/// directory, so it is off unless the environment enables it.
 void settleDriver() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -67,7 +67,7 @@ void settleDriver() {
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-    if (threadsToDraw() == 1) setenv("LP_NUM_THREADS", "0", 1);  // else it waits for them without end
+    if (threadsToDraw() == 1) setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe would wait for missing threads forever
   });
 }
 
@@ -81,14 +81,14 @@ void find(void* library, const char* name, Function& function) {
   if (!function) throw FileError(std::string(MORULA_OSMESA) + " has no " + name);
 }
 
-/// Once; it stays to the end.
+/// Loads the driver, once; it stays loaded until the process ends.
 void loadDriver(const std::string& remedy) {
   static std::once_flag once;
   std::call_once(once, [&] {
     void* const library = ::dlopen(MORULA_OSMESA, RTLD_LAZY | RTLD_LOCAL);
     const std::string why = library ? "" : ::dlerror();
     for (const char* words : {"failed to map segment from shared object", "zero-fill pages", "llocate memory"})
-      if (why.ends_with(words))  // not where errno adds a reason of another kind
+      if (why.ends_with(words))  // a message with another errno has another cause
         throw NumericalError("there is not enough memory to draw: " + why + remedy, Want::memory);
     if (!library) throw FileError("nothing can be drawn: " + why);
     find(library, "OSMesaCreateContextAttribs", createContext);
@@ -100,8 +100,8 @@ void loadDriver(const std::string& remedy) {
   });
 }
 
-/// [byte] Of address space: compiled shaders, threads, and what they draw into. With 320 MB it broke down now and then,
-/// as its threads happen to ask for memory.
+/// [byte] Address space for compiled shaders, threads and framebuffers. With 320 MB drawing failed now and then,
+/// depending on when threads ask for memory.
 constexpr double ofContext = 450e6;
 
 }  // namespace
@@ -122,9 +122,9 @@ int threadsToDraw() {
     std::latch over(1);
     std::vector<std::jthread> waiting;
     bool enough = true;
-    try {  // llvmpipe takes as many, and so do we
+    try {  // llvmpipe starts up to `all` threads, and so do we
       while (int(waiting.size()) < 2 * all + 2) waiting.emplace_back([&] { over.wait(); });
-    } catch (...) { enough = false; }  // of no thread or no memory: whatever it is, those that wait must go on
+    } catch (...) { enough = false; }  // for lack of threads or memory; waiting threads must be released
     over.count_down();
     return enough ? all : 1;
   }();
@@ -137,7 +137,7 @@ OffscreenContext::OffscreenContext() {
   requireMemoryToDraw(ofContext, remedy);
   settleDriver();
   loadDriver(remedy);
-  requireMemoryToDraw(ofContext, remedy);  // what the library itself took is no longer there
+  requireMemoryToDraw(ofContext, remedy);  // loading the library has taken some of the memory
   handle_ = std::make_unique<Handle>();
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,

@@ -1,6 +1,6 @@
 #pragma once
-// All code that depends on OSMesa, which provides OpenGL without a display. Mesa 25.1 and later lack OSMesa: to use
-// another provider there (such as a surfaceless EGL context), change gl_context.cpp; nothing else depends on it.
+// The OpenGL context of OSMesa, which needs no display. Mesa 25.1 and later lack OSMesa: another provider (such as a
+// surfaceless EGL context) would replace gl_context.cpp; nothing else depends on OSMesa.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-// The functions of OpenGL that are called.
+// The OpenGL functions in use.
 // clang-format off
 #define MORULA_GL_FUNCTIONS(X) \
   X(glActiveTexture) X(glAttachShader) X(glBindBuffer) X(glBindBufferBase) X(glBindFramebuffer) X(glBindTexture) \
@@ -28,21 +28,22 @@
 
 namespace morula {
 
-// OSMesa's library, and LLVM with it, is loaded with the first context: it takes three quarters of the time that a
-// command needs to start, and most draw nothing. Within this namespace OpenGL's names are of pointers to it.
+// The first context loads OSMesa's library, and LLVM with it: linked, they would take three quarters of the start of
+// every command, and most commands draw nothing. Within this namespace OpenGL's names are pointers to functions of the
+// library.
 #define MORULA_GL_FUNCTION(name) extern decltype(&::name) name;
 MORULA_GL_FUNCTIONS(MORULA_GL_FUNCTION)
 #undef MORULA_GL_FUNCTION
 
-/// OpenGL breaks down where memory fails it. Throws a NumericalError that wants memory, with a sentence, if there are
-/// not so many bytes; `remedy` ends it.
+/// Throws NumericalError that wants memory if there are not `bytes` free, because OpenGL crashes when memory runs out.
+/// `remedy` ends its message.
 void requireMemoryToDraw(double bytes, const std::string& remedy);
 
-/// On how many threads to draw: 1 where the system gives no more.
+/// Returns the number of threads to draw with; 1 if the system has no more.
 int threadsToDraw();
 
-/// An OpenGL 4.3 core context without a window, current on the thread that made it. It draws into framebuffer
-/// objects only. Throws BugError if the library cannot give one, and FileError if it is not there.
+/// An OpenGL 4.3 core context without a window, current on the thread that made it. It draws only into framebuffer
+/// objects. Throws BugError if the library gives no context, and FileError if the library is missing.
 class OffscreenContext {
  public:
   OffscreenContext();
@@ -50,7 +51,7 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// Other code on this thread may have made another context current meanwhile.
+  /// Makes the context current again, for other code on this thread may have made another context current.
   void makeCurrent();
 
  private:

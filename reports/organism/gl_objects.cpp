@@ -84,7 +84,7 @@ void Texture::bind(int unit) const {
 }
 
 void Texture::setRows(int first, int rows, const float* texels) const {
-  bind(15);  // where no shader looks, so that what is bound for one stays so
+  bind(15);  // a unit that no shader uses, so that bindings of other units stay
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, rows, GL_RGBA, GL_FLOAT, texels);
 }

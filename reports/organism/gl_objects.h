@@ -1,5 +1,5 @@
 #pragma once
-// OpenGL objects that clean up after themselves, and no more of OpenGL than the pictures need.
+// OpenGL objects that free themselves, with only the functions that pictures need.
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace morula {
 
-/// A linked pair of shaders. A mistake in them is a bug of ours: BugError with the compiler's text.
+/// A linked pair of shaders. Throws BugError with the compiler's text if the sources are wrong.
 class Program {
  public:
   Program(const std::string& vertexSource, const std::string& fragmentSource);
@@ -19,7 +19,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void use() const;
-  /// Uniforms of the program in use; a texture is bound to the unit, too. A name that the shader does not use is
+  /// Set uniforms of the program in use; a texture is also bound to the unit. Names that the shader does not use are
   /// ignored.
   void set(const char* name, int value) const;
   void set(const char* name, const class Texture& texture, int unit) const;
@@ -43,7 +43,7 @@ class Texture {
   Texture& operator=(const Texture&) = delete;
   GLuint id() const { return texture_; }
   void bind(int unit) const;
-  /// Sets rows of a texture of GL_RGBA32F, from below, four numbers to a texel.
+  /// Sets rows of a GL_RGBA32F texture, counted from the bottom, four numbers to a texel.
   void setRows(int first, int rows, const float* texels) const;
 
  private:
@@ -51,7 +51,8 @@ class Texture {
   int width_;
 };
 
-/// Draws into textures: some colours, up to the first that is null, and perhaps a depth, which may hold a stencil, too.
+/// A target for drawing: colour textures, up to the first null one, and optionally a depth texture, which may hold a
+/// stencil.
 class Framebuffer {
  public:
   Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth, bool hasStencil = false);
@@ -67,13 +68,13 @@ class Framebuffer {
 struct VertexAttribute {
   GLint components;
   GLenum type;
-  bool integer;     // reaches the shader as an integer
-  bool normalised;  // 0..255 reaches the shader as 0..1
+  bool integer;     // the shader reads an integer
+  bool normalised;  // the shader reads 0..255 as 0..1
   std::size_t offset;
 };
 
-/// Vertices on their way into the pipeline; attribute number i stands at location i. Triangles are three
-/// vertices after three, or as indices say if there are any.
+/// Vertices on the graphics side; attribute number i is at location i. Each three vertices are a triangle, or, with
+/// indices, each three indices.
 class VertexBuffer {
  public:
   VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,
@@ -82,7 +83,7 @@ class VertexBuffer {
   VertexBuffer(const VertexBuffer&) = delete;
   VertexBuffer& operator=(const VertexBuffer&) = delete;
   void drawTriangles(std::size_t firstCorner, std::size_t corners) const;
-  /// Several parts of the indices, one after the other: first corner and number of corners.
+  /// Draws several ranges of the indices, one after the other: first corner and number of corners.
   void drawTriangles(const std::vector<std::pair<std::size_t, std::size_t>>& parts) const;
 
  private:

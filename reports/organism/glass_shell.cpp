@@ -14,11 +14,11 @@ double mix(double a, double b, double share) { return a + (b - a) * share; }
 
 void coverWithGlass(const Samples& samples, const GlassShell& shell, int y, std::vector<Seen>& row) {
   const auto& [semiAxes, axes, centre] = shell;
-  // Directions of eye space in the space in which the shell is the unit sphere.
+  // The eye's axes and the ray steps are in the space in which the shell is the unit sphere.
   const Vector across = ratio(axes.x, semiAxes), upward = ratio(axes.y, semiAxes), towards = ratio(axes.z, semiAxes);
   const double distance = samples.eyeDistance, middle = 0.5 * (samples.along - 1);
   const Vector eye = distance * towards + ratio(centre, semiAxes), lamp = normalise({-0.55, 0.75, 0.70});
-  // How much a ray changes from pixel to pixel.
+  // The changes of a ray from pixel to pixel.
   const Vector right = 2 * samples.apertureX * distance / samples.width * across,
                up = 2 * samples.apertureY * distance / samples.height * upward;
   const double c = dot(eye, eye) - 1, rayY = samples.rayY(float(y * samples.along + middle)) * distance;
@@ -27,7 +27,7 @@ void coverWithGlass(const Samples& samples, const GlassShell& shell, int y, std:
     const double rayX = samples.rayX(float(x * samples.along + middle)) * distance;
     const Vector ray = rayX * across + rayY * upward - distance * towards;
     const double a = dot(ray, ray), b = dot(eye, ray), discriminant = b * b - a * c;
-    // The edge is softened by how fast the discriminant changes from pixel to pixel.
+    // The edge is softened by the change of the discriminant from pixel to pixel.
     const double slopeX = 2 * (b * dot(eye, right) - c * dot(ray, right)),
                  slopeY = 2 * (b * dot(eye, up) - c * dot(ray, up)),
                  slope = std::sqrt(slopeX * slopeX + slopeY * slopeY);
@@ -37,7 +37,7 @@ void coverWithGlass(const Samples& samples, const GlassShell& shell, int y, std:
     if (t <= 0) continue;
     const double height = samples.heights[samples.pixelAt(x, y)], away = 1 - height / distance;
     const Vector shown = away * rayX * across + away * rayY * upward + height * towards + ratio(centre, semiAxes);
-    if (away < t && dot(shown, shown) > 1.02) continue;  // a cell that has broken out
+    if (away < t && dot(shown, shown) > 1.02) continue;  // a cell that sticks out of the shell
     const Vector n = normalise(axes.of(ratio(eye + t * ray, semiAxes))), v = normalise({-rayX, -rayY, distance});
     const double slant = 1 - std::max(0.0, dot(n, v)), s2 = slant * slant,
                  cover = 0.02 + 0.12 * s2 + 0.46 * s2 * s2 * s2;

@@ -13,7 +13,7 @@ namespace {
 
 enum class Kind { axes, colourBar, arrowKey, scaleBar };
 
-/// An instrument's box in the band; places are relative to the band's left upper corner.
+/// An instrument's box in the band; places are relative to the band's upper left corner.
 struct Place {
   Kind kind;
   double x, y, width;
@@ -26,7 +26,7 @@ struct Layout {
 
 constexpr double rowHeight = 5.2, gap = 2.0;  // [text size]
 
-/// From left to right, and in a further row where there is no room left.
+/// Places instruments from left to right, and in a further row if there is no room left.
 Layout layOut(const Instruments& instruments, double width, double textSize) {
   const double margin = 1.5 * textSize, room = std::max(1.0, width - 2 * margin);
   const double bar = std::min(room, std::max(9 * textSize, 0.3 * width));
@@ -52,7 +52,7 @@ void drawAxes(Drawing& drawing, const PictureScale& eye, Spot middle, double tex
   const std::array directions{Spot{eye.x.x, -eye.y.x}, Spot{eye.x.y, -eye.y.y}, Spot{eye.x.z, -eye.y.z}};
   const std::array depths{eye.z.x, eye.z.y, eye.z.z};
   const double length = 1.3 * textSize;
-  std::array<int, 3> order{0, 1, 2};  // what points to the eye lies on top
+  std::array<int, 3> order{0, 1, 2};  // from the farthest to the nearest
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return depths[a] < depths[b]; });
   for (const int i : order) {
     const Colour colour = seriesColour(std::array{1, 2, 0}[i]);
@@ -60,7 +60,7 @@ void drawAxes(Drawing& drawing, const PictureScale& eye, Spot middle, double tex
     const double seen = std::hypot(way.x, way.y);
     const Spot tip{middle.x + length * way.x, middle.y + length * way.y};
     drawing.line({middle, tip}, {.width = std::max(1.5, 0.13 * textSize), .colour = colour});
-    // An axis along the line of sight is a point: its letter goes to where the other two do not.
+    // An axis along the line of sight is a point: its letter is placed away from the other two.
     if (seen < 0.3) {
       Spot sum;
       for (int k = 0; k < 3; ++k)
@@ -75,7 +75,7 @@ void drawAxes(Drawing& drawing, const PictureScale& eye, Spot middle, double tex
   }
 }
 
-/// A bar of a round number of units with the number above it.
+/// Draws a bar or an arrow of a round number of units with the number above.
 void drawRuler(Drawing& drawing, Spot at, double width, double pixelsPerUnit, const std::string& unit, Colour colour,
                bool arrow, double textSize) {
   const double value = roundBelow(width / pixelsPerUnit), length = value * pixelsPerUnit;

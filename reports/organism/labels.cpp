@@ -9,8 +9,8 @@
 namespace morula {
 namespace {
 
-/// [pixel] How far each pixel is from the next one of another owner, or from the edge: along rows, columns and
-/// diagonals with steps 3 and 4 for 1 and √2 [Borgefors 1986], so 8 % too far at most.
+/// Returns each pixel's distance [pixel] to the next pixel of another owner, or to the edge. Steps along rows and
+/// columns count 3, along diagonals 4, for 1 and √2 [Borgefors 1986]: at most 8 % too far.
 std::vector<double> distancesInside(const LabelGround& ground) {
   const int w = ground.width, h = ground.height;
   std::vector<int> far(ground.owners.size());
@@ -67,7 +67,7 @@ class Places {
  public:
   Places(const LabelGround& ground, double textSize) : ground_(ground), size_(textSize) {}
 
-  /// True if there was one.
+  /// Places a label; returns false if there is no free place.
   bool take(const Candidate& candidate, const std::vector<Candidate>& others) {
     return take(candidate, others, true) || take(candidate, others, false);
   }
@@ -81,7 +81,7 @@ class Places {
     for (int ring = 0; ring < 12; ++ring) {
       const int turns = ring == 0 ? 1 : 16;
       for (int turn = 0; turn < turns; ++turn) {
-        // Wider than high, as the words are, so that the rings go round them.
+        // The rings are wider than high, as words are.
         const double angle = 6.283185307179586 * turn / turns;
         const double reach = ring == 0 ? 0 : candidate.room.reach * 0.5 + ring * 1.1 * size_;
         const Spot c{candidate.room.at.x + (reach + (ring ? 0.4 * wide : 0)) * std::cos(angle),

@@ -1,4 +1,4 @@
-// Creases between cells get less light.
+// Ambient occlusion: creases between cells get less light.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,11 +10,11 @@
 namespace morula {
 namespace {
 
-constexpr int turns = 16, taps = 18, lanes = 20;  // the last two lanes count for nothing
+constexpr int turns = 16, taps = 18, lanes = 20;  // lanes beyond `taps` have weight 0
 constexpr int spread[turns] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};  // [Bayer 1973]
 
-/// The places at which a pixel looks, as shares of how far it looks: in steps of the golden angle outwards, turned by
-/// its place in a block.
+/// The sampling places of a pixel, as shares of its reach: in steps of the golden angle outwards, turned by the pixel's
+/// place in a 4 × 4 block.
 struct Spiral {
   std::array<float, lanes> share{}, x{}, y{};
 };
@@ -33,10 +33,10 @@ const std::array<Spiral, turns>& spirals() {
   return all;
 }
 
-/// Or 0; exact, and without a branch, so that loops are vectorised.
+/// Returns max(x, 0), exactly and without a branch, so that loops are vectorised.
 float positive(float x) { return 0.5f * (x + std::abs(x)); }
 
-/// To the nearest whole number, as the processor rounds sums; below 2^22.
+/// Rounds to the nearest integer, as the processor rounds sums; for |x| < 2^22.
 float rounded(float x) {
   constexpr float shift = 12582912;  // 1.5 · 2^23, where a float's last place is 1
   return (x + shift) - shift;
@@ -44,8 +44,8 @@ float rounded(float x) {
 
 }  // namespace
 
-// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: points nearby that rise above the tangent plane take light
-// away, more the nearer they are; beyond `radius` none.
+// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: nearby points above the tangent plane take light away, the
+// more the nearer they are; none beyond `radius`.
 void findOcclusion(Samples& samples, float radius, int y, const float* normals) {
   const float lastX = float(samples.width - 1), lastY = float(samples.height - 1),
               atX = samples.rayX(float(samples.middleOf(0))), atY = samples.rayY(float(samples.middleOf(0))),
@@ -83,7 +83,7 @@ void findOcclusion(Samples& samples, float radius, int y, const float* normals) 
 
 void evenOut(Samples& samples, int threads) {
   const int width = samples.width, height = samples.height, wide = width + 3;
-  // With the border repeated around: two before and one behind.
+  // `padded` repeats the border around the picture: two pixels before and one behind.
   const auto padded = [&](const auto& values) {
     std::remove_cvref_t<decltype(values)> result;
     for (int y = -2; y <= height; ++y) {

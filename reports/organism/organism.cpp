@@ -15,7 +15,7 @@ namespace {
 
 bool finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The least number of vertices that these faces need.
+/// Returns the number of vertices that these faces refer to.
 std::int32_t neededBy(const std::vector<Face>& faces) {
   std::int32_t needed = 0;
   for (const Face& face : faces)
@@ -91,14 +91,14 @@ int sceneHeight(const OrganismPicture& picture, int width) {
   return height;
 }
 
-/// The points that must lie inside the picture.
+/// Returns the points that must lie inside the picture.
 std::vector<Point> extent(const OrganismPicture& picture) {
   std::vector<Point> points;
   if (picture.shell) {
     const Vector semi = *picture.shell * shellThickness;
     for (const Point& p : makeIcosphere(3).vertices) points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
   }
-  // With a shell cells do not affect the framing, so that it does not change when cells are born or die.
+  // A shell alone defines the framing, so that births and deaths of cells do not change it.
   for (const CellShape& cell : picture.cells)
     if (cell.opacity > 0 && !picture.shell) points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
   for (const LineMark& line : picture.lines) points.push_back(line.from), points.push_back(line.to);
@@ -109,7 +109,7 @@ Framing framingOf(const std::vector<Point>& points, const OrganismPicture& pictu
   return frame(points, eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, width)));
 }
 
-/// `pictureOf`: gives picture number i, counted from 0.
+/// `pictureOf(i)` returns picture number i, counted from 0.
 template <class PictureOf>
 Framing framingOfAll(std::size_t count, const PictureOf& pictureOf) {
   if (count == 0) throw InputError("a framing needs at least one picture");
@@ -125,7 +125,7 @@ Framing framingOfAll(std::size_t count, const PictureOf& pictureOf) {
   return finder->framing();
 }
 
-/// The labels of all visible cells. A translucent cell owns no pixels, so its label is placed at its middle.
+/// Returns the labels of all visible cells. A translucent cell owns no pixels, so its label is placed at its middle.
 std::vector<LabelWish> labelsOf(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
                                 const Aperture& aperture, const LabelGround& ground) {
   std::vector<LabelWish> wishes;

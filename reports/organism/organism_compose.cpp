@@ -1,4 +1,4 @@
-// The passes of OrganismRenderer over the whole picture: what OpenGL drew is read back, and everything put together.
+// The passes of OrganismRenderer that read back OpenGL's samples and compose the picture.
 #include <algorithm>
 #include <type_traits>
 
@@ -8,14 +8,14 @@
 namespace morula {
 namespace {
 
-/// How far shadows between cells reach: the mean distance of a vertex from its cell's middle, but not so far that what
-/// is looked at would lie too thin in the picture.
+/// Returns how far shadows between cells reach: 0.8 of the mean distance of a vertex from its cell's middle, at most
+/// `maxInPicture`.
 double occlusionRadius(const OrganismPicture& picture, double maxInPicture) {
   return std::min(0.8 * meanRadius(picture, picture.cells.size()), maxInPicture);
 }
 
-/// Some rows of pixels at a time, so that they stay in the cache: body(y, a colour of the solid layer, `numbers` a
-/// sample, row by row) for each row of pixels.
+/// Calls body(y, samples) for each row of pixels with its samples of a colour attachment of the solid layer, `numbers`
+/// per sample. Rows are read in strips that fit the cache.
 template <class Number, class Body>
 void eachRow(const Samples& samples, GLenum attachment, GLenum format, int numbers, Body&& body) {
   const std::size_t ofRow = std::size_t(numbers) * samples.columns() * samples.along;
@@ -71,7 +71,7 @@ Image OrganismRenderer::compose(const Frame& frame) {
   eachRow<float>(samples, GL_COLOR_ATTACHMENT2, GL_RGBA, 4, [&](int y, const float* normals) {
     findOcclusion(samples, radius, y, normals + 4 * samples.at(0, samples.along / 2));
   });
-  // Twice: along an edge the first pass lacks half of the pattern that it should even out.
+  // Two passes, because along an edge the first one covers only half of the pattern.
   for (int pass = 0; pass < 2; ++pass) evenOut(samples, threadsToDraw());
   std::optional<GlassShell> shell;
   if (frame.picture.shell) shell = {*frame.picture.shell * shellThickness, frame.axes, frame.framing.centre};

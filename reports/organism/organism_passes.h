@@ -1,5 +1,5 @@
 #pragma once
-// Parts that the passes of OrganismRenderer share; for its own files only.
+// Types that the passes of OrganismRenderer share; for its own files only.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -15,14 +15,14 @@
 namespace morula {
 
 struct OrganismRenderer::Programs {
-  std::map<CellProgram, std::unique_ptr<Program>> cells;  // those that were needed so far
+  std::map<CellProgram, std::unique_ptr<Program>> cells;  // compiled when first needed
   Program line{lineVertexShader(), lineFragmentShader()};
-  std::unique_ptr<Texture> scale;  // of maps
+  std::unique_ptr<Texture> scale;  // the colours of maps
 };
 
-/// Everything that is as large as the picture or its sample grid.
+/// All textures and buffers whose size depends on the picture.
 struct OrganismRenderer::Targets {
-  struct Layer {  // what the cells' shader writes
+  struct Layer {  // the outputs of the cells' shader
     Texture lights, owners, depth, normals, heights;
     Framebuffer framebuffer;
     Layer(int w, int h, bool counted)
@@ -34,14 +34,14 @@ struct OrganismRenderer::Targets {
           framebuffer({&lights, &owners, &normals, &heights}, &depth, counted) {}
   };
 
-  bool counted;  // surfaces before each sample can be, for a clip plane
+  bool counted;  // has a stencil that counts surfaces, for a clip plane
   Layer solid;
   Samples read;
   Targets(int w, int h, int s, bool clip)
       : counted(clip), solid(w * s, h * s, clip), read{.width = w, .height = h, .along = s} {}
 };
 
-/// One picture while it is drawn.
+/// The state of one picture while it is drawn.
 struct OrganismRenderer::Frame {
   const OrganismPicture& picture;
   Style style;
@@ -53,13 +53,13 @@ struct OrganismRenderer::Frame {
   float pixel;  // [sample] the unit of line widths: a pixel of a 900-pixel picture
   Surface surface;
   const VertexBuffer* cells = nullptr;
-  std::array<float, 4> clip{};  // as the shaders take it; 0: nothing is cut away
+  std::array<float, 4> clip{};  // in eye space, as the shaders take it; 0: nothing is cut away
 
   int gridWidth() const { return width * samples; }
   int gridHeight() const { return height * samples; }
   int outlineReach() const { return std::max(1, int(0.5f * pixel + 0.5f)); }  // [sample]
 
-  /// Sets the values that every shader knows.
+  /// Sets the uniforms that every shader has.
   void describe(const Program& program) const {
     program.use();
     program.setSize("size", gridWidth(), gridHeight());
@@ -70,6 +70,7 @@ struct OrganismRenderer::Frame {
   }
 };
 
-/// Nothing anywhere: no owner, depths beyond everything. Lights and normals are read only where there is an owner.
+/// Clears the layer: no owner, depths beyond everything. Lights and normals need no clearing, for they are read only
+/// where there is an owner.
 void clearLayer(float eyeDistance);
 }  // namespace morula

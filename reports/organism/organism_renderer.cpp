@@ -1,4 +1,4 @@
-// The passes over solid cells and lines; the others are in organism_compose.cpp.
+// The passes over solid cells and lines; organism_compose.cpp and organism_veils.cpp have the others.
 #include "organism/organism_renderer.h"
 
 #include <sys/utsname.h>
@@ -18,8 +18,8 @@ struct LineVertex {
   float here[3], there[3], side, light[3];
 };
 
-/// Two triangles that the vertex shader spreads apart on the screen. At the far end "along" points backward,
-/// so the sides swap.
+/// Adds two triangles that the vertex shader spreads on the screen. At the far end "along" points backward, so the
+/// sides swap.
 void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes& axes, const Point& centre,
                double headLength) {
   constexpr float headSide = 5;  // [half widths of the line]
@@ -39,7 +39,7 @@ void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes&
   vertex(base, b, -headSide), vertex(base, b, headSide), vertex(b, base, 0);
 }
 
-/// The depths from the eye that are kept: everything that is drawn, and the middle in any case.
+/// Returns the range of depths to draw: everything in the picture, and its middle in any case.
 std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
   double nearest = framing.distance * 0.9, farthest = framing.distance * 1.1;
   const auto keep = [&](const Point& p) {
@@ -52,7 +52,7 @@ std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAx
   return {std::max(nearest, 0.02 * framing.distance), farthest};
 }
 
-/// "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".
+/// Returns Mesa's version: "3.3 (Core Profile) Mesa 22.3.6" → "22.3.6".
 std::string mesaVersion() {
   const OffscreenContext context;
   const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
@@ -109,7 +109,7 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   if (!targets_ || targets_->read.width != width || targets_->read.height != height ||
       targets_->read.along != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
-    // The bytes of Targets' textures and of what is read back, translucent parts included.
+    // Bytes of Targets' textures and of the samples read back, translucent parts included.
     constexpr double ofSample = 68, ofPixel = 24, ofThreads = 100e6;
     requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
                         "; draw a smaller picture, with less --supersample, or where there is more");
@@ -154,7 +154,7 @@ void OrganismRenderer::drawSolid(const Frame& frame) {
   clearLayer(float(frame.framing.distance));
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  if (frame.picture.clip) glDisable(GL_CULL_FACE);  // the insides of cut cells, where the shader draws the cut
+  if (frame.picture.clip) glDisable(GL_CULL_FACE);  // insides of cut cells are visible, where drawCuts draws the cut
   else glEnable(GL_CULL_FACE);
   cellProgram(frame, CellPass::whole);
   if (frame.surface.solid > 0) frame.cells->drawTriangles(0, frame.surface.solid);
@@ -174,16 +174,16 @@ void OrganismRenderer::drawCuts(const Frame& frame) {
       low = std::min(low, dot(p, clip.normal));
       high = std::max(high, dot(p, clip.normal));
     }
-    const double bulge = 0.2 * (high - low);  // of faces, which are bent outwards between their vertices
+    const double bulge = 0.2 * (high - low);  // faces bend outwards between their vertices
     if (low - bulge < clip.offset && high + bulge > clip.offset) cuts.push_back({&corners, high - low});
   }
-  // Where cells overlap the smaller one is seen: a cell in a cell.
+  // Where cells overlap the smaller one shows: a cell in a cell.
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.size > b.size; });
   const Program &cell = cellProgram(frame, CellPass::whole), &cut = cellProgram(frame, CellPass::cut);
   const GLint zero = 0;
   glClearBufferiv(GL_STENCIL, 0, &zero);
   glEnable(GL_STENCIL_TEST);
-  // The ray that meets the plane inside a cell leaves it once more often than it comes in behind the plane.
+  // A ray that meets the plane inside a cell leaves the cell once more often than it enters, behind the plane.
   const auto count = [&](const Cut& what, GLenum front, GLenum back) {
     cell.use();
     glDisable(GL_CULL_FACE);
@@ -201,7 +201,7 @@ void OrganismRenderer::drawCuts(const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);
-    glCullFace(GL_FRONT);  // the inner sides cover the cut
+    glCullFace(GL_FRONT);  // the inner sides cover the cut's pixels
     glStencilFunc(GL_EQUAL, 1, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     frame.cells->drawTriangles(what.corners->first, what.corners->count);
@@ -216,7 +216,7 @@ void OrganismRenderer::drawCuts(const Frame& frame) {
 void OrganismRenderer::drawLines(const Frame& frame) {
   if (frame.picture.lines.empty()) return;
   std::vector<LineVertex> vertices;
-  std::size_t hidden = 0;  // vertices of lines that cells hide
+  std::size_t hidden = 0;  // number of vertices of lines that cells hide
   const double length = 9 * frame.pixel * 2 * frame.aperture.y * frame.framing.distance / frame.gridHeight();
   for (const bool through : {false, true}) {
     for (const LineMark& line : frame.picture.lines)

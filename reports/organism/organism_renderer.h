@@ -1,6 +1,6 @@
 #pragma once
-// The passes that make an organism's picture, with everything that stays on the graphics side from one
-// picture to the next. One per thread.
+// The passes that draw an organism, with the OpenGL objects that stay from one picture to the next. Each thread has its
+// own renderer.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace morula {
 
-/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay whole.
+/// The shell's wall lies outside of the shell, up to this many times its semi-axes, so that cells that touch it stay
+/// whole.
 inline constexpr double shellThickness = 1.02;
 
 class OrganismRenderer {
@@ -21,11 +22,11 @@ class OrganismRenderer {
   OrganismRenderer(const OrganismRenderer&) = delete;
   OrganismRenderer& operator=(const OrganismRenderer&) = delete;
 
-  /// The scene alone, without words, width × height pixels. The input is checked already.
+  /// Draws the scene without words, width × height pixels. The input must be checked already.
   Image draw(const OrganismPicture& picture, Style style, const Framing& framing, int width, int height);
 
-  /// The solid cell that each pixel's middle shows in the picture drawn last, row by row from the top: its number from
-  /// 1; 0: none.
+  /// Returns the solid cell at the middle of each pixel of the last picture, row by row from the top, as its number
+  /// from 1; 0: none.
   std::vector<std::uint32_t> owners() const;
 
  private:
@@ -38,7 +39,8 @@ class OrganismRenderer {
   void drawCuts(const Frame& frame);
   void drawLines(const Frame& frame);
   struct Samples& readSamples(const Frame& frame);
-  /// Light and opacity of translucent cells, four numbers a sample; nothing where there are none.
+  /// Fills `seen` with light and opacity of translucent cells, four numbers a sample; leaves it empty without such
+  /// cells.
   void drawVeils(const Frame& frame, std::vector<float>& seen);
   Image compose(const Frame& frame);
 
@@ -47,8 +49,8 @@ class OrganismRenderer {
   std::unique_ptr<Targets> targets_;
 };
 
-/// The renderer of organisms, "mesa-22.3.6/x86_64", as one word: only pictures of one renderer, without words, are the
-/// same to the pixel.
+/// Returns the renderer's name in one word, "mesa-22.3.6/x86_64". Only pictures of one renderer, without words, have
+/// equal pixels.
 std::string rendererName();
 
 }  // namespace morula

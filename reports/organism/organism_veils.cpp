@@ -9,11 +9,11 @@
 namespace morula {
 namespace {
 
-constexpr int samplesAtOnce = 4 << 20;                  // that are counted
-constexpr std::uint64_t fragmentsAtOnce = 4 << 20,      // that are kept and sorted; a row at least
-    maxFragments = (128 << 20) / sizeof(VeilFragment);  // as many as llvmpipe can address
+constexpr int samplesAtOnce = 4 << 20;                  // max samples counted at once
+constexpr std::uint64_t fragmentsAtOnce = 4 << 20,      // max fragments stored and sorted at once; one row at least
+    maxFragments = (128 << 20) / sizeof(VeilFragment);  // llvmpipe addresses no more
 
-/// A translucent cell's triangles and where they are: rows of the sample grid, and the depth of its nearest point.
+/// A translucent cell's triangles, the rows of the sample grid that they cover, and its greatest z in eye space.
 struct Veil {
   CellCorners corners;
   int first, last;
@@ -52,7 +52,7 @@ class SharedBuffer {
     glBufferData(GL_SHADER_STORAGE_BUFFER, GLsizeiptr(bytes), data, GL_DYNAMIC_READ);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding_, buffer_);
   }
-  /// For reading and writing, until release().
+  /// Returns the buffer's contents for reading and writing, until release().
   void* contents(std::size_t bytes) {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_);
@@ -77,7 +77,7 @@ void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
   seen.reserve(std::size_t(4) * width * height);
   const std::vector<Veil> veils = veilsOf(frame.surface, frame.framing.distance, frame.aperture.y, height);
   SharedBuffer cursors(0), fragments(1);
-  // Solid parts stay, and hide what is behind them.
+  // Solid cells stay, and hide translucent ones behind them.
   targets_->solid.framebuffer.bind();
   glViewport(0, 0, width, height);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -95,7 +95,7 @@ void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
     glScissor(0, first, width, last - first);
     frame.cells->drawTriangles(parts);
   };
-  // In strips of rows, so that memory is bounded; outlines need some rows around each strip.
+  // The grid is drawn in strips of rows to bound memory; outlines need some rows around each strip.
   const int margin = frame.outlineReach();
   const auto around = [&](int first, int last) {
     return std::pair(std::max(first - margin, 0), std::min(last + margin, height));
@@ -111,14 +111,14 @@ void OrganismRenderer::drawVeils(const Frame& frame, std::vector<float>& seen) {
     const auto* counted = static_cast<const std::uint32_t*>(cursors.contents(4 * samples));
     std::copy(counted, counted + samples, numbers.begin());
     cursors.release();
-    std::vector<std::uint64_t> before{0};  // fragments in the rows before this one
+    std::vector<std::uint64_t> before{0};  // fragments in all rows before each row
     for (int y = low; y < high; ++y) {
       std::uint64_t inRow = 0;
       for (int x = 0; x < width; ++x) inRow += numbers[std::size_t(y - low) * width + x];
       before.push_back(before.back() + inRow);
     }
     for (int first = block, last; first < blockEnd; first = last) {
-      const auto fragmentsOf = [&, low = low, high = high](int end) {  // clang 14 captures no bindings
+      const auto fragmentsOf = [&, low = low, high = high](int end) {  // clang 14 cannot capture structured bindings
         const auto [from, to] = around(first, end);
         return before[std::min(to, high) - low] - before[from - low];
       };

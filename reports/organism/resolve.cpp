@@ -1,4 +1,4 @@
-// Everything together: one light for each pixel.
+// Composes the light of each pixel.
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +7,9 @@
 namespace morula {
 namespace {
 
-constexpr int lightSteps = 1 << 16;  // so many that twenty make the smallest level
+constexpr int lightSteps = 1 << 16;  // the lowest sRGB level spans about twenty steps
 
-/// From linear light, in steps, to the nearest level of sRGB, without a power for each pixel.
+/// Returns a table from linear light, in steps, to the nearest sRGB level, which saves a power for each pixel.
 std::vector<std::uint8_t> levelsOfLight() {
   std::vector<std::uint8_t> levels(lightSteps + 1);
   for (int level = 1; level < 256; ++level) {
@@ -19,8 +19,8 @@ std::vector<std::uint8_t> levelsOfLight() {
   return levels;
 }
 
-/// The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this
-/// side of the edge.
+/// Returns the pixel's visibility. For a sample with another owner than the pixel's middle returns the mean of
+/// neighbours with this owner.
 float visibleAt(const Samples& samples, int x, int y, std::uint32_t owner) {
   if (owner == samples.middles[samples.pixelAt(x, y)]) return samples.visible[samples.pixelAt(x, y)];
   float sum = 0, weight = 0;
@@ -30,7 +30,7 @@ float visibleAt(const Samples& samples, int x, int y, std::uint32_t owner) {
   return weight > 0 ? sum / weight : 0.7f;
 }
 
-/// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at an edge.
+/// Returns the factor of a cell's light that draws dark outlines: 1 inside, outlineShade where the cell ends.
 float outlineAt(const Samples& samples, int column, int row, std::uint32_t owner) {
   const int reach = samples.outlineReach, right = std::min(column + reach, samples.columns() - 1),
             left = std::max(column - reach, 0), above = std::min(row + reach, samples.rows() - 1),

@@ -8,7 +8,7 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-/// How a face is split into n² triangles: points on a lattice, and the triangles between them, wound like the face.
+/// The split of a face into n² triangles: points on a lattice, and triangles between them, wound like the face.
 struct Split {
   std::vector<Weights> points;
   std::vector<std::uint32_t> corners;
@@ -29,7 +29,7 @@ Split splitFace(int n) {
 }
 
 int splitsFor(std::size_t faces) {
-  constexpr std::size_t budget = 250'000;  // triangles: what is drawn in a fraction of a second
+  constexpr std::size_t budget = 250'000;  // triangles that are drawn in a fraction of a second
   int n = 4;
   while (n > 1 && faces * std::size_t(n * n) > budget) --n;
   return n;
@@ -40,8 +40,8 @@ struct FaceInEye {
 
   Vector flat(const Weights& w) const { return position[0] * w[0] + position[1] * w[1] + position[2] * w[2]; }
 
-  /// The flat point moved halfway to the mean of its projections onto the corners' tangent planes: on a sphere of
-  /// radius R that lies within O(edge⁴/R³) of it, because each plane stands off twice as far as the sphere.
+  /// Returns the flat point moved halfway to the mean of its projections onto the corners' tangent planes. On a sphere
+  /// of radius R the result is within O(edge⁴/R³) of it, because each plane stands off twice as far as the sphere.
   Vector curved(const Weights& w) const {
     constexpr double share = 0.5;
     const Vector p = flat(w);
@@ -53,7 +53,7 @@ struct FaceInEye {
 
 std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.0, 1.0) * 65535 + 0.5); }
 
-/// One cell on its way to the surface.
+/// Adds one cell to the surface.
 class CellSurface {
  public:
   CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes, const Point& centre)
@@ -70,7 +70,7 @@ class CellSurface {
     if (!cell_.shares.empty()) to.mapped = true;
   }
 
-  /// Each face with vertices of its own.
+  /// Adds split faces, each with vertices of its own.
   void addSplit(const Split& split) {
     for (const Face& face : faces_) {
       FaceInEye corners;
@@ -88,7 +88,7 @@ class CellSurface {
     }
   }
 
-  /// Faces as they are.
+  /// Adds unsplit faces, which share vertices.
   void addShared() {
     const auto first = std::uint32_t(to_.vertices.size());
     for (const Face& face : faces_)

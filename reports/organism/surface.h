@@ -1,5 +1,5 @@
 #pragma once
-// From cells to the triangles that are drawn.
+// The triangles that are drawn for cells.
 #include <cstdint>
 #include <vector>
 
@@ -12,29 +12,29 @@ namespace morula {
 struct SurfaceVertex {
   float position[3];  // in eye space, relative to the framing's centre
   float normal[3];
-  float corner[3];         // barycentric in the face of the mesh, so that its edges can be drawn
-  std::uint16_t light[4];  // linear colour and opacity, 65535 is 1
+  float corner[3];         // barycentric in the mesh's face, for drawing its edges
+  std::uint16_t light[4];  // linear colour and opacity; 65535 is 1
   std::uint32_t owner;     // the cell's number, from 1
-  float share;             // where its colour lies on the scale of maps, 0 to 1; −1: `light` is its colour
+  float share;             // place of the colour on the scale of maps, 0 to 1; −1: `light` is the colour
 };
 
-/// The range of one cell's triangles among the corners.
+/// The range of one cell's triangles in Surface::corners.
 struct CellCorners {
   std::size_t cell, first, count;
 };
 
 struct Surface {
   std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> corners;  // three vertices to a triangle, solid cells first
-  std::size_t solid = 0;               // corners of solid cells
-  std::vector<CellCorners> cells;      // of those that are drawn
-  bool mapped = false;                 // whether any cell is a map
+  std::vector<std::uint32_t> corners;  // three per triangle, solid cells first
+  std::size_t solid = 0;               // number of corners of solid cells
+  std::vector<CellCorners> cells;      // all cells that are drawn
+  bool mapped = false;                 // true if any cell is a map
 };
 
-/// Bends each face between its vertices by Phong tessellation [Boubekeur & Alexa 2008], so that silhouettes
-/// are round although the mesh is coarse; the mesh's own vertices stay where they are. The more faces there
-/// are, the less each is split, because it is then small in the picture. Without edges `corner` is not set, and faces
-/// that are not split share their vertices.
+/// Returns the surface of all visible cells. Faces are bent between their vertices by Phong tessellation [Boubekeur &
+/// Alexa 2008], so that silhouettes of coarse meshes are round; the mesh's vertices do not move. The more faces there
+/// are, the less each is split, because it is then small in the picture. Without edges `corner` is not set, and unsplit
+/// faces share their vertices.
 Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing, bool withEdges = true);
 
 }  // namespace morula

@@ -30,7 +30,7 @@ void sortVeils(const VeilRows& veils, int threads) {
   parallelFor(veils.rows, threads, [&](int row) {
     for (int x = 0; x < veils.width; ++x) {
       const List list = listAt(veils, std::size_t(row) * veils.width + x);
-      // By insertion: the lists are short, and nearly sorted, as cells are drawn from the eye on.
+      // Insertion sort: the lists are short, and nearly sorted, because cells are drawn from the nearest on.
       for (VeilFragment* at = list.begin; at < list.end; ++at) {
         const VeilFragment fragment = *at;
         VeilFragment* to = at;
@@ -60,7 +60,7 @@ std::vector<float> composeVeils(const VeilRows& veils, int first, int last, int 
           return i >= other.size() || other.begin[i].owner != here.owner;
         });
         const float shade = isEdge ? outlineShade : 1, opacity = float(here.opacity) / 65535;
-        const float cover = 1 + (opacity - 1) * shade;  // outlines stay visible on faint cells
+        const float cover = 1 + (opacity - 1) * shade;  // keeps outlines visible on faint cells
         const float through = 1 - sum[3], factor = through * shade * cover * (2.0f / 65535);
         for (int c = 0; c < 3; ++c) sum[c] += factor * float(here.light[c]);
         sum[3] += through * cover;

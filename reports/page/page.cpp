@@ -5,7 +5,8 @@
 namespace morula {
 namespace {
 
-/// Everything is in the file, so nothing may be fetched; of programs only those of these very bytes run.
+/// Returns the page's content security policy. The file holds everything, so all requests are forbidden, and only these
+/// very programs may run.
 std::string policy(const Page& page) {
   std::string text =
       "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";

@@ -1,4 +1,4 @@
-// How a page looks: on a screen, light or dark, wide or narrow, and on paper.
+// The style sheet of pages: for screens, light or dark, wide or narrow, and for paper.
 #include "page/page.h"
 
 namespace morula {

@@ -20,20 +20,21 @@ void check(const LineageNode& node) {
   if (node.ended < node.born) throw InputError(cellName(node.path) + " ends before it is born");
 }
 
-constexpr std::size_t maxLabelledTree = 12;  // leaves up to which inner cells are labelled too
+constexpr std::size_t maxLabelledTree = 12;  // max leaves of a tree whose inner cells are labelled too
 
-/// The map from tree units to the picture, and the widths of lines.
+/// The transformation from the tree to the picture, and the widths of lines.
 struct Sheet {
   ChartFrame frame;
   Axis time;     // downwards
   double pitch;  // [pixel] between leaves
   double line;   // [pixel] width of a cell's line
-  bool upward;   // leaf labels read upward because they are too wide
+  bool upward;   // leaf labels are vertical because they are too wide
   double label;  // [pixel] text size of leaf labels; 0: there are none
 
   double x(double leafUnits) const { return frame.left + 0.5 * frame.textSize + pitch * leafUnits; }
   double y(double when) const { return time.place(when); }
-  /// Lines taper from the egg to the leaves, as branches do: a crowded tree keeps strong limbs.
+  /// Returns the width of a cell's line. Lines taper from the egg to the leaves, so that crowded trees keep strong
+  /// limbs.
   double width(const TreePlace& place) const {
     return std::min(0.28 * frame.textSize, line * std::sqrt(double(place.leaves)));
   }
@@ -91,7 +92,7 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
   return sheet;
 }
 
-/// From the mother's line sideways, round the corner and down to the end.
+/// Draws a cell's line: from the mother's line sideways, round the corner and down to its end.
 void drawCell(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, const TreePlace& place) {
   const Spot birth{sheet.x(place.x), sheet.y(place.node->born)}, end{birth.x, sheet.y(place.node->ended)};
   std::vector<Spot> points{birth, end};
@@ -124,7 +125,7 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
                shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
 }
 
-/// The state beside the line, and at the corner the letter that the division gave.
+/// Draws a cell's label beside its line, and its letter A or B at the corner.
 void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
   const double x = sheet.x(place.x), size = 0.9 * sheet.frame.textSize, width = sheet.width(place);
   if (!place.isLeaf()) {
@@ -153,7 +154,7 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   if (places.empty()) return layout;
   layout.begin = places.front().node->born;
   layout.end = places.front().node->ended;
-  // The cells from a root down to the last one seen: a path's mother is always among them
+  // `line` holds the cells from a root down to the last one visited: a path's mother is always among them
   std::vector<int> line;
   for (int i = 0; i < int(places.size()); ++i) {
     const std::string& path = places[i].node->path;
@@ -197,7 +198,7 @@ Drawing drawLineage(const TreePicture& asked) {
         std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);
-  // From the leaves up, so that at a division the mother lies on top.
+  // Cells are drawn from the leaves up, so that mothers lie on top at divisions.
   for (auto place = layout.places.rbegin(); place != layout.places.rend(); ++place)
     drawCell(drawing, sheet, layout, *place);
   for (const TreePlace& place : layout.places) {

@@ -12,7 +12,7 @@ the same, and sends a terminal nothing that it would obey. --accept writes what 
 before it is kept, and leaves out what is not refused; without it, either is a fault. A mistake is a command here, or a line
 of a message in bad_scenarios, bad_dna and bad_studies: the last line counts both.
 
-Exit codes: 0 so it is, 1 not so.
+Exit codes: 0 passed, 1 failed.
 """
 import itertools
 import os
@@ -26,10 +26,10 @@ here = pathlib.Path(__file__).resolve().parent
 program, *words = sys.argv[1:]
 accept = "--accept" in words
 named = [word for word in words if word != "--accept"]
-# What a terminal obeys, and what turns the direction of its text.
+# Bytes that a terminal obeys, and characters that change the direction of text.
 obeyed = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
-# `sql FILE TEXT`: changes a database as somebody else may.
+# The program `sql FILE TEXT` changes a database from outside.
 sql = """#!/usr/bin/env python3
 import sqlite3, sys
 with sqlite3.connect(sys.argv[1]) as database:
@@ -39,7 +39,7 @@ with sqlite3.connect(sys.argv[1]) as database:
 
 
 def files(folder):
-    """All files and what of them a refused command must not change."""
+    """The files with the properties that a refused command must not change."""
     found = {}
     for path in sorted(pathlib.Path(folder).rglob("*")):
         status = path.lstat()
@@ -48,20 +48,20 @@ def files(folder):
 
 
 def commands(line):
-    """A command for each choice of alternatives, and what was chosen first."""
+    """Commands for all choices of alternatives, each with the first choice."""
     parts = re.split(r"\(([^()\s]*\|[^()\s]*)\)", line)
     choices = [part.split("|") if i % 2 else [part] for i, part in enumerate(parts)]
     return [("".join(words), "".join(words[1:2])) for words in itertools.product(*choices)]
 
 
 def shell(command, folder):
-    # The limit is of CPU time: what reads for ever is ended, on a machine however slow. The other is a last resort.
+    # The limit on CPU time ends endless reads, however slow the machine is. The timeout is a last resort.
     return subprocess.run(["bash", "-c", "ulimit -t 60; " + command], cwd=folder, stdin=subprocess.DEVNULL, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=7200,
                           env={"PATH": f"{folder}/../bin:/usr/local/bin:/usr/bin:/bin", "HOME": folder, "LC_ALL": "C"})
 
 
-# What differs from one build, machine or day to another.
+# Text that differs between builds, machines or days.
 VARIES = ((r"\b[0-9a-f]{16}\b", "ID"), (r"\S*\.pending/\S+", "PENDING"), (r"\d+\.\d+ MB", "SIZE MB"),
           (r"\d+:\d\d of CPU time", "CPU of CPU time"),
           (r"available: scalar(, \w+)+", "available: SETS"),
@@ -81,7 +81,7 @@ def said(run):
 
 
 def try_one(command, folder):
-    """What the command says, and the faults that no table could excuse."""
+    """The output of the command, and the faults that no table may accept."""
     before = files(folder)
     run = shell("morula " + command, folder)
     faults = []
@@ -96,8 +96,9 @@ def try_one(command, folder):
 
 
 def as_written(line, tried):
-    """The line with what it says, or a line for each of its alternatives where they say different things."""
-    # Alike as they are ("(?!)" fits nothing), but for the verb's name, or but for the word wherever it stands.
+    """The line with its answer, or a line for each alternative if the answers differ."""
+    # Answers count as equal if they are equal literally ("(?!)" matches nothing), but for the verb's name, or but for
+    # the word at any place.
     for before in ("(?!)", r"(?:morula:?(?: study)? |study )", r"(?<!\w)"):
         texts = {re.sub(rf"({before}){re.escape(chosen)}(?!\w)", r"\1\\1", text) for _, chosen, text in tried}
         if len(texts) == 1:
@@ -106,7 +107,7 @@ def as_written(line, tried):
 
 
 def judge(table, work):
-    """The table as it is now, how many commands it holds, and its faults."""
+    """The table with present answers, its number of commands, and its faults."""
     os.makedirs(f"{work}/bin")
     os.makedirs(f"{work}/w")
     os.symlink(os.path.abspath(program), f"{work}/bin/morula")
@@ -114,7 +115,7 @@ def judge(table, work):
     os.chmod(f"{work}/bin/sql", 0o755)
     folder, now, count, faults = f"{work}/w", [], 0, []
     blocks = re.split(r"^(?=[$!#\n])", table.read_text(), flags=re.MULTILINE)
-    asked = []  # commands that share what stands beneath the last of them
+    asked = []  # commands that share the answer beneath the last of them
     for number, block in enumerate(blocks):
         first, _, expected = block.rstrip("\n").partition("\n")
         if first.startswith("! "):
@@ -139,7 +140,7 @@ def judge(table, work):
                     tried.append((command, chosen, text))
             now += as_written(line, tried) if tried else []
         asked = []
-    # Neighbours that are answered alike share the answer.
+    # Neighbours with equal answers share the answer.
     text = "".join(line + "\n" + ("" if i + 1 < len(now) and now[i + 1][1] == answer else answer + "\n")
                    if answer is not None else line for i, (line, answer) in enumerate(now))
     return text, count, faults

@@ -1,5 +1,5 @@
-// How many cell cycles per second the compiled DNA runs without physics, over the 4094 genes of the thesis'
-// tree of C. elegans. Not a test: it prints numbers and judges nothing.
+// Measures how many cell cycles per second the compiled DNA runs without physics, over the 4094 genes of the thesis'
+// tree of C. elegans. This is no test: it prints numbers and judges nothing.
 #include <cstdio>
 #include <vector>
 
@@ -17,7 +17,7 @@ struct Cell {
   StateId state = 0;
 };
 
-/// All cells run one cycle, then divide or die. Returns the number of cycles run.
+/// Runs one cycle of all cells, which then divide or die. Returns the number of cycles run.
 std::uint64_t runCellCycles(BiologicalUnit& unit, std::vector<Cell>& cells, std::vector<Cell>& next) {
   next.clear();
   for (const Cell& cell : cells) {

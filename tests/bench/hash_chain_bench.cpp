@@ -1,4 +1,4 @@
-// What the chain of hashes costs: a scenario run twice side by side, with and without, in turns of 64 steps.
+// Measures the cost of the chain of hashes: a scenario runs twice side by side, with and without, in turns of 64 steps.
 //
 //   hash_chain_bench [SCENARIO]     default: scenarios/thesis/elegans-128.yaml
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ using namespace morula;
 
 namespace {
 
-constexpr std::uint64_t turn = 64;  // steps, as between two links
+constexpr std::uint64_t turn = 64;  // steps between two links
 
 struct Contestant {
   World world;
@@ -33,7 +33,7 @@ struct Contestant {
   }
 };
 
-/// Storing what the recorder has.
+/// Returns the seconds that it takes to store the recorded rows.
 double secondsToStore(Contestant& c, const std::filesystem::path& file) {
   return timeOf(ClockKind::process, [&] {
     RunRecord record;

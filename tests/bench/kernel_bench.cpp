@@ -1,5 +1,5 @@
-// The kernels one by one, for work on them: kernel_bench --benchmark_filter=rings. `morula bench` measures
-// them in their places. Not a test: it prints numbers and judges nothing.
+// Measures each kernel alone: kernel_bench --benchmark_filter=rings. `morula bench` measures kernels in whole steps.
+// This is no test: it prints numbers and judges nothing.
 #include <benchmark/benchmark.h>
 
 #include "bench/packed_world.h"
@@ -17,7 +17,7 @@ World& packed() {
   return world;
 }
 
-/// Named "WHAT/ISA".
+/// Registers a benchmark named "WHAT/ISA".
 template <class Run>
 void add(const std::string& what, Isa isa, const Run& run) {
   benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(), run);
@@ -36,8 +36,8 @@ void addStage(const std::string& what, Isa isa, PhysicsKernels::Stage stage) {
   add(what, isa, [=](benchmark::State& state) { overBlocks(state, stage); });
 }
 
-/// With a time step of 0, which moves nothing. Kicks start from no force, for force and acceleration share a
-/// place.
+/// Adds a stage with a time step of 0, which moves nothing. Acceleration shares its place with force and is set to 0
+/// first, so that kicks start without force.
 void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage stage) {
   add(what, isa, [=](benchmark::State& state) {
     Bodies& b = *packed().bodies;
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     addStage("springs", isa, k.findTensions);
     addStage("damped springs", isa, k.findDampedTensions);
     addStage("rings", isa, k.accumulateRings);
-    // Only the last of a step: forces pile up, which changes no time.
+    // Pressure is benchmarked alone: forces add up, which changes no time.
     addStage("pressure", isa, k.addPressureForces);
     addStage("pressure and drag", isa, k.addPressureAndDragForces);
     addTimedStage("drift", isa, k.driftVelocityVerlet[int(ShellShape::none)]);

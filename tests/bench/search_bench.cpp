@@ -1,5 +1,5 @@
-// What finding contacts costs, each way, for packed cells, as a table. To be held against the time per cell that
-// grows more than twelvefold from 128 to 256 cells in [Nilsson 2008, table 5.1].
+// Prints a table of the cost of each way to find contacts, for packed cells. For comparison: the time per cell grows
+// more than twelvefold from 128 to 256 cells in [Nilsson 2008, table 5.1].
 //
 //   bench_search [LARGEST] [ISA]     cells of the last row, 256 unless told; an organism of 1024 takes
 //   minutes
@@ -21,8 +21,8 @@ namespace {
 
 constexpr double fixedStep = 1.0 / 2800;  // between the stability limits of 128 and of 256 of these cells
 
-/// [ns] Of so many calls, for one of them: CPU, all threads together, which other programs on the machine disturb
-/// least.
+/// Returns the CPU time of one call [ns], averaged over `calls` and summed over threads: other programs disturb CPU
+/// time least.
 template <class Work>
 double timed(int calls, const Work& work) {
   return 1e9 / calls * timeOf(ClockKind::process, [&] {
@@ -30,7 +30,7 @@ double timed(int calls, const Work& work) {
          });
 }
 
-/// The median of five.
+/// Returns the median of five timings.
 template <class Work>
 double timedOften(int calls, const Work& work) {
   std::vector<double> times(5);
@@ -38,7 +38,7 @@ double timedOften(int calls, const Work& work) {
   return median(times);
 }
 
-/// Everybody divides `generations` times; cells fill the unit sphere.
+/// Returns a scene in which all cells divide `generations` times and fill the unit sphere.
 Scene organism(int generations) {
   Scene scene;
   scene.name = "packed";
@@ -61,7 +61,7 @@ void printHead() {
       "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
 }
 
-/// One row: searches of the world as it is. Figures per vertex and search.
+/// Prints one row: searches of the present world. Figures are per vertex and search.
 void printSearch(const World& world, ContactSearch method, double skinShare, Isa isa) {
   const Bodies& bodies = *world.bodies;
   const double vertices = double(bodies.count) * bodies.vertexCount();
@@ -84,7 +84,7 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   std::fflush(stdout);
 }
 
-/// The stages of a step beside the search. [ns per vertex]
+/// Prints the times [ns per vertex] of the other stages of a step.
 void printStages(World& world) {
   Bodies& bodies = *world.bodies;
   Contacts& contacts = *world.contacts;
@@ -132,8 +132,8 @@ int main(int argc, char** argv) {
       "|\n|--:|--:|--:|--:|--:|\n");
   for (World& world : worlds) printStages(world);
 
-  // Cells lose half their mass at each division, and the longest stable step shrinks with its root: one step
-  // for all sizes is stable until some generation is not.
+  // Cells lose half their mass at each division, and the longest stable step shrinks with the mass's root: a common
+  // step is stable only up to some generation.
   std::printf("\nThe same organisms after 200 steps of 1/%.0f each, stable for 128 cells and not for 256:\n\n",
               1 / fixedStep);
   printHead();

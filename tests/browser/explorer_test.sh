@@ -1,5 +1,5 @@
 #!/bin/sh
-# Pages of `morula report` in a browser: explorer_test.sh PROGRAM. 77 where there is no Chromium, Node.js or npm.
+# Tests pages of `morula report` in a browser: explorer_test.sh PROGRAM. Exit code 77 without Chromium, Node.js or npm.
 set -eu
 # shellcheck source=tests/browser/setup.sh
 . "$(dirname "$0")/setup.sh"
@@ -31,7 +31,7 @@ page one 60 "$scratch/one.db"
 page two 20 "$scratch/one.db" "$scratch/two.db"
 page evil 5 "$scratch/evil.db"
 
-# A check that fails: what was accepted had another pressure.
+# A check that fails, because the accepted result had another pressure.
 sed -e 's/^name: evil/name: small/' -e '/^summary:/d' "$here/evil.yaml" >"$scratch/small.yaml"
 CI= "$program" review "$scratch/small.yaml" --accept --by tests --why 'to be held against' >/dev/null
 sed -i 's/constant: 172/constant: 190/' "$scratch/small.yaml"
@@ -58,7 +58,7 @@ printf 'variation: {cycle: 0.05, start: 0.01}\n' >>"$scratch/small.yaml"
 page study 10 "$scratch/many"
 
 files="one.html check.html study.html"
-# The largest takes as long as all others together: MORULA_BROWSER_LARGE=1 asks for it.
+# The largest study takes as long as all others together; MORULA_BROWSER_LARGE=1 includes it.
 if [ -n "${MORULA_BROWSER_LARGE-}" ]; then
   run elegans scenarios/thesis/elegans-128.yaml --no-check
   page elegans 200 "$scratch/elegans.db"

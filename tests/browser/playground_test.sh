@@ -1,6 +1,7 @@
 #!/bin/sh
-# The page of `morula playground` in a browser: playground_test.sh PROGRAM. 77 where there is no Chromium, Node.js, npm or emscripten, or
-# the sources of yaml-cpp cannot be fetched. MORULA_BROWSER_LARGE=1: every shipped scenario and every bad one, not forty of each.
+# Tests the page of `morula playground` in a browser: playground_test.sh PROGRAM. Exit code 77 without Chromium,
+# Node.js, npm, emscripten or the sources of yaml-cpp. MORULA_BROWSER_LARGE=1: all shipped and bad scenarios, not forty
+# of each.
 set -eu
 # shellcheck source=tests/browser/setup.sh
 . "$(dirname "$0")/setup.sh"

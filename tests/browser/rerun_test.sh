@@ -1,5 +1,6 @@
 #!/bin/sh
-# Pages of `morula report --rerun` in a browser: rerun_test.sh PROGRAM. 77 where there is no Chromium, Node.js, npm or emscripten.
+# Tests pages of `morula report --rerun` in a browser: rerun_test.sh PROGRAM. Exit code 77 without Chromium, Node.js,
+# npm or emscripten.
 set -eu
 # shellcheck source=tests/browser/setup.sh
 . "$(dirname "$0")/setup.sh"
@@ -24,7 +25,7 @@ page single scenarios/hard/single-precision.yaml
 "$program" report "$scratch/one.db" -o "$scratch/plain.html" --frames 2 --quiet >/dev/null
 node "$here/rerun_test.mjs" "$build/explorer" "$scratch"
 
-# What a page cannot make again is said, and nothing is written.
+# Runs that a page cannot repeat are refused, and nothing is written.
 refused() { # refused SAID ARGUMENT...
   said=$1
   shift

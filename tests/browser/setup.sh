@@ -1,7 +1,8 @@
 # shellcheck shell=sh
-# What tests of pages in a browser begin with; they read it by `.`, with PROGRAM as their own first argument. Sets here, source (the folder
-# of all sources), program, build (its folder), scratch (an empty folder that goes away) and NODE_PATH and CHROMIUM for Node.js;
-# builds the explorer with what its tests need, and goes to the sources. Exit code 77 where there is no Chromium, Node.js or npm.
+# The beginning of tests of pages in a browser, which read this file by `.` with PROGRAM as their first argument. Sets
+# source (the folder of all sources), program, build (its folder), scratch (a temporary folder), NODE_PATH and CHROMIUM.
+# Builds the explorer with its tests' packages, and changes to the sources. Exit code 77 without Chromium, Node.js or
+# npm.
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
 program=$1

@@ -1,4 +1,4 @@
-// morula accuracy as its users and other programs read it.
+// morula accuracy, as users and other programs see it.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -20,7 +20,7 @@ struct Bench {
   Words words(const Words& more) const {
     return joined({"accuracy", folder / "swinging.yaml", "--out", folder.path(), "--rounds", "1"}, more);
   }
-  /// Outside of continuous integration, where goldens may be written.
+  /// Runs accuracy outside of continuous integration, where goldens may be written.
   Launched accuracyOfPeople(const Words& more) const { return launch(words(more), {{"CI", ""}}); }
 };
 
@@ -35,7 +35,7 @@ TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a 
   CHECK(json["reference"]["agrees"] == true);
   CHECK(readWhole(json["picture"]).substr(1, 3) == "PNG");
   std::size_t failed = 0, spheres = 0;
-  REQUIRE(json["rows"].size() == 9 * 5 + 2 * 6);  // cheaper models also with the longest step that they bear
+  REQUIRE(json["rows"].size() == 9 * 5 + 2 * 6);  // cheaper models also run with their longest step
   for (const auto& row : json["rows"]) {
     CAPTURE(row.dump());
     CHECK(row["engine"] == "morula");
@@ -54,7 +54,7 @@ TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a 
   CHECK_FALSE(json["speed_at_error"].empty());
   for (const auto& s : json["speed_at_error"]) CHECK(s["cpu_seconds"] > 0);
 
-  // The settings that it names are settings that run takes.
+  // `run` accepts the settings that accuracy names.
   Words again{"run", bench.folder / "swinging.yaml", "--no-pictures", "--quiet", "--db", bench.folder / "db"};
   for (const auto& change : json["target"]["settings"]["set"]) again.insert(again.end(), {"--set", change});
   CHECK(launch(again).code == 0);
@@ -71,7 +71,7 @@ TEST_CASE("accuracy for people: series, orders, speeds and the line to use") {
   CHECK(launch(bench.words({"--target", "1e-30", "--only", "--integrator", "rk4"})).code == 1);
 }
 
-TEST_CASE("accuracy refuses what has no error") {  // mistakes of words: bad_commands
+TEST_CASE("accuracy refuses what has no error") {  // wrong options: bad_commands
   const Bench bench;
   refuses(bench.words({"--until", "1e-9"}), 3, "nothing to compare");
   refuses(bench.words({"--set", "physics.integrator=explicit-euler", "--set", "physics.drag=0"}), 3,
@@ -100,7 +100,7 @@ TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and
   const Bench bench;
   const std::string scenario = bench.folder / "swinging.yaml", golden = bench.folder / "swinging.golden";
   const Words quick{"--into-golden", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"};
-  CHECK(bench.accuracyOfPeople(quick).code == 3);  // there is no golden
+  CHECK(bench.accuracyOfPeople(quick).code == 3);  // no golden yet
   accept(scenario);
   CHECK(bench.accuracyOfPeople(joined(quick, {"--set", "physics.drag=3"})).code == 2);
   CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
@@ -112,10 +112,10 @@ TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and
                                     !ContainsSubstring("\nerror neighbours "));
   CHECK_THAT(launch({"accuracy", "--stated", golden}).out, ContainsSubstring("swinging |"));
   CHECK(launch({"check", scenario}).code == 0);
-  accept(scenario);  // the same one: its error stays
+  accept(scenario);  // the same result: its error stays
   CHECK_THAT(readWhole(golden), ContainsSubstring("\nerror "));
   writeWhole(scenario, swinging + "  precision: single\n");
-  CHECK(bench.accuracyOfPeople(quick).code == 3);  // accept its result first
+  CHECK(bench.accuracyOfPeople(quick).code == 3);  // the changed result is not accepted yet
   accept(scenario);
   CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
 }

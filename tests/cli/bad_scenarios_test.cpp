@@ -1,5 +1,4 @@
-// What tests/bad_scenarios promises holds for the whole program: exit 3, the message on stderr, nothing on
-// stdout.
+// The whole program keeps the promises of tests/bad_scenarios: exit 3, the message on stderr, nothing on stdout.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-// morula bench as its users and other programs read it. What it measures is not judged here.
+// morula bench, as users and other programs see it. The measured times are not judged.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -33,7 +33,7 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
   CHECK(json["thesis"].size() == 6);
   CHECK(readWhole(json["picture"]).substr(1, 3) == "PNG");
 
-  bool bullet = json["remarks"].empty() == false;  // it says so when it is left out
+  bool bullet = json["remarks"].empty() == false;  // a remark says that Bullet is left out
   std::size_t steps = 0;
   REQUIRE(json["rows"].size() > 20);
   for (const auto& row : json["rows"]) {
@@ -84,7 +84,7 @@ TEST_CASE("bench for people: a table on stdout, nothing else with --quiet") {
 TEST_CASE("Bullet's worker is not for people, and tells a broken request") {
   CHECK(launch({"--help"}).out.find("engine-worker") == std::string::npos);
   CHECK(launch({"no-such-verb"}).err.find("engine-worker") == std::string::npos);
-  const auto run = launch({"engine-worker"});  // nothing on its stdin
+  const auto run = launch({"engine-worker"});  // stdin is empty
   CHECK(run.code == 3);
   CHECK_THAT(run.err, ContainsSubstring("question to another engine cannot be read"));
 }

@@ -1,4 +1,4 @@
-// Pictures of what differs from a golden, and of two pictures, as users ask for them.
+// Pictures of differences from a golden, and of two pictures, as users ask for them.
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a page says so; it is too long for a message.
+/// Returns true if a page contains the words. A page is too long for the message of a failed check.
 bool has(const std::string& page, const std::string& words) { return page.find(words) != page.npos; }
 
 const std::string pair =
@@ -41,7 +41,7 @@ TEST_CASE("a run that differs from its golden is drawn beside it, and one that d
 
 TEST_CASE("a page of a failed check shows the golden's organism: from git, or else from its numbers") {
   const TemporaryFolder folder;
-  std::string genes;  // more than a golden records word for word
+  std::string genes;  // more genes than a golden records verbatim
   for (int i = 0; i < 20; ++i) genes += "  h" + std::to_string(i) + "(p" + std::to_string(i) + "|a0,A)\n";
   const auto scenario = folder / "pair.yaml";
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
@@ -67,7 +67,7 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     return;
   }
   CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
-  // Also where the change has been committed since: the golden's own commit has its scenario.
+  // Pictures also work after the change was committed: the golden's own commit has its scenario.
   REQUIRE(git("commit -a -m second"));
   CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
 }

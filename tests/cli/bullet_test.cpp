@@ -1,4 +1,4 @@
-// Scenarios held against Bullet, and other engines beside ours, as users ask for them.
+// Comparisons with Bullet and other engines, as users ask for them.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// One cell that swings in Bullet's own integrator; the text of check.bullet follows.
+/// A scenario of one cell that swings in Bullet's integrator; the text of check.bullet follows.
 const std::string one = R"(morula: 1
 name: one
 dna: |
@@ -44,13 +44,13 @@ TEST_CASE("run stores what Bullet made of the same scene, says so, and draws the
     return;
   }
   CHECK(run.out.find("all 1 pass") != run.out.npos);
-  // The same cells at the same times, and the same volumes.
+  // The samples have the same cells, times and volumes.
   CHECK(count(db, "bullet_sample WHERE baseline = 'b1'") == 3);
   CHECK(count(db,
               "cell_sample c JOIN bullet_sample b USING (run_id, time, path) "
               "WHERE abs(c.volume - b.volume) < 1e-9 AND b.volume > 1") == 3);
   CHECK(std::filesystem::exists(folder / "one-0/bullet.png"));
-  // The same again replaces it.
+  // A second run replaces the results of the first.
   CHECK(launch({"run", folder / "one.yaml", "--out", folder.path(), "--no-pictures"}).code == 0);
   CHECK(count(db, "bullet_sample") == 3);
   CHECK(count(db, "check_result WHERE kind = 'bullet'") == 1);

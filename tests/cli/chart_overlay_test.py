@@ -3,7 +3,7 @@
 
   chart_overlay_test.py MORULA SCENARIO
 
-Exit codes: 0 so it is, 1 not so, 77 there is no matplotlib to compare with.
+Exit codes: 0 passed, 1 failed, 77 there is no matplotlib to compare with.
 """
 import os
 import re
@@ -22,11 +22,11 @@ except ImportError as error:
     print("skipped:", error)
     sys.exit(77)
 
-QUIET_INK = (0x5C, 0x63, 0x6B)  # of axes (reports/drawing/palette.h)
+QUIET_INK = (0x5C, 0x63, 0x6B)  # colour of axes (reports/drawing/palette.h)
 
 
 def strokes(svg):
-    """Of each line of an SVG: its colour and its points in pixels."""
+    """The lines of an SVG, each with its colour and its points in pixels."""
     for tag in re.findall(r"<path [^>]*>", svg):
         colour = re.search(r'stroke="rgb\(([\d.]+)%, ?([\d.]+)%, ?([\d.]+)%\)"', tag) or re.search(
             r"stroke:rgb\(([\d.]+)%,([\d.]+)%,([\d.]+)%\)", tag)
@@ -38,7 +38,7 @@ def strokes(svg):
 
 
 def grown(mask, by):
-    """Every pixel within `by` of one that is set, along rows and columns."""
+    """The mask widened by `by` pixels along rows and columns."""
     result = mask.copy()
     for dy in range(-by, by + 1):
         for dx in range(-by, by + 1):
@@ -88,19 +88,19 @@ def compare(morula, database, folder, what, lines):
     lost = theirs & ~grown(ours, 2)
     print(f"{what}: {theirs.sum()} pixels of theirs, {lost.sum()} farther than 2 from ours")
     assert not lost.any()
-    # And the other way round: each corner of our lines is a point of theirs.
+    # Conversely, each corner of our lines is a point of theirs.
     points = numpy.array([plot.transData.transform(point) for line in lines.values() for point in line])
     points[:, 1] = height - points[:, 1]
     corners = [corner for colour, line in found if len(line) >= 2 and colour != QUIET_INK and not is_grid(line)
                for corner in line]
     farthest = max(numpy.hypot(*(points - corner).T).min() for corner in corners)
     print(f"{what}: {len(corners)} corners, the farthest {farthest:.2f} pixels from a point of theirs")
-    # cairo leaves out what lies on the way between its neighbours.
+    # cairo leaves out points that lie on the way between their neighbours.
     assert 0.5 * len(points) < len(corners) <= len(points) and farthest < 1.5
 
 
 def is_grid(line):
-    """A straight level or upright line of two points across the frame, as ticks have."""
+    """True for a horizontal or vertical line of two points across the frame, as of ticks."""
     (x0, y0), (x1, y1) = line[0], line[-1]
     return len(line) == 2 and (x0 == x1 or (y0 == y1 and abs(x1 - x0) > 400))
 

@@ -1,4 +1,4 @@
-// What a scenario's own `check` does to the verbs.
+// The effects of a scenario's own `check` on the verbs.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -9,7 +9,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Two cells that fly at each other; the text of `check` follows.
+/// A scenario of two cells that fly at each other; the text of `check` follows.
 const std::string two = R"(morula: 1
 name: two
 summary: Two cells

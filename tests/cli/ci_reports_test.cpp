@@ -8,7 +8,7 @@ using namespace morula::test;
 
 TEST_CASE("check --reports leaves what other tools read") {
   const TemporaryFolder folder;
-  succeeds({"check", "scenarios/thesis/elegans-1024.yaml",  // a lineage: done at once
+  succeeds({"check", "scenarios/thesis/elegans-1024.yaml",  // a lineage, which takes no time
             "--reports", folder / "new/reports", "--quiet"});
   CHECK_THAT(readWhole(folder / "new/reports/junit.xml"), ContainsSubstring("failures=\"0\""));
   const auto report = nlohmann::json::parse(readWhole(folder / "new/reports/report.json"));
@@ -29,7 +29,7 @@ TEST_CASE("Within a workflow, what differs is annotated and stands on its page")
   CHECK_THAT(readWhole(folder / "page.md"), ContainsSubstring("before\n### morula check"));
   CHECK_THAT(launch({"check", scenario}).out, !ContainsSubstring("::error"));
 
-  // JSON stays JSON.
+  // With --json the output stays JSON.
   const auto json = launch({"check", scenario, "--json"}, workflow);
   CHECK(nlohmann::json::parse(json.out)["results"][0]["class"] == "SETUP");
 }
@@ -47,7 +47,7 @@ TEST_CASE("A golden that somebody has edited is one failed check, and others go 
   CHECK(run.code == 3);
   const auto results = nlohmann::json::parse(run.out)["results"];
   CHECK(results[0]["class"] == "INPUT_CHANGED");
-  CHECK(results.size() > 2);  // b was checked, too
+  CHECK(results.size() > 2);  // b was checked too
   CHECK(results.back()["passed"] == true);
   CHECK_THAT(run.err, ContainsSubstring("a.golden:"));
 }

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Clones are tighter under `longest`, where seeds change nothing, than under `random`.
+/// Writes a study whose clones are tighter under `longest`, where seeds change nothing, than under `random`.
 void writePolicies(const std::string& file) {
   MadeStudy study;
   study.axes = {{"division", {"longest", "random"}}};
@@ -37,7 +37,7 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   CHECK_THAT(text.out, ContainsSubstring("clone_radius: 4.6 % tighter under longest ("));
   CHECK_THAT(text.out, ContainsSubstring("), every one of 10 pairs: difference -0."));
   CHECK(launch({"study", "compare", file}).out == text.out);
-  CHECK(launch({"compare", folder.path()}).out == text.out);  // the folder that it lies in
+  CHECK(launch({"compare", folder.path()}).out == text.out);  // the database's folder
   CHECK(launch({"compare", file, "--by", "division"}).out == text.out);
 
   const json answer = jsonOf({"compare", file, "--equivalent", "10%"});
@@ -95,7 +95,7 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
     succeeds(joined({"compare", to, "--pictures", folder / "some.png", "--quiet"}, moments));
     CHECK(readWhole(folder / "some.png") != readWhole(folder / "all.png"));
   }
-  // The ends are taken from the pictures that the study keeps: here from other ones, which lie in their places.
+  // The pictures of the ends are those that the study keeps; here other pictures take their places.
   const std::string some = folder / "some.png";
   const auto drawn = [&](const std::string& colour) {
     succeeds({"compare", to, "--pictures", some, "--moments", "1", "--colour", colour, "--quiet"});
@@ -107,10 +107,10 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   CHECK(drawn("substance") != before);
   CHECK(drawn("clone") == clones);
   std::filesystem::remove_all(to + "/pictures");
-  CHECK(drawn("substance") != before);  // computed again, without the words that stored ones have
+  CHECK(drawn("substance") != before);  // computed again; stored pictures have words
   CHECK(answer.at("conditions").size() == 4);
   CHECK(answer.at("conditions").at(0).at("n") == 4);
   CHECK(answer.at("conditions").at(0).at("distinct") == 4);
-  CHECK(answer.at("courses").at(0).at("points").size() == 4);  // at 0, 0.5, 1 and 1.5
+  CHECK(answer.at("courses").at(0).at("points").size() == 4);  // at times 0, 0.5, 1 and 1.5
   CHECK(answer.at("unfinished").empty());
 }

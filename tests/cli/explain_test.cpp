@@ -1,4 +1,4 @@
-// explain, and review with results that wait.
+// morula explain, and review with waiting results.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -18,8 +18,7 @@ const std::string divides =
 
 Json explained(const Words& words, int code) { return jsonOf(joined({"explain"}, words), code); }
 
-/// A program that computes another scenario than it is asked for: as an older build would that had another
-/// constant.
+/// Writes a program that computes another scenario than it is asked for, like an older build with another constant.
 std::string pretender(const TemporaryFolder& folder, const std::string& scenario) {
   const auto program = folder / "pretender";
   writeWhole(program, "#!/bin/sh\nshift 2\nexec '" MORULA_PROGRAM "' trail '" + scenario + "' \"$@\"\n");
@@ -65,7 +64,7 @@ TEST_CASE("explain names the kind of difference, and where it begins") {
                ContainsSubstring("where it began: the same up to step 0, different at step 1\n") &&
                    ContainsSubstring("expected  the accepted scenario, made again") &&
                    ContainsSubstring("  moves     first at step ") && !ContainsSubstring("  ok    "));
-    // A program that computes otherwise, too, would not come to the golden's bits.
+    // A changed program would not reproduce the golden's bits.
     CHECK_THAT(json["text"].get<std::string>(), !ContainsSubstring("what it computes has changed, too"));
   }
   SECTION("another scenario than the stored one") {
@@ -88,7 +87,7 @@ TEST_CASE("explain names the kind of difference, and where it begins") {
     const auto other = folder / "other.yaml";
     writeWhole(other, replaced(divides, "length: 0.125", "length: 0.25"));
     const auto json = explained({scenario, "--with", pretender(folder, other)}, 1);
-    CHECK(json["cells"].size() == 3);  // the egg there, its daughters here
+    CHECK(json["cells"].size() == 3);  // the egg of one run, the daughters of the other
   }
 }
 
@@ -99,12 +98,12 @@ TEST_CASE("explain tells that another program gives no trail") {
 
 TEST_CASE("what differs waits for a review, beside the goldens, and is rejected or accepted with a reason") {
   const TemporaryFolder folder;
-  const std::string name = fs::path(folder.path()).filename().string();  // nobody else's
+  const std::string name = fs::path(folder.path()).filename().string();  // a unique name
   const auto scenario = folder / (name + ".yaml"), golden = folder / (name + ".golden");
   writeWhole(scenario, divides);
   accept(scenario);
   const fs::path pending = folder / ".pending";
-  const auto waits = [&](const char* extension) {  // behind the name follows a hash of the place
+  const auto waits = [&](const char* extension) {  // a hash of the place follows the name
     if (!fs::exists(pending)) return false;
     for (const auto& entry : fs::directory_iterator(pending))
       if (entry.path().filename().string().starts_with(name + "-") && entry.path().extension() == extension)
@@ -124,16 +123,16 @@ TEST_CASE("what differs waits for a review, beside the goldens, and is rejected 
   CHECK_FALSE((waits(".golden") || waits(".png")));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
 
-  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is told and
-  // stays.
+  // Without a scenario's name review finds all waiting results of the folder. A result whose scenario is gone is
+  // reported and stays.
   const auto reviewHere = [&] {
     return std::system(("cd '" + folder.path() + "' && '" MORULA_PROGRAM "' review >said 2>&1").c_str());
   };
   CHECK(launch({"check", scenario}).code == 1);
   CHECK(reviewHere() != 0);
   CHECK_THAT(readWhole(folder / "said"), ContainsSubstring(name + ".yaml: "));
-  CHECK_THAT(launch({"review"}).out, !ContainsSubstring(name));  // of another project
-  writeWhole(scenario, divides);                                 // as it was accepted: nothing waits any more
+  CHECK_THAT(launch({"review"}).out, !ContainsSubstring(name));  // a result of another project
+  writeWhole(scenario, divides);                                 // the accepted scenario: nothing waits any more
   CHECK(launch({"check", scenario}).code == 0);
   CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
   writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));

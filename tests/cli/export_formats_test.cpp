@@ -1,5 +1,4 @@
-// morula export --format: what is written where, what is said, and what cannot be. What the files hold is read by
-// programs of others: export_readers.sh.
+// morula export --format: files, messages and refusals. Programs of others read the contents: export_readers.sh.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -158,7 +157,7 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
   CHECK(!fs::exists(stored.folder / "none"));
 }
 
-TEST_CASE("what is asked for in a wrong way") {  // of what a run with surfaces is needed for; others: bad_commands
+TEST_CASE("what is asked for in a wrong way") {  // of requests that need surfaces; others: bad_commands
   const StoredRun stored(bodies + "record: {meshes: 1}\n");
   refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
   refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + ", 2.25");

@@ -1,4 +1,4 @@
-"""Reads what export_readers.sh had exported, with the readers of others, and holds it against the database.
+"""Reads what export_readers.sh had exported, with programs of others, and compares it with the database.
 
     export_readers.py FOLDER
 """
@@ -25,7 +25,7 @@ folder = sys.argv[1]
 database = sqlite3.connect(os.path.join(folder, "kept.db"))
 runs = [r for (r,) in database.execute("SELECT run_id FROM run ORDER BY started, run_id")]
 run = runs[0]
-bound_of_float = 2.0**-23  # relative, of single precision
+bound_of_float = 2.0**-23  # relative rounding error of single precision
 
 
 def path(*names):
@@ -46,7 +46,7 @@ def same(a, b, what):
 
 
 def kept_surface(time, cell):
-    """Vertices and faces as the database's own comments say."""
+    """Vertices and faces, decoded as the database's comments describe."""
     mesh, *box, numbers = rows(
         "SELECT mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "
         "WHERE run_id = ? AND time = ? AND path = ?", run, time, cell)[0]
@@ -66,7 +66,7 @@ paths = [c[0] for c in cells]
 states = sorted({s for (s,) in rows("SELECT state FROM cell WHERE run_id = ?1 UNION SELECT state FROM cell_sample WHERE run_id = ?1", run)})
 names = {c[1] for c in cells}
 label = {c[0]: c[1] or ("/" if c[0] in names else "") + (c[0] or "egg") for c in cells}
-csv_paths = [p or "egg" for p in paths]  # as tables for other programs have them
+csv_paths = [p or "egg" for p in paths]  # names in exported tables
 colours = {"a1": "#e41a1c", "a3": "#377eb8", "a4": "#4daf4a", "a5": "#ff7f00"}
 times = [t for (t,) in rows("SELECT DISTINCT time FROM mesh_sample WHERE run_id = ? ORDER BY time", run)]
 end = rows("SELECT time FROM run WHERE run_id = ?", run)[0][0]
@@ -81,8 +81,8 @@ def colour_of(state):
 
 
 def comparable(row, columns):
-    """Numbers as numbers: there are several texts for each, and all that are exact are right. The egg's path, which is empty
-    in the database, is `egg` in tables."""
+    """Numbers compare as numbers, because several texts of a number are exact. The egg's path is empty in the database
+    and `egg` in tables."""
     def value(v, column):
         if column in ("path", "parent", "a", "b") and v == "":
             return "egg"
@@ -195,7 +195,7 @@ def check_vtk():
             same({read_states[i]["substances"] for i in fieldOf["state"][of]}, {state}, "state")
             if colour_of(state):
                 same({tuple(c) for c in fieldOf["colour"][of]}, {colour_of(state)}, "colour")
-            # The surface that VTK extracts encloses the stored volume, up to what 16 bits cost: area × half a step.
+            # The surface that VTK extracts encloses the stored volume up to rounding to 16 bits: area × half a step.
             threshold = vtkThreshold()
             threshold.SetInputData(data)
             threshold.SetInputArrayToProcess(0, 0, 0, 1, "cell")
@@ -296,7 +296,7 @@ def check_glb(file):
 
 
 def check_upright():
-    """As VTK shows the file: z of the simulation points upwards, which is y in glTF."""
+    """The points as VTK shows the file: the simulation's z is glTF's y, which points upwards."""
     reader = vtkGLTFReader()
     reader.SetFileName(path("kept.glb"))
     reader.Update()
@@ -312,7 +312,7 @@ def check_upright():
 
 
 def check_after_death():
-    """Series go on to the end of the run after the last cell has died."""
+    """Series continue to the end of the run after the last cell has died."""
     gone = sqlite3.connect(os.path.join(folder, "gone.db"))
     every = [t for (t,) in gone.execute("SELECT time FROM sample ORDER BY time")]
     counts = [c for (c,) in gone.execute("SELECT cells FROM sample ORDER BY time")]

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# What morula export writes, read by programs of others: VTK, Biopython and NumPy; glTF held to its specification, CSV to
-# the database.
+# Reads exports of morula with programs of others: VTK, Biopython and NumPy. Checks glTF against its specification, and
+# CSV against the database.
 #
 #   export_readers.sh MORULA
 #
-# Exit codes: 0 so it is, 1 not so, 77 skipped: a reader is not installed.
+# Exit codes: 0 passed, 1 failed, 77 skipped: a reader is not installed.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 morula=$1
-python=/usr/bin/python3 # Debian's, which has Debian's modules
+python=/usr/bin/python3 # Debian's Python has Debian's modules
 
 skip() {
   echo "skipped: $*"
@@ -21,7 +21,8 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Sixteen cells at most, one of which dies; connections, contacts, a name that needs quotes, and measures on demand.
+# A scene of at most sixteen cells, one of which dies, with connections, contacts, a name that needs quotes, and
+# measures on demand.
 cat >"$work/kept.yaml" <<'YAML'
 morula: 1
 name: kept

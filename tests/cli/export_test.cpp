@@ -1,4 +1,4 @@
-// morula export --ro-crate, held against what RO-Crate 1.1 and the Process Run Crate profile 0.5 require.
+// morula export --ro-crate, checked against the requirements of RO-Crate 1.1 and the Process Run Crate profile 0.5.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -24,7 +24,7 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 record: {pictures: 1}
 )";
 
-/// A database with one run of the scene, and its pictures beside it.
+/// A database with one run of the scene, and the run's pictures.
 struct RunWithPictures {
   TemporaryFolder folder;
   std::string database = folder / "run.db", crate = folder / "crate", id;
@@ -51,12 +51,12 @@ std::vector<Json> asList(const Json& value) {
   return value.is_array() ? value.get<std::vector<Json>>() : std::vector<Json>{value};
 }
 
-/// Null for what is not there.
+/// Returns the property's value, null if there is none.
 Json valueOf(const Json& entity, const char* property) {
   return entity.contains(property) ? entity.at(property) : Json();
 }
 
-/// What {"@id": …} names, or "".
+/// Returns the id that the property {"@id": …} names, or "".
 std::string idOf(const Json& entity, const char* property) {
   const Json value = valueOf(entity, property);
   return value.is_object() ? value.value("@id", "") : "";
@@ -77,14 +77,14 @@ std::string decoded(const std::string& uri) {
   return text;
 }
 
-/// Everything that {"@id": …} refers to, except an entity's own name.
+/// Collects everything that {"@id": …} refers to, except an entity's own name.
 void collectReferences(const Json& value, std::vector<std::string>& references) {
   if (value.is_object() && value.size() == 1 && value.contains("@id")) references.push_back(value["@id"]);
   else if (value.is_structured())
     for (const Json& part : value) collectReferences(part, references);
 }
 
-/// What is wrong with a crate, one line each; "" if nothing is.
+/// Returns the crate's mistakes, one line each; "" if there are none.
 std::string mistakes(const Json& document, const std::string& folder) {
   std::string wrong;
   const auto demand = [&](bool holds, const std::string& what) {
@@ -226,7 +226,7 @@ TEST_CASE("the crate's database holds the exported run alone, and can be replaye
   stored.run({"--seed", "7", "--no-pictures"});
   const Json crate = stored.exported({"--run", first});
   CHECK(mistakes(crate, stored.crate) == "");
-  CHECK_FALSE(hasPart(crate, "pictures/organism.png"));  // whose they are is not known
+  CHECK_FALSE(hasPart(crate, "pictures/organism.png"));  // the run of this picture is unknown
   const auto runs = morula::Store::openForReading(stored.crate + "/run.db").runs();
   REQUIRE(runs.size() == 1);
   CHECK(runs[0].id == first);
@@ -249,7 +249,7 @@ TEST_CASE("without a folder the runs are listed") {
   CHECK(json["runs"][0]["run_id"] == stored.id);
   CHECK(json["runs"][0]["status"] == "done");
 
-  // Tables of others, whatever they are called.
+  // Databases may hold tables of others, with any names.
   change(stored.database, "CREATE TABLE \"a\"\"b\" (\"x\"\"y\" TEXT)");
   CHECK_THAT(succeeds({"export", stored.database, "--list"}).out,
              ContainsSubstring("\n  a\"b ") && ContainsSubstring("which run it is"));

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the jobs of golden/CI.md as they stand there, in a project of its own: once as accepted, once with one key changed, and once
-with a claim that does not hold.
+"""Runs the jobs of golden/CI.md in a project: once as accepted, once with one key changed, and once with a claim that
+does not hold.
 
     golden_ci_test.py MORULA SOURCE-FOLDER
 """
@@ -67,7 +67,7 @@ def shell(commands, **more):
 
 
 def failures(name):
-    """Of a JUnit file: the failed cases, and how many follow from them."""
+    """The failed cases of a JUnit file, and the number of cases that follow from them."""
     suites = xml.parse(name).getroot()
     failed = [case for case in suites.iter("testcase") if case.find("failure") is not None]
     holds(f"{name} counts its failures", int(suites.get("failures")) == len(failed))
@@ -113,7 +113,7 @@ with tempfile.TemporaryDirectory() as folder:
         holds("with the change in words", "physics.pressure.constant: 155 → 160" in text and "from it follow: bits" in text)
         holds("and what to type", "explain scenarios/pair.yaml" in text)
 
-    # What waits lies here, and is accepted by name alone.
+    # The waiting result lies in this folder, and is accepted by its name.
     waiting = [name for name in os.listdir("golden/.pending") if name.endswith(".golden")]
     holds("it waits in the project", len(waiting) == 1 and waiting[0].startswith("pair-"))
     shown = shell("morula review")
@@ -129,7 +129,7 @@ with tempfile.TemporaryDirectory() as folder:
     holds("explain says where it began: " + explained.stdout, "where it began: different before the first step" in explained.stdout
           and re.search(r"moves +first at step 1, time [0-9.e-]+: the egg, vertex \d+, by [0-9.e-]+ radii", explained.stdout))
 
-    # A claim that the results do not bear out.
+    # The results contradict this claim.
     accepted = shell("morula review scenarios/pair.yaml --accept --by tests --why 'as measured'")
     holds("accepted by name: " + accepted.stderr, accepted.returncode == 0 and not os.path.exists("golden/.pending/" + waiting[0]))
     write("scenarios/pairs.study.yaml", STUDY.replace("says: lower", "says: higher").replace("mean: 1.5", "mean: 8"))

@@ -1,4 +1,4 @@
-// A measure is a row of one table, and is then everywhere: database, golden, JSON and documents.
+// A measure is a row of one table, and appears in database, golden, JSON and documents.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -144,7 +144,7 @@ TEST_CASE("displacement and contact_duration are rows of the database where a sc
   succeeds({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"});
   CHECK(rows(folder / "pair.db", "scope='pair' AND name='contact_duration' AND a='A' AND b='B'") ==
         std::vector<double>{0, 0.0625, 0.125});
-  CHECK(rows(folder / "pair.db", "name='displacement'").empty());  // no division made them
+  CHECK(rows(folder / "pair.db", "name='displacement'").empty());  // no division, so no displacement
   CHECK(launch({"replay", folder / "pair.db"}).code == 0);
 
   writeWhole(folder / "two.yaml",

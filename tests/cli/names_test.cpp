@@ -1,4 +1,4 @@
-// Names of cells, where people meet them.
+// Names of cells in the program's output.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -28,13 +28,13 @@ TEST_CASE("names stand at the lines of a lineage, from the scenario and from the
     CHECK(json["cells"][1]["path"] == "A");
     CHECK(json["cells"][1]["name"] == "AB");
   }
-  CHECK(launch({"replay", database}).code == 0);  // the names, too, come out again
+  CHECK(launch({"replay", database}).code == 0);  // the names are reproduced too
 }
 
 TEST_CASE("a failure names its cell, and says her path") {
   const TemporaryFolder folder;
   const auto scenario = folder / "worm.yaml";
-  // A step that is short enough for the egg, and too long for her daughters' daughters' light vertices.
+  // The step is short enough for the egg, and too long for the light vertices of her granddaughters.
   writeWhole(scenario, worm + "physics: {time_step: 0.0078125, mesh: {icosphere: 1}}\n");
   const auto run =
       endsWith(4, {"run", scenario, "--db", folder / "worm.db", "--quiet", "--no-pictures", "--set", "stop.cycles=6"});
@@ -84,7 +84,7 @@ TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is 
           "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
           "that 'morula lineage' lists without --cell");
   refuses({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"}, 2, "--cell and --output: give one of them");
-  // A dead cell has no daughters, and her line ends with her.
+  // A dead cell has no daughters; her line ends with her.
   writeWhole(scenario,
              "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");
   CHECK_THAT(launch({"lineage", scenario, "--cell", "A"}).out, ContainsSubstring("fate       died\n"));

@@ -1,4 +1,4 @@
-// check, review, validate, schema, init, render, lineage.
+// The verbs check, review, validate, schema, init, render and lineage.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -83,7 +83,7 @@ TEST_CASE("lineage draws the tree as its file's ending says, from the scenario a
     CHECK(readWhole(file).starts_with(beginning));
     REQUIRE(launch({"lineage", folder / "four.db", "-o", other}).code == 0);
     CHECK(readWhole(other) == readWhole(file));
-    // What stands there is its own picture, and may be replaced.
+    // The file is a picture of Morula, which render may replace.
     CHECK(launch({"render", uniqueFour, "--style", "lineage", "-o", other}).code == 0);
     CHECK(readWhole(other) == readWhole(file));
   }

@@ -1,4 +1,4 @@
-// morula parts as its users and other programs read it. How long things take is not judged here.
+// morula parts, as users and other programs see it. Times are not judged.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -59,7 +59,7 @@ TEST_CASE("parts follows changes of the scene and of the search") {
   CHECK(part(changed, "drag")["engaged"] == false);
   CHECK(part(changed, "search")["how"] == "aabb-tree");
   CHECK(part(changed, "search")["why"] == "--search");
-  CHECK(part(changed, "golden")["engaged"] == false);  // a changed scene is not held against it
+  CHECK(part(changed, "golden")["engaged"] == false);  // a changed scene is not compared with the golden
   CHECK(part(changed, "hashes")["why"] == uniqueFour + ":41:8: check");
   CHECK(changed["isa"] == "scalar");
 }

@@ -1,4 +1,4 @@
-// What the scenarios of patterns are about, counted in what a run leaves behind.
+// Tests the claims of the scenarios of patterns, counted in the databases of their runs.
 #include <set>
 
 #include "catch.h"
@@ -9,20 +9,20 @@ using namespace morula::test;
 
 namespace {
 
-/// Runs a scenario into a database, and says where that is.
+/// Runs a scenario into a database, and returns the database's file.
 std::string runInto(const TemporaryFolder& folder, const std::string& scenario, const Words& options = {}) {
   const std::string file = folder / "run.db";
   succeeds(joined({"run", "scenarios/patterns/" + scenario, "--no-pictures", "--db", file}, options));
   return file;
 }
 
-// [1] Of the last contact areas, the share between cells that both hold red, or both blue.
+// [1] The share of the last contact areas between cells that both hold red, or both blue.
 const std::string shareWithin =
     "WITH alive AS (SELECT path, state LIKE '%red%' AS red FROM cell WHERE fate = 'alive') "
     "SELECT sum(area * (a.red = b.red)) / sum(area) FROM contact JOIN alive a ON a.path = contact.a "
     "JOIN alive b ON b.path = contact.b WHERE time = (SELECT max(time) FROM contact)";
 
-/// [length] Mean distance from the mean of all cells, of those that hold red or do not.
+/// [length] The mean distance from the mean of all cells, over cells that hold red or over those that do not.
 std::string distanceOf(bool red) {
   return std::string(
              "WITH last AS (SELECT s.*, cell.state LIKE '%red%' AS red FROM cell_sample s JOIN cell USING (path) ") +
@@ -44,8 +44,8 @@ TEST_CASE("a cyst has sixteen cells and fifteen bridges: two cells with 4, two w
   for (const auto& [bridges, cells] : {std::pair{1, 8}, {2, 4}, {3, 2}, {4, 2}})
     CHECK(realIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
                            " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
-  // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. Of the first and the ninth, which
-  // hold four bridges each, the one between them is drawn out a little, and they do not touch.
+  // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. The first and the ninth cell hold
+  // four bridges each, which draw them apart a little, so that these two do not touch.
   CHECK(realIn(file,
                "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
                "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 14);
@@ -62,11 +62,11 @@ TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
   const auto area = [&](const std::string& a, const std::string& b) {
     return realIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
   };
-  // On icosphere 3 these are 3.57 and 2.28 at rest. Slack cells that stick weakly are 7.4 % off on icosphere 2, and by
-  // 0.9 % more at time 5.
+  // On icosphere 3 these areas are 3.57 and 2.28 at rest. Slack cells that stick weakly are 7.4 % off on icosphere 2,
+  // and by 0.9 % more at time 5.
   CHECK(area("AAA", "AAB") == Approx(3.57).epsilon(0.05));
   CHECK(area("AB", "BAA") == Approx(2.28).epsilon(0.084));
-  // What does not stick lies side by side, and presses on nothing.
+  // Cells that do not stick lie side by side without pressure.
   CHECK(realIn(file, "SELECT count(*) FROM contact WHERE time = 5") == 2);
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How different two pictures look, as NumPy and SciPy work it out by other code: CIEDE2000 after a Gaussian.
+"""Compares the difference of two pictures with other code, by NumPy and SciPy: CIEDE2000 after a Gaussian.
 
   picture_difference_test.py MORULA
 
@@ -35,7 +35,7 @@ def lab(levels):
 
 
 def ciede2000(one, other):
-    """With vectors of hue in place of its angles where that can be: another way to the same numbers."""
+    """CIEDE2000 with vectors of hue in place of angles if possible: another way to the same numbers."""
     (l1, a1, b1), (l2, a2, b2) = one, other
     mean_chroma = (np.hypot(a1, b1) + np.hypot(a2, b2)) / 2
     a1, a2 = (a * (1.5 - 0.5 * np.sqrt(mean_chroma**7 / (mean_chroma**7 + 25.0**7))) for a in (a1, a2))
@@ -57,7 +57,7 @@ def ciede2000(one, other):
 
 
 def pictures():
-    """Pairs that differ by a pixel's move, by noise, by a patch of another hue, and in everything."""
+    """Pairs of pictures that differ by a pixel's move, by noise, by a patch of another hue, and in everything."""
     random = np.random.default_rng(7)
     y, x = np.mgrid[0:90, 0:120]
     hills = np.stack([128 + 100 * np.sin(x / 13 + k) * np.cos(y / (9 + k)) for k in range(3)], -1)
@@ -84,7 +84,7 @@ def main(morula):
             for what, theirs, ours in (("most", expected.max(), answer["most"]), ("mean", expected.mean(), answer["mean"]),
                                        ("share", (expected > answer["threshold"]).mean(), answer["share"]),
                                        ("x", column, answer["x"]), ("y", row, answer["y"])):
-                if abs(theirs - ours) > 1e-6 * max(1, abs(theirs)):  # sums in another order
+                if abs(theirs - ours) > 1e-6 * max(1, abs(theirs)):  # the order of sums differs
                     print(f"pair {number}: {what}: {ours} here, {theirs} there")
                     wrong += 1
     print(f"{number + 1} pairs, {wrong} numbers differ")

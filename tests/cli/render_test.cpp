@@ -1,4 +1,4 @@
-// morula render and chart: what they draw, and what they refuse.
+// morula render and chart: their drawings and their refusals.
 #include <filesystem>
 
 #include "catch.h"
@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Width and height that a PNG says it has.
+/// Returns the width and height in a PNG's header.
 std::pair<int, int> sidesOf(const std::string& png) {
   const auto number = [&](std::size_t at) {
     int value = 0;
@@ -96,12 +96,12 @@ TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
   REQUIRE(end.code == 0);
   CHECK(readWhole(folder / "turn.mp4").substr(4, 4) == "ftyp");
   const std::string first = readWhole(folder / "turn.mp4");
-  REQUIRE(launch(film).code == 0);  // a film may be replaced
+  REQUIRE(launch(film).code == 0);  // render may replace its own film
   CHECK(readWhole(folder / "turn.mp4") == first);
   int names = 0;
   for (const auto& entry : fs::directory_iterator(folder.path()))
     names += entry.is_regular_file() || entry.is_directory();
-  CHECK(names == 1);  // the single pictures are gone
+  CHECK(names == 1);  // the single pictures were removed
 }
 
 TEST_CASE("two runs stand side by side with the distance of their surfaces") {

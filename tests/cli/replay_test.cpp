@@ -1,4 +1,4 @@
-// morula replay: a stored run once more, and what is not as it was.
+// morula replay repeats a stored run and reports differences.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ struct RunToReplay {
     id = jsonOf(joined(words, more), code)["run_id"];
   }
   void execute(const std::string& sql) { change(database, sql); }
-  /// Gives the run the ids that follow from its row, as the program would have that stored it.
+  /// Gives the run the ids that follow from its row, as a program of this build would have stored them.
   void fit() {
     const auto run = morula::Store::openForReading(database).find(id);
     const std::string ids = "'" + morula::runId(run.record) + "'";
@@ -95,7 +95,7 @@ TEST_CASE("each condition that is not as it was is named") {
       "libraries = 'SQLite 1.0', cpu = 'abacus', kernel = 'k', binary_hash = 'b', fp_environment = 'upward', "
       "cpu_features = 'beads', version = '0'");
   stored.fit();
-  const auto run = succeeds({"replay", stored.database});  // the bits are the same for all that
+  const auto run = succeeds({"replay", stored.database});  // the results have the same bits nevertheless
   for (const char* item : {"sources", "commit", "compiler", "flags", "target", "libraries", "processor", "kernel",
                            "binary hash", "floating point", "processor features", "version", "build id"}) {
     CAPTURE(item);

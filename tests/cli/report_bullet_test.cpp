@@ -1,4 +1,4 @@
-// Pages with Bullet beside ours, and pages of accuracy runs, as users ask for them.
+// Reports of runs with Bullet, and of accuracy runs, as users ask for them.
 #include <bit>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +24,7 @@ record: {every: 0.5}
 check: {bullet: {}}
 )";
 
-/// The text of the page's element with this id.
+/// Returns the text of the page's element with this id.
 std::string element(const std::string& page, const std::string& id) {
   const auto at = page.find("id=\"" + id + "\">");
   if (at == page.npos) return {};
@@ -45,7 +45,7 @@ std::string fromBase64(const std::string& text) {
   return bytes;
 }
 
-/// As a page's bytes hold it: little-endian.
+/// Returns the number's bytes in a page: little-endian.
 std::string bytesOf(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   std::string bytes;
@@ -87,7 +87,7 @@ TEST_CASE("A page shows ours, Bullet's and their distance, held to what is store
   CHECK(page == made.report({"--frames", "5"}));
   const std::string without = made.report({"--frames", "5", "--no-bullet"});
   CHECK_THAT(without, !ContainsSubstring("<h2>Beside Bullet</h2>"));
-  // Ours and Bullet's in the explorer, if it was built: five frames each, and the last one has the stored volumes.
+  // If the explorer was built, it has our run and Bullet's with five frames each; the last one has the stored volumes.
   if (element(page, "data").empty()) {
     WARN("this build has no explorer");
     return;

@@ -1,4 +1,4 @@
-"""Holds pages to what report_pages.sh says.
+"""Checks the properties of pages that report_pages.sh states.
 
     report_pages.py FOLDER PAGE...
 """
@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 folder, pages = sys.argv[1], sys.argv[2:]
 os.chdir(folder)
 
-# Whatever else is in a page came out of a text.
+# Other tags and attributes in a page would come from a text.
 known_tags = set(
     "html head meta link title style body header h1 h2 h3 p main section ul li span b i div table caption thead tbody tr th td"
     " details summary pre code figure img figcaption a br sub script noscript footer".split())
@@ -32,7 +32,7 @@ class Page(html.parser.HTMLParser):
         super().__init__()
         self.name, self.open, self.ids, self.text, self.scripts = name, [], [], [], []
         self.commands, self.command = [], None
-        self.inside = None  # of what no text is seen
+        self.inside = None  # the element whose text is invisible
 
     def handle_starttag(self, tag, attributes):
         if tag not in known_tags:
@@ -68,7 +68,7 @@ class Page(html.parser.HTMLParser):
 
 
 def svg_pictures(source):
-    """Texts stand in pictures, too."""
+    """The names of the elements of each SVG picture of a page."""
     import base64
     for data in re.findall(r"data:image/svg\+xml;base64,([A-Za-z0-9+/=]+)", source):
         root = xml.etree.ElementTree.fromstring(base64.b64decode(data))
@@ -104,7 +104,7 @@ for name in pages:
     if not page.commands:
         fault(name, "no commands")
     for command in page.commands:
-        # The pages are made again by one of their commands; the others differ in their files.
+        # Each of these pages has a command that makes it again; the others differ in their files.
         kind = "report" if command.startswith("./morula report") else command
         if kind in done:
             continue
@@ -116,12 +116,12 @@ for name in pages:
         if run.returncode not in fine.get(command.split()[1], (0,)):
             fault(name, f"exit {run.returncode}: {command}\n{run.stdout.decode(errors='replace')[-600:]}")
 
-# A database that others may have changed: what is shown of it stays text.
+# Others may have changed a database: its texts stay texts in the page.
 import sqlite3
 
 with sqlite3.connect("failed.db") as database:
     database.execute("UPDATE run SET failure = 'step 1; <script>alert(7)</script><b>x', command = '<img src=x onerror=alert(8)>'")
-subprocess.run([os.environ["RESEAL"], "failed.db"], check=True)  # as somebody would who knows of digests
+subprocess.run([os.environ["RESEAL"], "failed.db"], check=True)  # like an attacker who knows of digests
 run = subprocess.run("./morula report failed.db -o changed.html --quiet --frames 0", shell=True, check=False)
 if run.returncode == 0:
     page = read("changed")

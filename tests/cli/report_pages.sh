@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Pages of `morula report`, read by Python's parser of HTML: no text becomes markup, no two elements have one id, and each
-# command that a page names works.
+# Reads pages of `morula report` by Python's HTML parser. No text becomes markup, ids are unique, and the commands of a
+# page work.
 #
 #   report_pages.sh MORULA RESEAL     RESEAL: the program of tests/reseal.cpp
 #
-# Exit codes: 0 so it is, 1 not so, 77 skipped: there is no python3.
+# Exit codes: 0 passed, 1 failed, 77 skipped: there is no python3.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 morula=$1
@@ -18,7 +18,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 ln -s "$morula" morula
-export MORULA_CALLED_AS=./morula # as the start script says
+export MORULA_CALLED_AS=./morula # as the start script does
 
 cat >small.yaml <<'YAML'
 morula: 1
@@ -46,7 +46,7 @@ vary:
 seeds: 1..2
 measures: [sphericity]
 YAML
-quiet() { # accepts the exit codes that are named first
+quiet() { # the first argument: accepted exit codes
   codes=$1
   shift
   code=0

@@ -1,4 +1,4 @@
-// morula report: what stands on the page, the same bytes every time, and what it refuses.
+// morula report: the contents of pages, equal bytes for equal input, and refusals.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -32,7 +32,7 @@ struct RunToReport {
     CHECK(succeeds(joined({"report", what, "-o", page}, more)).out == page + "\n");
     return readWhole(page);
   }
-  /// Runs the study in a folder, which is returned.
+  /// Runs the study in a folder and returns the folder.
   std::string runStudy(const std::string& text) {
     writeWhole(folder / "two.study.yaml", text);
     succeeds({"study", "run", folder / "two.study.yaml", "--out", folder / "study", "--no-predict", "--quiet"});
@@ -77,7 +77,7 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
   stored.run({"--set", "physics.drag=2"});
   const std::string page = stored.report({"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("<h1>small, 2 runs</h1>"));
-  // The one that began first is told of first; two that began in one second are told by their ids.
+  // The run that began first comes first; runs of one second are sorted by their ids.
   CHECK_THAT(page, ContainsSubstring("<h3>physics.drag 0</h3>") || ContainsSubstring("<h3>physics.drag 2</h3>"));
   CHECK_THAT(page, ContainsSubstring("Beside physics.drag "));
   CHECK_THAT(page, ContainsSubstring("radii of the egg"));
@@ -86,7 +86,7 @@ TEST_CASE("Two runs of one scenario are called by what they differ in, and the p
 
 TEST_CASE("A run that failed says why, first of all") {
   RunToReport stored;
-  // Without pressure enough the shell turns the egg inside out in some twenty steps.
+  // With too little pressure the shell turns the egg inside out within some twenty steps.
   endsWith(4, {"run", uniqueFour, "--db", stored.database, "--out", stored.folder.path(), "--quiet", "--set",
                "physics.pressure.constant=3"});
   const std::string page = stored.report();
@@ -126,7 +126,7 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   CHECK_THAT(page, ContainsSubstring("less, seed 1"));
   CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
   CHECK_THAT(page, ContainsSubstring("the pictures that the study keeps in"));
-  // Not all runs: those that are here are said, and the others found by their names.
+  // The page names the runs that it holds; others are found by their names.
   CHECK_THAT(stored.reportOf(study, {"--frames", "2", "--run", "more, seed 1"}),
              ContainsSubstring("1 of 2 runs are here, first the conditions") && !ContainsSubstring("less, seed 1"));
   refuses({"report", study, "-o", stored.page, "--run", "more, seed 9"}, 6, "more, seed 9");
@@ -147,11 +147,11 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
     return found;
   };
   const auto all = titles({});
-  if (all.empty()) return;  // a page without the explorer, where there is no Node.js
+  if (all.empty()) return;  // without Node.js the page has no explorer
   CHECK(all.size() == 9);
   CHECK(std::set<std::string>(all.begin(), all.end()).size() == 9);
   const std::set<std::string> first(all.begin(), all.begin() + 2);
-  CHECK(first.contains("much, seed 1"));  // beside little or some, which hardly differ
+  CHECK(first.contains("much, seed 1"));  // compared with little or some, which hardly differ
   CHECK(titles({"--explore", "5"}).size() == 5);
   CHECK(titles({"--size-limit", "20k"}).size() < 9);
 }

@@ -1,4 +1,4 @@
-// morula run --resume: killed at any moment and gone on with, a run leaves what it would have left anyway.
+// morula run --resume: a run that is killed at any moment and resumed leaves the results of an undisturbed run.
 #include <signal.h>
 #include <unistd.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Contacts, connections, samples, hashes, pictures: something in every table. Takes some seconds.
+/// A scene with contacts, connections, samples, hashes and pictures: rows in every table. It runs for some seconds.
 const std::string sceneWithAll = R"(morula: 1
 name: stopped
 dna: |
@@ -38,14 +38,14 @@ record: {every: 0.25, pictures: 1, meshes: 0.625}
 check: {}
 )";
 
-/// All rows of all tables but when and how the run was made, and what it was resumed from; and their digests.
+/// Returns all rows and digests of all tables, except when, how and from which run the run was made.
 std::string contentOf(const std::string& file) {
   Database db = opened(file);
   std::string text;
   Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
   while (tables.next()) {
     const std::string table = tables.text(0);
-    if (table == "row_digest") continue;  // over when and how, too
+    if (table == "row_digest") continue;  // it covers when and how, too
     std::string columns;
     Statement names(db, "SELECT name FROM pragma_table_info(?)");
     for (names.start(table); names.next();)
@@ -59,7 +59,7 @@ std::string contentOf(const std::string& file) {
   return text;
 }
 
-/// 0 while there is no row, no table or no file.
+/// Returns the last checkpoint's step; 0 while there is no row, no table or no file.
 std::int64_t checkpointStep(const std::string& file) {
   if (!fs::exists(file)) return 0;
   try {

@@ -38,7 +38,7 @@ TEST_CASE("the README's first command: simulates, stores, checks, draws, and say
   CHECK(run.out.find(results + "run.db") != std::string::npos);
   CHECK(run.out.find(results + "organism.png") != std::string::npos);
   CHECK(run.out.find("4 cells") != std::string::npos);
-  CHECK(run.out.find("all ") != std::string::npos);  // checks pass
+  CHECK(run.out.find("all ") != std::string::npos);  // all checks pass
   CHECK(run.err.empty());
 }
 

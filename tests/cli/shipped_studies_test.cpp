@@ -1,7 +1,7 @@
-// Every sentence of scenarios/policies/README.md and scenarios/worm/README.md is what its command says. The command is
-// put to the values of all runs of a study: some of these the test makes again, and they must be to the last bit what
-// golden/FAMILY keeps; the others are taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made
-// again, which takes a quarter of an hour of CPU time.
+// Checks that every sentence of scenarios/policies/README.md and scenarios/worm/README.md is the output of its command.
+// Commands get the values of all runs of a study. The test repeats some runs, whose values must equal those in
+// golden/FAMILY to the last bit; values of the others come from there. With MORULA_WHOLE_STUDIES=1 in the environment
+// it repeats all runs, which takes a quarter of an hour of CPU time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -23,10 +23,10 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Of `scenarios/` and `golden/`: where a study lies.
+/// Returns the folder of a study within `scenarios/` and `golden/`.
 std::string familyOf(const std::string& study) { return study == "worm-placement" ? "worm/" : "policies/"; }
 
-/// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
+/// Runs that the test repeats, by their number in the plan: a few short ones of each study.
 const std::map<std::string, std::vector<std::size_t>> madeAgain{
     {"policies", {0, 249, 499}},  {"placement", {0, 139}},      {"settings", {0}},
     {"models", {0, 80}},          {"settling", {0, 60, 119}},   {"heavier", {20, 59}},
@@ -44,10 +44,10 @@ Words wordsOf(const std::string& line) {
   return words;
 }
 
-/// A block of code in a document: a command, and lines that it prints. "…" stands for lines, and at the end of a line
-/// for its rest. Each line of an answer to a question is a claim.
+/// A block of code in a document: a command and its output. "…" stands for left-out lines, or for the rest of a line.
+/// Each line of an answer to a question is a claim.
 struct Shown {
-  std::string text;  // before the block
+  std::string text;  // the paragraph before the block
   Words command;     // without the program's name
   Words lines;       // "conditions measure=clone_radius labels.division=longest mean 0.742"
 };
@@ -75,10 +75,10 @@ std::vector<Shown> shownIn(const std::string& markdown) {
   return shown;
 }
 
-/// A number as people read it; texts as they are.
+/// Returns a number as text; texts stay.
 std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
-/// "labels.division", "points.8.mean"; null if there is no such member.
+/// Returns the member at a path such as "labels.division" or "points.8.mean"; null if there is none.
 Json member(const Json& object, const std::string& path) {
   const Json* at = &object;
   std::istringstream stream(path);
@@ -91,7 +91,7 @@ Json member(const Json& object, const std::string& path) {
   return *at;
 }
 
-/// The only entry of a list whose members are as the words say, "measure=clone_radius".
+/// Returns the only entry of a list whose members match words such as "measure=clone_radius".
 Json entryOf(const Json& list, const Words& words) {
   Json found;
   int count = 0;
@@ -106,7 +106,7 @@ Json entryOf(const Json& list, const Words& words) {
   return found;
 }
 
-/// As many digits after the point as `like` has.
+/// Rounds a value to the digits after the point that `like` has.
 std::string rounded(double value, const std::string& like) {
   const auto point = like.find('.');
   const int digits = point == like.npos ? 0 : static_cast<int>(like.size() - point - 1);
@@ -118,7 +118,7 @@ std::string rounded(double value, const std::string& like) {
 
 /// A run's values as golden/FAMILY/NAME.csv keeps them (tests/studies/values.py).
 struct KeptRun {
-  std::string task, state, reason;                              // reason: of a run that failed
+  std::string task, state, reason;                              // reason: for a failed run
   std::vector<std::tuple<double, std::string, double>> values;  // time, measure, value
 };
 
@@ -139,7 +139,7 @@ std::vector<KeptRun> keptRuns(const std::string& study) {
   return runs;
 }
 
-/// Of the run with this id, in a merged database.
+/// Returns the values of the run with this id in a merged database.
 std::vector<std::tuple<double, std::string, double>> valuesIn(Database& db, const std::string& run) {
   std::vector<std::tuple<double, std::string, double>> values;
   Statement rows(db, "SELECT time, measure, value FROM result WHERE run_id = ? ORDER BY time, measure");
@@ -147,8 +147,8 @@ std::vector<std::tuple<double, std::string, double>> valuesIn(Database& db, cons
   return values;
 }
 
-/// Makes some of a study's runs and merges them; what the golden keeps of these must be what they gave. Then puts what
-/// it keeps of all others beside them. Returns the database.
+/// Repeats some of a study's runs, checks them against the golden, and merges them. Then adds the golden's values of
+/// the other runs. Returns the database.
 std::string databaseOf(const TemporaryFolder& temporary, const std::string& study) {
   const std::string to = temporary / study, file = to + "/study.db";
   if (std::filesystem::exists(file)) return file;
@@ -197,7 +197,7 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   return file;
 }
 
-/// The files of the scenarios that a study in scenarios/policies varies, as it names them.
+/// Returns the scenario files that a study in scenarios/policies varies, as the study names them.
 std::vector<std::string> basesOf(const std::string& study) {
   std::istringstream lines(readWhole(sourceFile("scenarios/policies/" + study + ".study.yaml")));
   std::vector<std::string> bases;
@@ -218,7 +218,7 @@ std::string trimmed(const std::string& line) {
   return first == line.npos ? "" : line.substr(first, line.find_last_not_of(' ') + 1 - first);
 }
 
-/// The line itself, or up to the "…" at its end.
+/// Returns true if the output has this line; a line with "…" at its end is compared up to there.
 bool isPrinted(const std::string& line, const std::string& output) {
   const std::string rest = "…";
   const bool cut = line.ends_with(rest);
@@ -244,7 +244,7 @@ TEST_CASE("Every line that the tutorial shows is what its command prints") {
       if (word.ends_with(".svg") || word.ends_with(".png") || word.ends_with(".html")) word = temporary / word;
     }
     const std::string& verb = command[0];
-    // The whole study takes minutes: databaseOf makes some of its runs. Pictures need them all.
+    // Whole studies take minutes, so databaseOf repeats some runs only. Pictures need all runs.
     if ((verb == "study" && command[1] == "run") || std::ranges::find(command, "--pictures") != command.end()) continue;
     if (verb == "run" || verb == "study") command.insert(command.end(), {"--out", temporary / "results"});
     CAPTURE(command);
@@ -262,7 +262,7 @@ TEST_CASE("every answer of the shipped studies is what its command says") {
   auto answers = shownIn(readWhole(sourceFile("scenarios/" + family + "/README.md")));
   std::erase_if(answers, [](const Shown& one) { return one.command[0] != "study" || one.command[1] != "compare"; });
   CHECK(answers.size() >= (family == "worm" ? 4 : 10));
-  std::map<Words, Json> said;  // by command
+  std::map<Words, Json> said;  // output by command
   for (const Shown& answer : answers) {
     INFO(answer.text);
     REQUIRE(answer.command.size() >= 3);
@@ -298,7 +298,7 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
     INFO(claim.dump());
     CHECK(claim["holds"] == true);
   }
-  // The results of another law, as a changed simulator might give them.
+  // The results follow another law, as those of a changed simulator might.
   change(database,
          "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id FROM "
          "replicate JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
@@ -332,7 +332,7 @@ TEST_CASE("the statistics in goldens are those of the studies") {
       INFO(scenario);
       CHECK(readWhole(goldenOf(scenario)) == golden);
     }
-    // Of another scenario it says nothing, and where one of several is another, nothing of all.
+    // The golden says nothing of a changed scenario; if one of several has changed, nothing of any.
     const auto& [first, unchanged] = *before.begin();
     const std::string& last = before.rbegin()->first;
     const Words oneMeasure = joined(command, {"--measure", "sphericity"});

@@ -1,5 +1,5 @@
-// If standard output is closed or its disk is full, the program ends with exit 6 and a sentence. No file
-// that is opened meanwhile takes the number of a closed stream, so that nothing is printed into it.
+// If standard output is closed or its disk is full, the program ends with exit 6 and a sentence. No file that it opens
+// takes the number of a closed stream, so nothing is printed into files.
 #include <sys/wait.h>
 
 #include <cstdlib>

@@ -1,11 +1,11 @@
 #!/bin/sh
-# The start script ./morula, in a small tree of its own with stand-ins for apt, cmake and ctest that write down what they
-# are asked to do: when does it install, configure, build, and when does it leave all that alone?
+# Tests the start script ./morula in a small tree, with stand-ins for apt, cmake and ctest that log their calls: when
+# does it install, configure and build, and when not?
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-tree="$scratch/a tree" # a space, for people have them
+tree="$scratch/a tree" # names with spaces must work
 calls=$scratch/calls
 failures=0
 
@@ -25,12 +25,12 @@ start() {
   called=$(tr '\n' ';' <"$calls")
 }
 
-later() { # COMMAND: runs it when the file system's clock has ticked
+later() { # waits for the file system's clock before
   sleep 0.02
   "$@"
 }
 
-forget() { # PACKAGE...: removes packages
+forget() { # removes packages
   for package; do grep -vxF -e "$package" "$installed" >"$scratch/rest" && mv "$scratch/rest" "$installed"; done
 }
 
@@ -42,19 +42,19 @@ stand_in() { # NAME, its text on stdin
 mkdir -p "$scratch/bin" "$tree/core/base" "$tree/reports" "$tree/runner" "$tree/.git/logs"
 cp "$source/morula" "$source/.packages" "$tree"
 touch "$tree/CMakeLists.txt" "$tree/CMakePresets.json" "$tree/core/base/a.h" "$tree/core/base/b.h" "$tree/.git/logs/HEAD"
-export MORULA_TEST_SCRATCH="$scratch" # where the stand-ins write
+export MORULA_TEST_SCRATCH="$scratch" # the stand-ins write into this folder
 unset MORULA_PRESET
 installed=$scratch/installed
 sed -n '/^\[build\]/,/^\[test\]/s/^\([a-z0-9+.-]*\).*/\1/p' "$source/.packages" | sed '/^$/d' >"$installed"
 
-# Without npm, which a stand-in brings from elsewhere: Debian's package refuses to lie beside another one's npm.
+# npm is a stand-in from elsewhere: Debian's npm conflicts with other packages of it.
 for_tests=$(awk '/^\[/ { wanted = $1 == "[test]"; next } wanted && /^[a-z]/ && $1 != "npm" { printf "%s%s", space, $1; space = " " }' "$source/.packages")
 stand_in npm </dev/null
 
 stand_in dpkg-query <<'END'
 shift 3
 for package; do grep -qxF -e "$package" "$MORULA_TEST_SCRATCH/installed" && printf '%s:installed ' "$package"; done
-exit 1 # as it does when it does not know one
+exit 1 # the real program fails for unknown packages
 END
 stand_in apt-get <<'END'
 [ "$1 $2" = "-y -o" ] && shift 3

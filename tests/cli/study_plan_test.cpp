@@ -1,4 +1,4 @@
-// morula study plan, and what init, schema and validate say of studies.
+// morula study plan; and init, schema and validate for studies.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A study and its scenario, as `morula init` writes them; without `variation`, so that seeds change random planes
-/// alone.
+/// Writes a study and its scenario by `morula init`, without `variation`, so that seeds change only random planes.
+/// Returns the study's file.
 std::string starterIn(const TemporaryFolder& folder) {
   const std::string study = folder / "first.study.yaml", scenario = folder / "organism.yaml";
   CHECK(launch({"init", scenario}).code == 0);

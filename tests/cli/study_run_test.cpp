@@ -1,4 +1,4 @@
-// morula study run, status, merge and emit, as people call them: exit codes, what is said, and what signals leave.
+// morula study run, status, merge and emit, as users call them: exit codes, messages, and results after signals.
 #include <dirent.h>
 #include <signal.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Twelve runs of about a tenth of a second.
+/// A study of twelve runs of about a tenth of a second.
 struct Study {
   TemporaryFolder folder;
   Study() {
@@ -29,7 +29,7 @@ struct Study {
                "vary: {division: {longest: {}, random: {division.plane: random}}}\nseeds: 1..6\nmeasures: "
                "[sphericity]\n");
   }
-  /// Three runs that end, and three that do not by themselves, instead.
+  /// Replaces the study by three runs that end and three endless ones.
   void makeEndless() const {
     writeWhole(folder / "small.yaml",
                "morula: 1\nname: some\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 3}\n"
@@ -56,7 +56,7 @@ Json parsed(const Launched& l) {
   return Json::parse(l.out);
 }
 
-/// The processes that this one has begun.
+/// Returns the child processes of `process`.
 std::vector<int> childrenOf(int process) {
   std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
   std::vector<int> children;
@@ -64,7 +64,7 @@ std::vector<int> childrenOf(int process) {
   return children;
 }
 
-/// Whether the process has not ended; who has, may still wait for that to be noticed.
+/// Returns true if the process has not ended; a zombie has ended.
 bool runs(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string number, name, state;
@@ -75,7 +75,7 @@ bool runs(int process) {
 
 TEST_CASE("a share, a task, the rest: each is computed once, and the whole is merged") {
   const Study s;
-  CHECK(s.run({"status"}).code == 6);  // nothing has been planned
+  CHECK(s.run({"status"}).code == 6);  // there is no plan yet
   const Launched third = s.run({"run", "--shard", "1/3", "--json", "--quiet"});
   REQUIRE(third.code == 0);
   const Json share = parsed(third);
@@ -93,7 +93,7 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
   CHECK(after.code == 0);
   CHECK_THAT(after.out, ContainsSubstring("12 runs: 12 done, 0 failed, 0 missing"));
   CHECK(s.run({"merge"}).code == 0);
-  // What else reads a database of runs reads it, too.
+  // Other verbs read the merged database too.
   const std::string run = launch({"export", s.folder / "out/study.db", "--list"}).out;
   CHECK_THAT(run, ContainsSubstring("result"));
   CHECK(launch({"replay", s.files("/study.db")[0]}).code == 0);
@@ -115,7 +115,7 @@ TEST_CASE("a study that was changed goes on with what is there, and is the same 
   REQUIRE(updated.code == 0);
   CHECK(parsed(updated).at("computed") == 5);
   CHECK(parsed(updated).at("already") == 4);
-  CHECK(study.run({"run", "--quiet"}).code == 0);  // the plan is this one now
+  CHECK(study.run({"run", "--quiet"}).code == 0);  // the new plan is in place
   const auto compare = [&](const std::string& folder) { return launch({"compare", study.folder / folder, "--json"}); };
   const auto grown = compare("out");
   REQUIRE(launch({"study", "run", file, "--quiet", "--out", study.folder / "at-once"}).code == 0);
@@ -125,7 +125,7 @@ TEST_CASE("a study that was changed goes on with what is there, and is the same 
 
 TEST_CASE("a run that is ended from outside is no result") {
   const Study s;
-  // One run, which does not end by itself.
+  // The study has one endless run.
   writeWhole(s.folder / "small.yaml",
              "morula: 1\nname: endless\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1000000000}\n");
   writeWhole(s.folder / "small.study.yaml",
@@ -169,7 +169,7 @@ TEST_CASE("kill -9 leaves no process, and the next run removes what is left") {
     kill(process, SIGKILL);
   });
   CHECK(l.code == 128 + SIGKILL);
-  writeWhole(s.folder / "out/tasks/.morula-here-1-1.part", "half");  // as one that was killed while it wrote
+  writeWhole(s.folder / "out/tasks/.morula-here-1-1.part", "half");  // a draft of a program killed while writing
   for (const int child : children) waitUntil([&] { return !runs(child); });
   CHECK(s.run({"run", "--shard", "1/6"}).code == 0);
   CHECK(s.files(".part").empty());

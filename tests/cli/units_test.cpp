@@ -1,4 +1,4 @@
-// Units that people see: where they meet them, and that programs do not.
+// Units: people see them, programs do not.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -16,7 +16,7 @@ TEST_CASE("people see a scenario's units in texts and pages, programs the scene'
   writeWhole(folder / "units.yaml", plain + "units: {length: µm, per-length: 27, time: min, per-time: 4}\n");
   const auto run = [&](const std::string& name) {
     const auto database = folder / (name + ".db");
-    // Without contact they end in each other, which is not sane.
+    // Without contact cells end in each other, which is not sane.
     const Json json = jsonOf({"run", folder / (name + ".yaml"), "--db", database, "--quiet", "--no-pictures"}, 1);
     const auto text =
         launch({"run", folder / (name + ".yaml"), "--db", folder / (name + "-text.db"), "--no-pictures"}).out;
@@ -30,7 +30,7 @@ TEST_CASE("people see a scenario's units in texts and pages, programs the scene'
   CHECK_THAT(ownText, ContainsSubstring("at time 1.5 after"));
   CHECK_THAT(shownText, ContainsSubstring("at time 6 min after"));
 
-  // From the scenario and from the database, which keeps it.
+  // Names of units come from the scenario, or from the database, which keeps the scenario.
   for (const auto& file : {folder / "units.yaml", folder / "units.db"}) {
     CHECK_THAT(launch({"lineage", file}).out, ContainsSubstring("egg  divided 0–4 min"));
     CHECK_THAT(launch({"lineage", file, "--cell", "A"}).out, ContainsSubstring("born       4 min"));

@@ -1,5 +1,5 @@
-// The command line itself: help, and what is said of no words at all or refused before anything else. Misspelt verbs
-// and options, numbers, files: bad_commands.
+// The command line: help, calls without arguments, and early refusals. Misspelt verbs and options, numbers, files:
+// bad_commands.
 #include "catch.h"
 #include "launch.h"
 

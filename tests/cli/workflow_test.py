@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The example workflow of reports/README.md, and the one that others may use: they are YAML, their paths and commands exist, and the page is
-uploaded whatever the check says.
+"""Tests the example workflow of reports/README.md and the reusable workflow: both are YAML, their paths and commands
+exist, and the page is uploaded even if the check fails.
 
     workflow_test.py MORULA SOURCE-FOLDER
 
-Exit codes: 0 so it is, 1 not so, 77 skipped: Python has no module yaml.
+Exit codes: 0 passed, 1 failed, 77 skipped: Python has no module yaml.
 """
 import os
 import re
@@ -49,7 +49,7 @@ for option in command[2:]:
     holds(f"{command[1]} has {option}", not option.startswith("-") or option in usage)
 holds("./morula is there", os.access(os.path.join(source, command[0]), os.X_OK))
 
-# Of others: what they give reaches a shell as variables, never as its text.
+# Outputs of other actions must reach a shell as variables, never as parts of its text.
 workflow = yaml.safe_load(open(os.path.join(source, ".github/workflows/check.yml"), encoding="utf-8"))
 inputs, steps = workflow[True]["workflow_call"]["inputs"], workflow["jobs"]["check"]["steps"]
 holds("every input is used, and none that is not there",

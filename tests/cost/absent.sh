@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# What a scenario does not ask for is not called: of these functions a plain run calls none, and one that asks for
-# everything calls each. Its state is hashed once, at the end, however long it is.
+# Checks that runs do not call functions for unrequested features: a plain run calls none of these functions, and a run
+# that requests everything calls each. The state is hashed once, at the end, however long the run.
 #
 #   absent.sh MORULA
 #
-# Exit codes: 0 so it is, 1 not so, 77 skipped: no valgrind, or a compiler that leaves no function to see.
+# Exit codes: 0 passed, 1 failed, 77 skipped: no valgrind, or a compiler that leaves no function to see.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 program=$1
@@ -21,7 +21,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 valgrind --tool=none "$program" schema >"$work/log" 2>&1 || skip "the program does not run under valgrind here"
 
-# Names of all functions that a run calls, each once, and how often it takes the state's hash.
+# Prints the names of all functions that a run calls, and how often it hashes the state.
 calls() {
   valgrind --tool=callgrind --callgrind-out-file="$work/$1.calls" "$program" run "$here/$1.yaml" --no-pictures --quiet \
     --db "$work/$1.db" >"$work/$1.log" 2>&1 || {
@@ -30,7 +30,7 @@ calls() {
   }
   grep -oE '^c?fn=\([0-9]+\) .*' "$work/$1.calls" | sed 's/^[^ ]* //' | sort -u >"$work/$1"
 }
-# How often a run calls a function.
+# Prints how often a run calls a function.
 times() { # FUNCTION RUN
   awk -v f="morula::$1(" '/^cfn=/ { name = $1; sub(/^cfn=/, "", name); if (index($0, f)) wanted = name }
        /^fn=/ { own = $1; sub(/^fn=/, "", own); if (index($0, f)) wanted = own }

@@ -1,4 +1,4 @@
-// Costs that can be counted instead of timed.
+// Prints costs that can be counted instead of timed.
 //
 //   cost_program counts          steps, searches and pairs of two scenes: the same on every machine
 //   cost_program build           what instructions depend on: the compiler, and whether it optimised
@@ -81,7 +81,7 @@ const std::map<std::string, Work>& works() {
 
 }  // namespace
 
-// By this name callgrind finds what to count.
+// callgrind finds the code to count by this name.
 extern "C" [[gnu::noinline]] void countedWork(Work work, World* world, int turns) {
   for (int i = 0; i < turns; ++i) work(*world);
 }
@@ -96,12 +96,12 @@ int main(int argc, char** argv) {
   } else if (verb == "kernels") {
     for (const auto& [name, work] : works()) std::cout << name << '\n';
   } else if (verb == "work" && argc == 6 && works().contains(argv[2])) {
-    // Two blocks of cells with coarse meshes: counting programs are slow.
+    // The world is two blocks of cells with coarse meshes, because programs that count are slow.
     const bool alone = std::string_view(argv[2]).ends_with("alone");
     World world = makePackedWorld({.cells = 16, .level = 1, .friction = 0.3, .contact = !alone},
                                   {.isa = parseIsa(argv[3])}, argv[5], [](const std::string&) {});
     const Work work = works().at(argv[2]);
-    work(world);  // what is allocated once does not count
+    work(world);  // one-time allocations are not counted
     countedWork(work, &world, std::atoi(argv[4]));
     std::cout << world.bodies->livingVertices << '\n';
   } else {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Steps, searches and pairs are exactly those that were accepted.
+# Compares steps, searches and pairs with the accepted numbers, which must be equal.
 #
 #   counts.sh COST_PROGRAM
 set -euo pipefail

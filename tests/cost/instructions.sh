@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Instructions per vertex and step lie within a tolerance of those that were accepted, more as well as fewer: a gain
-# is to be accepted, or a later loss would hide in it. Compilers differ, so only the one counts that the file names.
+# Compares instructions per vertex and step with the accepted ones, within a tolerance. A gain must be accepted too, or
+# a later loss would hide in it. Only the compiler that the file names is compared.
 #
 #   instructions.sh COST_PROGRAM            compares with expected_instructions.txt
-#   instructions.sh COST_PROGRAM --print    prints what would stand in it
+#   instructions.sh COST_PROGRAM --print    prints the lines for this file
 #
 # Exit codes: 0 within, 1 not, 77 skipped: another build, no valgrind, or an instruction set that it does not know.
 set -euo pipefail
@@ -16,7 +16,7 @@ skip() {
   exit 77
 }
 
-# Instructions per vertex of one kernel. Valgrind knows no AVX-512 and then shows the program none.
+# Prints the instructions per vertex of one kernel. Valgrind knows no AVX-512, and hides it from the program.
 instructions() {
   local output=$work/$1-$2
   valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=countedWork \

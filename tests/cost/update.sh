@@ -3,7 +3,7 @@
 #
 #   tests/cost/update.sh COST_PROGRAM "why they change"
 #
-# The reason goes into the files; commit them together with the change. COST_PROGRAM: build/release/tests/cost/cost_program
+# The reason goes into the files, for the commit of the change. COST_PROGRAM: build/release/tests/cost/cost_program
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 if [ $# -ne 2 ] || [ ${#2} -lt 10 ]; then
@@ -11,7 +11,7 @@ if [ $# -ne 2 ] || [ ${#2} -lt 10 ]; then
   exit 2
 fi
 program=$1 why=$2
-# Only what has changed gets the new reason.
+# Only changed numbers get the new reason.
 accept() {
   local file=$here/$1 about=$2
   shift 2

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A scenario's cells, or its mistakes, in one line: twice as many take twice the instructions to validate, not four times.
+# Validating twice as many cells or mistakes on one line takes twice the instructions, not four times.
 #
 #   validate.sh MORULA
 #
-# Exit codes: 0 so it is, 1 not so, 77 skipped: no valgrind.
+# Exit codes: 0 passed, 1 failed, 77 skipped: no valgrind.
 set -euo pipefail
 program=$1
 skip() {
@@ -34,7 +34,7 @@ for kind in cells mistakes; do
   done
   first=$((counted[1] - counted[0])) second=$((counted[2] - counted[1]))
   echo "$kind: 500, 1000 and 2000 take ${counted[*]} instructions"
-  # The second difference is of twice as many: 2 if the cost is in proportion, 4 if it is quadratic.
+  # The ratio of second differences is 2 for linear cost, and 4 for quadratic cost.
   if ((second * 10 > first * 25)); then
     echo "$kind: $second more instructions after $first more, which is more than 2.5 times as many"
     exit 1

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds the simulator by itself as one more compiler would, or for another machine, and compares the hashes of its runs.
+# Builds the simulator with another compiler, or for another machine, and compares the hashes of its runs.
 #
 #   builds.sh BUILD DIRECTORY WRITE_SCENE     BUILD: see build_as.sh
 #
-# Exit codes: 0 the same, 1 others, 77 this compiler, or what its programs run on, is not here.
+# Exit codes: 0 equal, 1 different, 77 the compiler or the emulator is missing.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 name=$1 build=$2 write_scene=$3
@@ -23,10 +23,10 @@ isas=$($emulator "$build/hash_program" --isas)
 different=0
 widest=${isas##*[[:space:]]}
 one_by_one=scalar
-if [[ $emulator == qemu-* ]]; then one_by_one=; fi # which takes minutes; the matrix has it
+if [[ $emulator == qemu-* ]]; then one_by_one=; fi # it takes minutes; the matrix includes it
 for isa in $one_by_one $widest; do # one cell at a time, and the widest
   "$here/compare.sh" "$name, $isa" $emulator "$build/hash_program" --isa "$isa" || different=1
 done
-# What is read from a file, and hashed on the way, is so in any instruction set.
+# Reading files and hashing do not depend on the instruction set.
 "$here/compare_golden.sh" "$name, $isa" thesis/unique-four "$scene" $emulator "$build/run_scene" --isa "$isa" || different=1
 exit $different

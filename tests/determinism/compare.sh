@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compares what a command prints with expected_hashes.txt.
+# Compares the output of a command with expected_hashes.txt.
 #
 #   compare.sh NAME COMMAND...
 set -euo pipefail

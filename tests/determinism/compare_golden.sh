@@ -3,14 +3,14 @@
 #
 #   compare_golden.sh NAME SCENARIO SCENE COMMAND...
 #
-# SCENARIO: as thesis/unique-four; SCENE: written by write_scene; COMMAND: run_scene and what stands before and behind it.
-# Exit codes: 0 the same, 1 others or none.
+# SCENARIO: such as thesis/unique-four; SCENE: a file of write_scene; COMMAND: run_scene with its arguments.
+# Exit codes: 0 equal, 1 different or missing.
 set -euo pipefail
 root=$(dirname "$(readlink -f "$0")")/../..
 name=$1 scenario=$2 scene=$3
 shift 3
 golden=$root/golden/$scenario.golden
-# A link of the chain also has short hashes of cells, which tell where bits differ, not whether.
+# Links of the chain also have short hashes of cells, which only locate differences.
 if ! expected=$(grep -E '^(bits|step_hash) ' "$golden" | cut -d ' ' -f 1-3) || ! grep -q '^bits solver ' <<<"$expected"; then
   echo "golden/$scenario.golden has no hashes to compare with"
   exit 1

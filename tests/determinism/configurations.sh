@@ -1,11 +1,11 @@
-# What must not change a bit: the rows of the matrix (matrix.sh).
+# Configurations that must give equal bits: the rows of the matrix (matrix.sh).
 #
 #   configuration NAME BUILD SCENES COMMAND...
 #
-# BUILD: ordinary, or one of build_as.sh's. SCENES: all; shorter: not the scene that takes minutes; short: not the one
-# that takes half a minute either, where it would take an hour; quick: none of many steps of many cells. COMMAND: `morula`
-# and `run_scene` in it stand for the build's programs; run_scene is the simulator alone, for machines where the libraries
-# of morula are not, and for builds that differ in how it computes.
+# BUILD: ordinary, or one of build_as.sh's. SCENES: all; shorter: without the scene that takes minutes; short: also
+# without the one of half a minute, if that would take an hour; quick: without many steps of many cells. COMMAND:
+# `morula` and `run_scene` stand for the build's programs. run_scene is the simulator alone, for machines without
+# morula's libraries and for builds that differ only in arithmetic.
 
 configuration "as it is" ordinary all morula
 for isa in scalar narrow avx2 avx512; do configuration "instruction set $isa" ordinary shorter morula --isa $isa; done
@@ -16,10 +16,10 @@ configuration "C library without FMA" ordinary shorter env GLIBC_TUNABLES=glibc.
 configuration "a German locale" ordinary shorter env "LOCPATH=$work/locales" LC_ALL=de_DE.UTF-8 morula
 configuration "a heap full of rubbish" ordinary shorter env MALLOC_PERTURB_=165 morula
 configuration "YAML keys in reverse" ordinary shorter env -C "$work/reversed" morula
-# Saving and restoring midway: a line here.
+# Saving and restoring midway would be a line here.
 
-# Whole programs by another compiler, without optimisation, and for the least instructions: numbers are read and
-# results hashed as the simulator computes, and each of these takes minutes to build. Other flags: the simulator alone.
+# Whole programs are built by another compiler, without optimisation, and for the smallest instruction set, because
+# numbers are also read and results hashed. Each takes minutes to build; other flags use the simulator alone.
 configuration "gcc -O0" gcc-O0 short morula
 configuration "clang -O2" clang-O2 all morula
 configuration "baseline x86-64" gcc-O3-portable shorter morula

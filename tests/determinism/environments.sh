@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One build in many surroundings: instruction sets, threads, addresses, heaps, locales, C library variants.
+# Runs one build in many environments: instruction sets, threads, addresses, heaps, locales, C library variants.
 #
 #   environments.sh HASH_PROGRAM
 set -uo pipefail
@@ -16,7 +16,7 @@ done
 for threads in 2 3 7 16; do
   same "$threads threads" "$program" --threads $threads
 done
-# Some containers forbid it.
+# Some containers forbid setarch.
 if setarch -R true 2>/dev/null; then same "addresses not random" setarch -R "$program"; fi
 same "a heap full of rubbish" env MALLOC_PERTURB_=165 "$program"
 same "an empty environment" env -i "$program"

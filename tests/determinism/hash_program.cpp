@@ -15,14 +15,14 @@ using namespace morula;
 
 namespace {
 
-/// A country whose numbers have a decimal comma, also where its locale is not installed.
+/// A locale whose numbers have a decimal comma, also on systems without such a locale.
 struct Comma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// More cells than one block holds, and so than one thread.
+/// Returns a scene with more cells than a block, and so a thread, holds.
 Scene sixteen() {
   Scene scene = scenes::packed();
   scene.stop.time = 4.25;
@@ -45,7 +45,7 @@ void run(const Scene& scene, const Execution& execution) {
 
 int main(int argc, char** argv) {
   setFloatingPoint();
-  std::setlocale(LC_ALL, "");  // as the environment says
+  std::setlocale(LC_ALL, "");  // the environment's locale
   Execution execution;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--isa") == 0 && i + 1 < argc) execution.isa = parseIsa(argv[++i]);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# One hash per shipped scene over everything that must not matter: each configuration runs each scene and compares it with
-# its golden. ./morula test --matrix calls this.
+# Compares every shipped scene's results with its golden in all configurations that must not matter.
+# ./morula test --matrix calls this.
 #
 #   matrix.sh BUILD [PATTERN...]
 #
@@ -17,9 +17,9 @@ ordinary=$(cd "$1" && pwd)
 shift
 patterns=("$@")
 work=$ordinary/matrix
-slowest=(thesis/elegans-1024-physics thesis/elegans-128) # a minute and a half in one thread, and a third of a minute
+slowest=(thesis/elegans-1024-physics thesis/elegans-128) # 90 s and 20 s in one thread
 
-names=() builds=() sets=() commands=() # of the rows
+names=() builds=() sets=() commands=() # one entry per row
 is_wanted() {
   local pattern
   if [ ${#patterns[@]} = 0 ]; then return 0; fi
@@ -52,21 +52,21 @@ is_left_out() { # ROW SCENE
   esac
 }
 
-# By its golden: so many steps of so many cells in the end take an emulated processor more than ten minutes.
+# Returns success for a scene whose steps and cells, by its golden, take an emulated processor more than ten minutes.
 is_long() { # SCENE
   awk '$1 == "count" { n[$2] = $3 } END { exit !(n["steps"] * n["cells"] > 300000) }' "$root/golden/$1.golden"
 }
 
-# Where a build's programs lie.
+# Prints the folder of a build's programs.
 folder() {
   case $1 in
     ordinary) echo "$ordinary" ;;
-    wasm-*) echo "$ordinary/wasm" ;; # with the modules for pages
+    wasm-*) echo "$ordinary/wasm" ;; # shared with the modules for pages
     *) echo "$work/$1" ;;
   esac
 }
 
-# Says why a row cannot be run here, if so: exit code 0 or, where the build failed, 1. Builds what it needs.
+# Prints the reason if a row cannot be run, after building what the row needs. Exit code 1 if the build failed, else 0.
 prepare() { # ROW
   local command=${commands[$1]} build=${builds[$1]} target=morula isa said code=0
   case $command in
@@ -98,7 +98,7 @@ prepare() { # ROW
   esac
 }
 
-# Leaves the word for a cell, and what was said, in $work/cells.
+# Runs a cell of the matrix, and leaves its word and its log in $work/cells.
 run() { # ROW SCENE
   local cell=$1-${2//\//-} word=same command
   eval "command=(${commands[$1]})"
@@ -131,7 +131,7 @@ why=()
 broken=0
 for row in "${!names[@]}"; do why[row]=$(prepare "$row") || broken=1; done
 
-# The slowest first, so that no core waits for one of them at the end.
+# The slowest scenes begin first, so that no core waits for one at the end.
 mapfile -t order < <(for scene in "${slowest[@]}" "${scenes[@]}"; do printf '%s\n' "${scenes[@]}" | grep -xF -e "$scene"; done | awk '!seen[$0]++')
 for scene in "${order[@]}"; do
   for row in "${!names[@]}"; do

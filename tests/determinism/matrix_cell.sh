@@ -3,14 +3,14 @@
 #
 #   matrix_cell.sh SCENE TEXT FOLDER COMMAND...
 #
-# SCENE: as thesis/unique-four; TEXT: the same, written by write_scene. COMMAND: of configurations.sh; FOLDER: where its
-# programs lie. Exit codes: 0 the same, 1 others, or the run failed.
+# SCENE: such as thesis/unique-four; TEXT: the scene's file of write_scene; COMMAND: from configurations.sh; FOLDER: the
+# folder of its programs. Exit codes: 0 equal, 1 different, or the run failed.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 scene=$1 text=$2 folder=$3
 shift 3
 command=()
-alone= # the simulator, without the program
+alone= # set if the simulator runs without the program
 for word; do
   case $word in
     morula) command+=("$folder/morula" check "scenarios/$scene.yaml" --json) ;;
@@ -25,7 +25,7 @@ report=$("${command[@]}") || {
   echo "exit code $?"
   exit 1
 }
-# Numbers may have tolerances. The bits have none, and must have been looked at.
+# Numbers may have tolerances. Bits have none, and must have been compared.
 expected=$(sed -n 's/^bits solver //p' "golden/$scene.golden")
 actual=$(sed -n '/"check": "bits"/,/}/s/.*"actual": "\(.*\)".*/\1/p' <<<"$report")
 if [ -z "$expected" ] || [ "$actual" != "$expected" ]; then

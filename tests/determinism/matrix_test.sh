@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# The matrix, in a small tree of its own with stand-ins for our programs that give one hash or another: what does the table
-# say, and is a difference ever passed over?
+# Tests the matrix in a small tree, with stand-ins for our programs that give chosen hashes: the table is right, and no
+# difference is missed.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-tree="$scratch/a tree" # a space, for people have them
+tree="$scratch/a tree" # names with spaces must work
 tests=$tree/tests/determinism
 failures=0
 
@@ -54,7 +54,7 @@ cat >"$2/run_scene" <<'PROGRAM'
 #!/bin/sh
 scene=$(sed -n 's/name: //p' "$3")
 echo "bits solver hash-of-$scene"
-echo "step_hash 0 start-of-one" # whatever the scene
+echo "step_hash 0 start-of-one" # for every scene
 PROGRAM
 chmod +x "$2/run_scene"
 END

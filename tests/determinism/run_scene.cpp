@@ -1,5 +1,5 @@
-// Runs a scene and prints the hashes of its golden, as they come out here: its lines `bits` and `step_hash`,
-// these without the short hashes of cells. For machines where there is the simulator, but not the program.
+// Runs a scene and prints the hashes that its golden holds: the lines `bits` and `step_hash`, the latter without the
+// short hashes of cells. It serves machines that have the simulator, but not the program.
 //
 //   run_scene [--isa NAME] SCENE GOLDEN     SCENE: written by write_scene
 #include <cstring>
@@ -18,21 +18,20 @@ using namespace morula;
 
 namespace {
 
-/// Throws FileError.
+/// Opens a file. Throws FileError if it cannot be read.
 std::ifstream open(const char* file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError(std::string(file) + ": cannot be read");
   return in;
 }
 
-/// What a golden says of its chain: a link at step 0, every, 2·every, … and at the end, of which some are
-/// written down.
+/// The hash chain of a golden: a link at step 0, every, 2·every, … and at the end, of which some are written down.
 struct Chain {
   std::uint64_t every = 0;
   std::set<std::uint64_t> written;
 };
 
-/// Throws InputError.
+/// Reads the chain of a golden. Throws InputError if hash_every is missing.
 Chain readChain(std::istream& golden) {
   Chain chain;
   for (std::string line; std::getline(golden, line);) {

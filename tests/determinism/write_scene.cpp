@@ -1,4 +1,4 @@
-// Writes a scenario's scene as run_scene reads it.
+// Writes a scenario's scene for run_scene.
 //
 //   write_scene SCENARIO >FILE
 #include <iostream>

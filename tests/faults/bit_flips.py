@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Flips single bits of files of results and looks at what the program makes of them.
+"""Flips single bits in result files and checks how the program reads them.
 
     bit_flips.py PROGRAM LIBRARY [--flips N] [--every-verb] [--anywhere] [--seed S] [--only WORD] [--at BIT]
 
-PROGRAM: morula; LIBRARY: what tests/preload/failing.cpp makes, which kills a run after a checkpoint. Three files are made: the
-database of an unfinished run, the same of a finished run, and the study.db of a study. N bits of each are flipped, one at a time,
-at positions that follow from S alone and spread over the file without its empty parts (--anywhere: over all of it); as many bits
-lie inside of the checkpoint's state. By default the verbs take turns, with --every-verb each of them reads each file. Then one of
-two things must hold:
+PROGRAM: morula; LIBRARY: tests/preload/failing.cpp, which kills a run after a checkpoint. There are three files: the
+databases of an unfinished and of a finished run, and the study.db of a study. N bits of each are flipped, one at a time.
+Their positions depend only on S and spread over the file without its empty parts (--anywhere: over the whole file); N
+more lie in the checkpoint's state. By default the verbs take turns; with --every-verb each verb reads each file. One of
+two properties must hold:
 
   - the flip is detected: the exit code is 6 (of replay also 1), with a sentence on standard error
   - the flip has no effect: exit code, standard output and all that is written are those of the file without a flip; a database
@@ -49,7 +49,7 @@ keep: {samples: end}
 check:
   - {measure: sphericity, a: {drag: low}, b: {drag: high}, says: lower}
 """
-LIMIT = 1200  # [s] after which a verb counts as one that does not end
+LIMIT = 1200  # [s] a verb that takes longer counts as endless
 DETECTED = {"replay": {1, 6}}
 Verb = collections.namedtuple("Verb", "name words writes")
 READING = [
@@ -96,7 +96,7 @@ class Place:
         return process.returncode, out, err
 
     def make(self, words, name, code=0, **more):
-        """The bytes of a file that a command leaves."""
+        """The bytes of a file that a command writes."""
         self.clear()
         if "FAULT_COUNT" in more:
             with open(more["FAULT_COUNT"], "wb") as count:
@@ -104,7 +104,7 @@ class Place:
         ended = self.start(words, **more)
         assert ended[0] in (code, 1), (words, ended)
         file = os.path.join(self.work, name)
-        database = sqlite3.connect(file)  # undoes what a killed program did not finish
+        database = sqlite3.connect(file)  # opening rolls back unfinished transactions
         database.execute("SELECT count(*) FROM sqlite_schema").fetchone()
         database.close()
         with open(file, "rb") as data:
@@ -134,7 +134,7 @@ class Place:
 
 
 def rows_of(file):
-    """All rows of a database's tables, without the times at which they were made and the digests of rows that hold such times."""
+    """All rows of a database, without times of their making and without digests of rows that hold such times."""
     database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
     database.text_factory = bytes
     held = {}
@@ -154,7 +154,7 @@ def rows_of(file):
 
 
 def used_bytes(content):
-    """The places of a file's bytes, without long runs of zeros: those are the empty parts of SQLite's pages."""
+    """The places of a file's bytes, without long runs of zeros, which are empty parts of SQLite's pages."""
     used, last = [], 0
     for empty in re.finditer(rb"\0{64,}", content):
         used += range(last, empty.start())
@@ -184,7 +184,7 @@ def state_pages(content):
         state = database.execute("SELECT state FROM checkpoint").fetchone()[0]
         size = database.execute("PRAGMA page_size").fetchone()[0]
         database.close()
-    # A value that is longer than a page goes on in pages of its own, of which each begins with the number of the next one.
+    # A value longer than a page goes on in overflow pages, each of which begins with the number of the next one.
     places = [at for page in range(0, len(content), size) if content[page + 4:page + 68] in state
               for at in range(page, page + size)]
     assert places, "no page holds the checkpoint's state alone"
@@ -192,9 +192,9 @@ def state_pages(content):
 
 
 def judge(verb, result, good):
-    """What is wrong with this result, or how it is right."""
+    """The fault of this result, or the property that it has."""
     if result.code in DETECTED.get(verb.name, {6}) and result.code != good.code:
-        # `replay` tells on standard output what it found.
+        # `replay` reports findings on standard output.
         return "detected" if (result.err or result.out).strip() else f"exit {result.code} without a sentence"
     if result.code < 0 or result.code in (70, 124):
         return f"exit {result.code}: {result.err.decode(errors='replace').strip()[-300:]}"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Lets every operation of the program fail, one after the other, and looks at what is left.
+"""Lets every operation of the program fail, one after the other, and checks the remaining files.
 
     faults.py PROGRAM LIBRARY [--every K] [--only WORD] [--kind KIND] [--places] [--list]
 
-PROGRAM: morula; LIBRARY: what tests/preload/failing.cpp makes. Each verb below runs in a copy of a folder that is always the
-same, and fails at the n-th operation: for every n that it comes to, in each of the ways below; for memory, of which there are
-many thousands, for the first 100 and then for some evenly to the end, or with --places for the first from each place in the
-program: requests with the same six innermost calls are taken to fail in the same way. Then must hold:
+PROGRAM: morula; LIBRARY: tests/preload/failing.cpp. Each verb below runs in copies of one folder and fails at the n-th
+operation, for every n and in each of the ways below. Of the many thousand requests for memory the first 100 fail, then
+some at even distances; with --places the first from each place in the program, because requests with the same six
+innermost calls are taken to fail alike. After each failure:
 
   - the exit code is one that is documented; never 70, a signal or a hang; with 0 the result is that of a run without a fault
   - else there is a sentence on standard error
@@ -28,13 +28,13 @@ import sys
 import tempfile
 import time
 
-# How each n-th operation on a file fails: by itself; and from it on, as on a disk that stays full.
+# The ways in which the n-th operation on a file fails: alone, or with all later ones, as on a full disk.
 FILE_WAYS = [("write", "EIO"), ("write", "short"), ("sync", "EIO"), ("rename", "EIO"), ("make", "EIO"), ("remove", "EIO"),
              ("read", "EIO"), ("files", "ENOSPC+"), ("files", "kill"), ("files", "killall")]
 MEMORY_WAYS = [("new", "EIO"), ("malloc", "EIO")]
 KINDS = ["write", "sync", "rename", "make", "remove", "read", "files", "new", "malloc"]  # in the order of failing.cpp
 ADDR_NO_RANDOMIZE = 0x0040000  # <sys/personality.h>
-FIRST, EVENLY = 100, 60  # of memory: so many from the first on, and so many after them
+FIRST, EVENLY = 100, 60  # of memory: the first FIRST requests, and EVENLY ones after them
 
 TREE = """morula: 1
 name: tree
@@ -87,7 +87,7 @@ def exported(name, *words):
     return Verb(f"export {name}", STORED, ["export", "--quiet", DATABASE, *words])
 
 
-# `before`: commands that make what the verb needs; a first word "FAULT=…" is given to them.
+# `before`: commands that prepare the verb; a first word "FAULT=…" sets their fault.
 VERBS = [
     Verb("run tree", [], RUN + ["scenarios/tree.yaml"]),
     Verb("run bodies", [], RUN + ["scenarios/bodies.yaml", "--no-pictures"]),
@@ -123,12 +123,12 @@ VERBS = [
     Verb("lineage", STORED, ["lineage", "--quiet", DATABASE, "-o", "tree.svg"]),
 ]
 
-STARTING = ("study run", "film")  # other processes
+STARTING = ("study run", "film")  # verbs that start other processes
 Ended = collections.namedtuple("Ended", "code err counts")
 
 
 class Place:
-    """A folder in which the program runs, as often as is asked for, each time from the same files."""
+    """A folder in which the program runs repeatedly, each time from the same files."""
 
     def __init__(self, program, library, folder):
         self.program, self.library, self.folder = program, library, folder
@@ -140,8 +140,8 @@ class Place:
                             "GIT_CEILING_DIRECTORIES": folder}
 
     def run(self, words, fault=None, before=None, fast=0):
-        """How it ended, and how often an operation of the fault's kind came, or of each kind (KINDS). 124: it did not end.
-        `before`: called in its process; `fast`: by so many seconds its clock is."""
+        """Runs the program. Returns how it ended (124: it did not), and the number of operations of the fault's kind, or
+        of each kind (KINDS). `before`: called in its process; `fast`: seconds by which its clock is fast."""
         with open(self.count, "wb") as file:
             file.write(bytes(8 * (2 + len(KINDS))))
         environment = {**self.environment, "FAULT_CLOCK": str(fast)}
@@ -162,13 +162,13 @@ class Place:
         return Ended(process.returncode if process.returncode >= 0 else 128 - process.returncode, err, counts)
 
     def counts(self, words):
-        """How often an operation of each kind comes: the same whichever way one of them fails."""
+        """The number of operations of each kind, the same for each way to fail."""
         counts = dict(zip(KINDS, self.run(words, "all:0:EIO").counts[1:]))
         counts["files"] = sum(counts[kind] for kind in KINDS[:KINDS.index("read")])
         return counts
 
     def places(self, words, kind):
-        """Where each request for memory comes from, as numbers: the same in every process, whose addresses are not shuffled."""
+        """The origins of requests for memory, as numbers that are equal in all processes without shuffled addresses."""
         file = os.path.join(self.folder, "places")
         if os.path.exists(file):
             os.remove(file)
@@ -181,7 +181,7 @@ class Place:
             return [place for (place,) in struct.iter_unpack("<Q", data.read())]
 
     def prepare(self, verb):
-        """The folder as it is before the verb, kept as `start`."""
+        """Prepares the folder for the verb, and keeps it as `start`."""
         for folder in (self.work, self.start):
             shutil.rmtree(folder, ignore_errors=True)
         for name, text in (("scenarios/tree.yaml", TREE), ("scenarios/bodies.yaml", BODIES),
@@ -212,8 +212,8 @@ class Place:
 
 
 def rows_of(file):
-    """What a database holds, by table and column; or what is wrong with it."""
-    with tempfile.TemporaryDirectory() as folder:  # a copy: who opens it undoes what was not finished
+    """The contents of a database, by table and column, or its damage."""
+    with tempfile.TemporaryDirectory() as folder:  # a copy, because opening rolls back unfinished transactions
         copy = os.path.join(folder, "copy")
         for ending in ("", "-journal"):
             if os.path.exists(file + ending):
@@ -235,7 +235,7 @@ def rows_of(file):
 
 
 def held_in(folder):
-    """Of each file in the folder what it holds: of a database a dictionary, of others their bytes."""
+    """The contents of the folder's files: dictionaries of databases, and bytes of others."""
     held = {}
     for path, _, names in os.walk(folder):
         for name in names:
@@ -251,7 +251,7 @@ def held_in(folder):
 
 
 def plain(content):
-    """A text without what differs from one run to the next: times and what depends on them."""
+    """The text without times and what depends on them."""
     content = re.sub(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?Z?", b"TIME", content)
     return re.sub(rb"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", b"N", content)
 
@@ -259,7 +259,8 @@ def plain(content):
 class Judge:
     def __init__(self, verb, before, good, other):
         self.verb, self.before, self.good = verb, before, good
-        # What two runs without a fault do not have in common says nothing: times, mostly. Memory may agree by chance.
+        # Values that differ between two runs without a fault, mostly times, are not compared. Memory may agree by
+        # chance.
         self.loose = {(name, key) for name, held in good.items() if isinstance(held, dict)
                       for key in held if other[name].get(key) != held[key] or key == ("timing", "max_memory")}
         self.varying = {name for name, held in good.items() if isinstance(held, bytes) and other[name] != held}
@@ -289,7 +290,7 @@ class Judge:
             elif content == b"" and isinstance(self.good.get(name), dict):
                 continue  # a database in which nothing was ever stored
             elif isinstance(content, dict) and name in {**self.good, **self.before}:
-                # Not all is stored yet, but what is says so.
+                # The database may be incomplete, but must not say that the run is done.
                 if "done" in " ".join(content.get(("run", "status"), [])) and not (
                         self.before.get(name) and set(content["run", "run_id"]) >= set(self.before[name]["run", "run_id"])):
                     yield f"{name} says that a run is done, and does not hold what it holds"
@@ -313,35 +314,36 @@ def missing_or_other(judge, now, loose=frozenset()):
 
 
 def judged(place, judge, good_code, kind, how, n):
-    """What is wrong after this fault."""
+    """The errors after this fault."""
     place.restore()
     ended = place.run(judge.verb.command, f"{kind}:{n}:{how}")
     killed = how.startswith("kill")
     now = held_in(place.work)
     wrong = []
-    # A run of a study that finds no memory is a failure of its own, which the study keeps and tells, and ends with 1.
+    # A run of a study that lacks memory fails; the study records the failure and ends with 1.
     of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
     allowed = {good_code, 6} | ({1} if of_a_run else set()) | ({128 + signal.SIGKILL, 5} if killed else set()) | ({4} if kind in ("new", "malloc") else set())
     if ended.code not in allowed:
         wrong.append(f"exit {ended.code}: {ended.err.strip()[-200:]}")
     if ended.code not in (good_code, 5, 128 + signal.SIGKILL) and "morula" not in ended.err:
         wrong.append(f"exit {ended.code} without a sentence")
-    # What cannot be removed stays, and what cannot be written may need its journal.
+    # Files that cannot be removed stay, and a database that cannot be written may need its journal.
     stays = killed or kind == "remove" or how.endswith("+")
     wrong += (text for text in judge.wrong_files(now, stays) if not (of_a_run and "says that" in text))
     if now == judge.before and ended.code != good_code:
         pass  # the next run begins as one without a fault does
     elif ended.code != good_code or killed or of_a_run:
         again = place.run(judge.verb.command + (["--retry-failed"] if of_a_run else []))
-        # Memory that ends after the last file has taken its place ends the command, and what is whole is not replaced.
+        # If memory runs out after the last file took its place, the command fails, and the next run does not replace
+        # the whole result.
         was_whole = not list(missing_or_other(judge, now)) and "is there already" in again.err
         if again.code != good_code and not was_whole:
             wrong.append(f"the next run ends with {again.code}: {again.err.strip()[-200:]}")
-        # The next run was given other words, or began anew what had been resumed and was done.
+        # The next run had other arguments, or restarted a resumed run that was done.
         other = {("run", "command"), ("timing", "command")} if of_a_run else {("run", "started")}
         wrong += missing_or_other(judge, held_in(place.work), other)
     elif not stays:
-        # A result that waits for a review is not the verb's own: `check` says that it is not kept, and judges all the same.
+        # A result that waits for a review is optional: `check` says that it is not kept, and judges nevertheless.
         told = "is not kept for a review" in ended.err
         wrong += (text.replace("after a run without a fault", "exit 0, but") for text in missing_or_other(judge, now)
                   if not (told and ".pending" in text))
@@ -381,7 +383,7 @@ def main():
                 continue
             place.prepare(verb)
             good = []
-            for fast in (0, 2):  # times are told in seconds, and are to differ
+            for fast in (0, 2):  # times have a resolution of seconds, and must differ
                 place.restore()
                 begun = time.monotonic()
                 ended = place.run(verb.command, fast=fast)

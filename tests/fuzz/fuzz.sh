@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Reads inputs made by chance and guided by coverage, with address and undefined-behaviour sanitizers (clang, libFuzzer).
+# Reads random inputs guided by coverage, with address and undefined-behaviour sanitizers (clang, libFuzzer).
 #
-#   fuzz.sh SECONDS [READER…]    each of the readers so long (fuzz_mutations 0 lists them); nothing is ended before its time
+#   fuzz.sh SECONDS [READER…]    runs each reader for the whole time; fuzz_mutations 0 lists the readers
 #
-# What is found is left in build/fuzz/findings; put it into tests/fuzz/corpus/READER with its mending. Exit 1: a finding.
+# Findings stay in build/fuzz/findings: put them into tests/fuzz/corpus/READER together with the correction.
+# Exit code 1: a finding.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '2,7p' "$0"; exit 2; }
 root=$(readlink -f "$(dirname "$0")/../..")
@@ -14,13 +15,13 @@ cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target fuzz_readers fuzz_mutations
 if [ $# = 0 ]; then mapfile -t readers < <(build/fuzz/tests/fuzz/fuzz_mutations 0 | awk '{print $1}'); else readers=("$@"); fi
 mkdir -p build/fuzz/findings
-# What is freed is kept from use in 16 MB, not 256: to overwrite as much in one go took a second on a busy machine.
+# The quarantine of freed memory has 16 MB, not 256: overwriting 256 MB at once took a second on a busy machine.
 export ASAN_OPTIONS=quarantine_size_mb=16
 code=0
 for reader in "${readers[@]}"; do
   corpus=build/fuzz/corpus/$reader
   mkdir -p "$corpus"
-  build/fuzz/tests/fuzz/fuzz_mutations 0 "$reader" "$corpus" >/dev/null # writes the seeds there
+  build/fuzz/tests/fuzz/fuzz_mutations 0 "$reader" "$corpus" >/dev/null # writes the seeds into the corpus
   if [ -d "tests/fuzz/corpus/$reader" ]; then cp -n "tests/fuzz/corpus/$reader"/* "$corpus"; fi
   touch "build/fuzz/$reader.begun"
   MORULA_FUZZ=$reader build/fuzz/tests/fuzz/fuzz_readers -max_total_time="$seconds" -timeout=1 -max_len=20000 \

@@ -1,5 +1,5 @@
-// Runs a reader for libFuzzer. The environment names the reader: MORULA_FUZZ=scenario fuzz_readers CORPUS (fuzz.sh does
-// it).
+// Runs a reader for libFuzzer. The environment names the reader: MORULA_FUZZ=scenario fuzz_readers CORPUS, as in
+// fuzz.sh.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,8 @@
-// In every test run: each reader reads its seeds, what earlier findings were (corpus/READER), and a fixed number of
-// inputs that are made of them by chance, the same ones everywhere.
+// Runs in every test: each reader reads its seeds, earlier findings (corpus/READER), and a fixed number of random
+// mutations, the same on every machine.
 //
-//   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each (Reader::times); exit 1 and the input in a file for a finding; what inputs are
-//                                            made of goes into FOLDER
+//   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each (Reader::times). A finding gives exit 1 and the
+//                                            input in a file; FOLDER gets the seeds.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,7 @@ using namespace morula::fuzz;
 
 namespace {
 
-/// A number from 0 to `below` − 1.
+/// A source of random numbers: each call returns one from 0 to `below` − 1.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : seed_(seed) {}
@@ -29,7 +29,7 @@ class Chance {
   std::uint32_t next_ = 0;
 };
 
-/// A piece of text at the end of which a word ends, or of so many bytes.
+/// Returns a random piece of text of at most 60 bytes.
 std::string_view pieceOf(const std::string& from, Chance& draw) {
   const std::size_t begin = draw(from.size() + 1), length = draw(std::min<std::size_t>(from.size() - begin, 60) + 1);
   return std::string_view(from).substr(begin, length);

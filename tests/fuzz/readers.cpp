@@ -35,9 +35,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The small files with this ending below folders of the repository, in the order of their names.
+/// Returns the small files with this ending below folders of the repository, sorted by name.
 std::vector<std::string> filesIn(std::initializer_list<const char*> folders, std::string_view ending) {
-  constexpr std::uintmax_t most = 20'000;  // [byte] what is larger is only slower
+  constexpr std::uintmax_t most = 20'000;  // [byte] larger files are only slower
   std::vector<fs::path> files;
   for (const char* folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(MORULA_SOURCE_DIR) / folder))
@@ -57,14 +57,14 @@ const Scene& smallScene() {
   return scene;
 }
 
-/// The bytes as a file that a scenario names.
+/// Reads a scenario that names these bytes as a file.
 void readNamed(const char* role, const std::string& path, std::string_view bytes) {
   readScenario("morula: 1\nname: fuzz\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 3}\n" + path, "fuzz.yaml",
                "", {}, {{role, "fuzz.txt", text(bytes)}});
 }
 
-/// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are
-/// taken as fields and sealed, for else the hash would refuse nearly all.
+/// A checkpoint's fields begin after its head, and a hash follows them [core/simulation/checkpoint.cpp]. Mutated fields
+/// are sealed with their hash, which else would refuse nearly all of them.
 constexpr std::size_t checkpointHead = 24, checkpointTail = 16;
 
 std::string sealed(std::string_view fields) {
@@ -128,10 +128,10 @@ std::vector<std::string> pictures() {
   return files;
 }
 
-/// What is not made here lies in the corpus.
+/// Returns an empty object: the corpus has better seeds.
 std::vector<std::string> justEmpty() { return {"{}"}; }
 
-/// As a file, for what reads files.
+/// Writes the bytes into a file and returns its name.
 std::string fileOf(std::string_view bytes) {
   static const TemporaryFolder folder;
   const fs::path file = folder / "bytes";
@@ -139,7 +139,7 @@ std::string fileOf(std::string_view bytes) {
   return file;
 }
 
-/// Whatever is said of it must begin with its place.
+/// Reads a scenario; every refusal must begin with a place in the file.
 void readAsScenario(std::string_view bytes) {
   try {
     readScenario(text(bytes), "fuzz.yaml", "");
@@ -153,7 +153,7 @@ const Reader all[] = {
     {"scenario", readAsScenario,
      [] {
        auto files = filesIn({"scenarios", "tests/bad_scenarios"}, ".yaml");
-       files.resize(5 * files.size(), test::everyPart);  // four of five inputs are made of this one
+       files.resize(5 * files.size(), test::everyPart);  // four of five inputs are made of this scenario
        return files;
      },
      5},
@@ -189,7 +189,7 @@ const Reader all[] = {
     {"accuracy",
      [](std::string_view b) {
        accuracyFrom(parseJson(b));
-       accuracyPart(fileOf(b));  // the page of it
+       accuracyPart(fileOf(b));  // makes the page of the result
      },
      justEmpty},
     {"check", [](std::string_view b) { checkPart(readChecked(fileOf(b)), "report.json"); }, justEmpty},

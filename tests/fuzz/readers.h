@@ -1,7 +1,7 @@
 #pragma once
-// Everything that reads what others wrote, as functions of bytes: whatever the bytes are, a reader takes them or
-// refuses them with an error for people. Anything else (a BugError, another exception, a crash, a read out of bounds)
-// is a finding.
+// Functions of bytes for everything that reads files of others. Whatever the bytes are, a reader takes them or refuses
+// them with an error for users. Any other outcome (a BugError, another exception, a crash, a read out of bounds) is a
+// finding.
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,18 +11,18 @@ namespace morula::fuzz {
 
 struct Reader {
   const char* name;
-  /// Reads; throws only what is told to a user as a mistake of the input.
+  /// Reads; throws only errors that tell a user of wrong input.
   void (*read)(std::string_view bytes);
   /// Valid inputs to begin with, from the repository's own files.
   std::vector<std::string> (*seeds)();
-  int times = 1;  // as many inputs as are asked for
+  int times = 1;  // factor of the number of inputs
 };
 
 std::span<const Reader> readers();
-/// Null if there is none of this name.
+/// Returns the reader of this name; null if there is none.
 const Reader* readerNamed(std::string_view name);
 
-/// True if the input was taken, false if it was refused as it should be. Throws what is a finding.
+/// Returns true if the input was taken, false if it was properly refused. Throws a finding.
 bool takes(const Reader& reader, std::string_view bytes);
 
 }  // namespace morula::fuzz

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the reusable workflow and the container file do, done in a bare Debian 12, as root.
+"""Runs the commands of the reusable workflow and the container file in a bare Debian 12, as root.
 
     bare_root.py BUILD SOURCE-FOLDER
 
@@ -44,7 +44,7 @@ def made_root():
     if made.returncode != 0:
         print(made.stdout[-2000:], "\nNOT SO: debootstrap makes a bare root")
         sys.exit(1)
-    for file in glob.glob("/etc/apt/apt.conf.d/9*"):  # how this machine reaches the mirror
+    for file in glob.glob("/etc/apt/apt.conf.d/9*"):  # this machine's way to the mirror
         shutil.copy(file, os.path.join(root, "etc/apt/apt.conf.d"))
     open(os.path.join(root, "made"), "w", encoding="utf-8").close()
     print(f"debootstrap makes a bare root, in {time.monotonic() - began:.0f} s with the network", flush=True)
@@ -62,10 +62,10 @@ faults = []
 
 
 def inside(command, folder="/", **environment):
-    """Runs a command there; what it says goes to stdout."""
+    """Runs a command in the root; its output goes to stdout."""
     began = time.monotonic()
     words = ["env", *[f"{name}={value}" for name, value in environment.items()], "DEBIAN_FRONTEND=noninteractive", "LC_ALL=C", "sh", "-euc"]
-    # /proc as in a container, in a namespace that ends with the command
+    # /proc is mounted in a namespace that ends with the command, as in a container.
     mounted = ["unshare", "--mount", "sh", "-euc", 'mount -t proc proc "$0/proc"; exec chroot "$0" "$@"', root]
     code = subprocess.run([*mounted, *words, f"cd {folder}\n{command}"], check=False, stdin=subprocess.DEVNULL).returncode
     return code, time.monotonic() - began
@@ -82,7 +82,7 @@ def files():
     return set(listed.stdout.decode().split("\n")) - {""}
 
 
-inside("apt-get purge -qy morula >/dev/null 2>&1 || true; rm -rf /tmp/*")  # what an earlier test has left
+inside("apt-get purge -qy morula >/dev/null 2>&1 || true; rm -rf /tmp/*")  # removes an earlier test's remains
 shutil.copy(package, os.path.join(root, "srv", "given.deb"))
 project = os.path.join(root, "srv", "project")
 shutil.rmtree(project, ignore_errors=True)

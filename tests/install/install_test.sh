@@ -1,18 +1,19 @@
 #!/bin/sh
-# The installation, far from the sources: install_test.sh BUILD CONFIGURATION. A project of one scenario is run, checked, reviewed and
-# reported; a program of somebody else's finds the library; shells complete; nothing is written into the installation.
+# Tests the installation, far from the sources: install_test.sh BUILD CONFIGURATION. It runs, checks, reviews and
+# reports a project of one scenario; a foreign program finds the library; shells complete; nothing is written into the
+# installation.
 set -eu
 build=$1 configuration=$2
 here=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-prefix="$scratch/a place" # a space, for people have them
+prefix="$scratch/a place" # names with spaces must work
 failures=0
 fail() { echo "FAILED: $*" && failures=$((failures + 1)); }
-has() { # has WHAT SAID: of the last output
+has() { # has WHAT SAID: checks the last output
   grep -qF -e "$2" "$scratch/out" || { fail "$1 does not say '$2':" && head -n 20 "$scratch/out"; }
 }
-try() { # try CODE COMMAND...: leaves what it said in $scratch/out
+try() { # try CODE COMMAND...: leaves the output in $scratch/out
   expected=$1 code=0
   shift
   "$@" >"$scratch/out" 2>&1 || code=$?
@@ -25,7 +26,7 @@ listed >"$scratch/before"
 morula="$prefix/bin/morula"
 unset MORULA_PRESET CI
 
-# A scenario that comes with it, from anywhere.
+# A shipped scenario runs from any folder.
 mkdir -p "$scratch/project/scenarios"
 cd "$scratch/project"
 try 0 "$morula" run "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --no-pictures
@@ -35,7 +36,7 @@ try 0 "$morula" check "$prefix/share/morula/scenarios/thesis/unique-four.yaml"
 has "check of a shipped scenario" "  ok    images"
 hash=$(sed -n 's/^ *state *//p' "$scratch/out")
 
-# A project of its own: accepted, changed, seen to wait, accepted again.
+# A project's result is accepted, changed, waits for a review, and is accepted again.
 sed -e '/^summary:/d' -e 's/^name:.*/name: one/' "$here/../browser/evil.yaml" >scenarios/one.yaml
 try 0 "$morula" review scenarios/one.yaml --accept --by tests --why 'the first one'
 [ -e golden/one.golden ] || fail "no golden in the project"
@@ -54,7 +55,7 @@ try 0 "$morula" report results/unique-four-20080617 -o page.html --frames 3
 if grep -q '<code>\./morula' page.html; then fail "commands of a page do not name the installed program"; fi
 grep -q '<code>morula replay \|<code>morula render ' page.html || fail "a page has no commands"
 
-# The library, in a program that knows nothing but the installation.
+# A program that knows only the installation uses the library.
 try 0 "$morula" validate "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --scene "$scratch/four.scene"
 try 0 cmake -S "$prefix/share/doc/morula/examples/example" -B "$scratch/example" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release
 try 0 cmake --build "$scratch/example"
@@ -64,7 +65,7 @@ has "the example" "AB: a5, "
 try 1 "$scratch/example/example" "$scratch/project/scenarios/one.yaml"
 has "the example of no scene" 'scene:1: this is no scene; one begins with "morula-scene 3"'
 
-# Shells and manual, as far as they are here.
+# Completion of the installed shells, and the manual.
 share="$prefix/share"
 complete='COMP_WORDS=(morula "$@") COMP_CWORD=$#; _morula 2>/dev/null; echo "${COMPREPLY[@]}"'
 completes() { # completes EXPECTED WORD...
@@ -103,7 +104,7 @@ done
 listed >"$scratch/after"
 diff "$scratch/before" "$scratch/after" || fail "something was written into the installation"
 
-# Pages that hold the simulator, where it was built, and the word for it where it was not.
+# Pages that hold the simulator, or the message that the simulator for pages was not built.
 four=results/unique-four-20080617
 if [ -e "$share/morula/wasm/morula.wasm.gz" ]; then
   try 0 "$morula" report $four --rerun -o again.html --frames 2

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# No comment begins with a word by which it continues a signature or an earlier comment: it would have to be read twice.
+# Finds comments whose first word continues a signature or an earlier comment.
 #
 #   beginnings.sh FILE_OR_FOLDER...
 #
-# Only the first line of a comment counts. Exit codes: 0 so it is, 1 not so.
+# Only the first line of a comment counts. Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 mapfile -t files < <(find "$@" -name '*.h' -o -name '*.cpp' | LC_ALL=C sort)
 if [ ${#files[@]} -eq 0 ]; then

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Options that break the rules of arithmetic are refused when the project is configured, wherever they are given.
+# Tests that configuring refuses options that break the rules of arithmetic, wherever they are given.
 #
 #   fast_math.sh SOURCE_FOLDER
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -uo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

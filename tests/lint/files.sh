@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Only runner/platform/files opens files and asks the file system, and only runner/platform/system/console.cpp writes to
-# standard output and error: there each file is checked for what it is, each failure gets its exit code, and each text loses what a terminal
-# would obey.
+# Checks that only runner/platform/files opens files and asks the file system, and only
+# runner/platform/system/console.cpp writes to standard output and error. These check the kind of each file, give each
+# failure its exit code, and make visible the bytes that a terminal would obey.
 #
 #   files.sh RUNNER
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 cd "$1"
 files='\b(w?[io]?fstream|fopen|freopen|creat|openat|mkstemp|mkdtemp|tmpfile)\b|(^|[^A-Za-z0-9_>])::(open|rename|unlink|remove|mkdir|stat|lstat) *\(|\bstd::rename\b|(filesystem|fs)::[a-z_]+_?(iterator)?'
@@ -17,17 +17,17 @@ if [ ${#sources[@]} -eq 0 ]; then
   exit 1
 fi
 wrong=0
-look() { # ALLOWED PATTERN WHY: without comments; a path as a value asks nothing, nor does naming the namespace
+look() { # ignores comments, paths as values, and the namespace's name
   local found
   found=$(awk '{ line = $0; sub(/\/\/.*/, "", line); gsub(/"[^"]*"/, "\"\"", line); gsub(/(std::filesystem|fs)::path/, "", line)
                  print FILENAME ":" FNR ": " line }' "${sources[@]}" | sed 's|^\./||' | grep -vE "^($1)" | grep -E "^[^:]*:[0-9]*:.*($2)") || return 0
   sed "s|\$|   <- $3|" <<<"$found"
   wrong=1
 }
-# A child process's streams are set between fork and exec, where little may be called.
+# A child process's streams are set between fork and exec, where few functions may be called.
 look 'platform/files/|platform/system/child_process\.cpp:' "$files" 'use files/read_file.h, write_file.h or folders.h'
 look 'platform/system/console\.cpp:' "$streams" 'use system/console.h'
-# Where no memory is left, a stream ends as if its text did. yaml-cpp reads nothing else.
+# Without memory a stream ends as if its text did. Only yaml-cpp is read by streams.
 look 'none:' 'directory_iterator' 'use files/folders.h: where no memory is left, these end the program'
 look 'input/yaml/reader\.cpp:' "$silent" 'use files/text.h'
 [ $wrong = 1 ] || echo "${#sources[@]} sources: files only through runner/platform/files, standard streams only through the console, texts without streams"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Every source of the core is compiled by the rules of arithmetic: no contraction, none of the options that change results.
+# Checks the compiler options of every source of the core: no contraction, and no option that changes results.
 #
-#   flags.sh COMPILE_COMMANDS_JSON FOLDER...     the sources under these folders: the core's, and those that its build makes
+#   flags.sh COMPILE_COMMANDS_JSON FOLDER...     the folders of the core's sources, and of those that its build makes
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 commands=$1
 shift

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# The core holds no fused and no approximate instruction, whatever the compiler has made of its options.
+# Checks that the core holds no fused and no approximate instruction.
 #
 #   instructions.sh OBJDUMP LIBRARY_OR_OBJECT...
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 objdump=$1
 shift
-# x86: vfmadd… vfnmsub… vfmaddsub…, rcp, rsqrt. aarch64: fmadd, fnmsub, fmla, fmls, fcmla, frecpe, frsqrte and their steps.
+# x86: vfmadd… vfnmsub… vfmaddsub…, rcp, rsqrt.
+# aarch64: fmadd, fnmsub, fmla, fmls, fcmla, frecpe, frsqrte and their steps.
 $objdump -dC --no-show-raw-insn "$@" | awk -F '\t' '
 /^[^ ].*: +file format/ { file = $0; sub(/: +file format.*/, "", file); sub(/.*\//, "", file) }
 /^[0-9a-f]+ <.*>:$/ { function_ = $0; sub(/^[0-9a-f]+ </, "", function_); sub(/>:$/, "", function_) }

@@ -1,19 +1,18 @@
 #!/usr/bin/env bash
-# A folder includes only itself and folders below it, as the map in its house's README says; and a library from outside is
-# included by one folder only, unless the map has a line `everywhere: name, name`. Where the folders are modules, with their
-# sources in parts, a part includes parts of its own module that lie below it by the map in the module's README, and any part
-# of the modules below.
+# Checks that a folder includes only itself and folders below, by the map in its house's README. Only one folder
+# includes an external library, unless the map has a line `everywhere: name, name`. In modules with parts, a part
+# includes lower parts of its module, by the map in the module's README, and any part of lower modules.
 #
 #   layers.sh HOUSE [HOUSE-BELOW...]      (core; runner core reports)
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 house=$1
 shift
-# A map: "base ← mesh ← physics ← contacts, connections, division ← simulation", as many lines as it has.
+# A map reads "base ← mesh ← physics ← contacts, connections, division ← simulation", on one or more lines.
 block() { sed -n '/^```$/,/^```$/p' "$1"; }
 map() { block "$1" | grep -E '^[a-z_]+(, [a-z_]+)* ←' | sed 's/─*//g; s/^/map\t/'; }
-# Each folder of sources as MODULE PART; a folder with sources of its own is both.
+# Prints each folder of sources as MODULE PART; a folder with its own sources is both.
 parts() { # HOUSE
   local module file
   for module in "$1"/*/; do
@@ -55,7 +54,7 @@ $1 == "everywhere" { n = split($2, name, /, */); for (j = 1; j <= n; ++j) everyw
 $1 == "below" { outside[$3] = 1 }
 $1 == "part" { moduleOf[$3] = $2; ++partsOf[$2]; ++parts }
 $1 == "include" {
-  if (!closed) {  # what is below a folder below is below
+  if (!closed) {  # `below` is transitive
     for (k in known) for (i in known) for (j in known)
       if (((i, k) in below) && ((k, j) in below)) below[i, j] = 1
     closed = 1
@@ -69,7 +68,7 @@ $1 == "include" {
     from = across ? module : part
     onto = across ? moduleOf[to] : to
     if (!((from, onto) in below)) wrong(file ": " part " includes \"" what "\", but " onto " is not below " from)
-  } else if (what ~ /\// && what !~ /^sys\//) {  # a library; the standard one has no other folders that we need
+  } else if (what ~ /\// && what !~ /^sys\//) {  # a library; of the standard library only sys/ has a folder
     library = what; sub(/\/.*/, "", library)
     if (library in user && user[library] != module && !(library in everywhere))
       wrong(file ": <" what ">: " user[library] " includes " library " already, and one folder may")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Each lint finds what is planted for it, and lets pass what only looks like it.
+# Tests that each lint finds planted violations, and passes harmless lookalikes.
 #
 #   planted.sh words|beginnings|files|flags|layers
 #   planted.sh symbols NM COMPILER
@@ -14,7 +14,7 @@ failures=0
 tried=0
 plant=
 
-finds() { # WHAT COMMAND...: it must fail, and say what
+finds() { # the command must fail, and its output must have WHAT
   local name=$1 said
   shift
   tried=$((tried + 1))
@@ -134,7 +134,7 @@ PLANTS
     core=$work/core
     mkdir -p "$core"/{base,mesh,biology,simulation}
     printf '```\nbase ← mesh ← simulation\nbase ← biology ←────── simulation\n```\n' >"$core/README.md"
-    sources() { # FILE LINE: everything else is as it should be
+    sources() { # everything else follows the rules
       echo '#include <vector>' >"$core/base/a.h"
       printf '#include "mesh/b.h"\n#include "base/a.h"\n#include <Eigen/Dense>\n' >"$core/mesh/b.cpp"
       echo '#include "base/a.h"' >"$core/biology/c.h"
@@ -149,8 +149,8 @@ PLANTS
     sources simulation/d.h '#include <Eigen/Core>' && finds "<Eigen/Core>: mesh includes Eigen already" "$here/layers.sh" "$core"
     sources && mkdir "$core/attic" && touch "$core/attic/f.h" && finds "attic: a folder" "$here/layers.sh" "$core"
     rm -r "$core/attic"
-    # A house on top of another: folders of the lower one are below all of its own, and not the other way round. Some of its
-    # folders are modules with parts.
+    # One house lies on another: folders of the lower house are below all folders of the upper one, and not vice versa.
+    # Some folders of the upper house are modules with parts.
     runner=$work/runner
     mkdir -p "$runner"/{platform/{files,system},results/{golden,store},long_run,cli}
     printf '```\nplatform ← results ← long_run\nlong_run ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
@@ -180,7 +180,7 @@ PLANTS
 
   symbols)
     nm=$1 compiler=$2
-    object() { # SOURCE: compiled as debuggers like it, so that nothing is inlined away
+    object() { # debug options prevent inlining
       printf '%s\n' "$1" >"$work/a.cpp" && $compiler -std=c++20 -O0 -fno-builtin -c "$work/a.cpp" -o "$work/a.o"
     }
     object '#include <cmath>

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# What ccache keeps of precompiled headers: the headers as they are, also where a folder holds what they were precompiled
-# to before. gcc reads that in their place, so ccache would know two edits of the headers for the same one.
+# Tests that ccache tells edits of precompiled headers apart, even if a folder holds an older precompiled header. gcc
+# reads the older one instead of the headers, so ccache would take two edits for the same.
 #
 #   precompiled.sh COMPILE.SH COMPILER    the launcher that CMakeLists.txt writes
 #
-# Exit codes: 0 so it is, 1 not so, 77 no ccache, or another compiler than gcc.
+# Exit codes: 0 passed, 1 failed, 77 no ccache, or another compiler than gcc.
 set -euo pipefail
 launcher=$1
 compiler=$2
@@ -19,12 +19,12 @@ unset CCACHE_DISABLE
 precompile() { # FOLDER, as CMake does
   (cd "$1" && "${@:2}" "$compiler" -x c++-header -include all.h -o all.h.gch -c all.cxx)
 }
-value() { # FOLDER: what a source that uses the precompiled header sees
+value() { # prints the value that a source with the precompiled header has
   (cd "$1" && printf 'int main() { return value; }\n' >use.cpp && "$compiler" -Winvalid-pch -Werror -include all.h use.cpp -o use &&
     if ./use; then echo 0; else echo $?; fi)
 }
-# Two folders that begin alike, each of which goes on with an edit of its own.
-try() { # LAUNCHER...: prints what the second sees
+# Two folders begin alike, and each gets its own edit.
+try() { # prints the second folder's value
   local folder
   for folder in one two; do
     rm -rf "${work:?}/$folder"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The core's sources say nothing that is in banned_words.txt.
+# Checks that the core's sources have no match of banned_words.txt.
 #
 #   words.sh FILE_OR_FOLDER...
 #
-# Exit codes: 0 so it is, 1 not so.
+# Exit codes: 0 passed, 1 failed.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 mapfile -t files < <(find "$@" -name '*.h' -o -name '*.cpp' | LC_ALL=C sort)
@@ -12,7 +12,7 @@ if [ ${#files[@]} -eq 0 ]; then
   exit 1
 fi
 
-# "file:line:text" without comments and what stands between quotes; names of headers stay.
+# Prints "file:line:text" without comments and quoted text; names of headers stay.
 bare() {
   awk 'FNR == 1 { inside = 0 }
   {

@@ -12,8 +12,8 @@ import argparse, collections, functools, hashlib, os, pathlib, re, resource, shu
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 
-# What is mutated: source, how many mutants of it, and the test programs that guard it, the quickest first. What follows a
-# colon are Catch2's names of cases, or [#file] of tests.
+# The targets: source, number of its mutants, and the test programs that guard it, the quickest first. Names of Catch2
+# cases or [#file] follow a colon.
 TARGETS = [
     ("runner/studies/statistics/means.cpp", 12, "statistics:[#tests_test]|statistics"),
     ("runner/studies/statistics/sign_flip.cpp", 8, "statistics:[#tests_test]|statistics"),
@@ -44,14 +44,14 @@ TARGETS = [
 SWAPS = {"+": "-", "*": "/", "<": "<=", ">": ">=", "==": "!=", "&&": "||", "&": "|", "+=": "-=", "*=": "/=", "min": "max",
          "true": "false"}
 SWAPS |= {new: old for old, new in SWAPS.items()}
-# Sources are formatted, so what has blanks on both sides is a binary operator: no pointer, reference, sign or bracket.
+# In formatted sources only a binary operator has blanks on both sides, no pointer, reference, sign or bracket.
 OPERATOR = re.compile(r"(?<=\s)(?:[<>=!+*/-]=|&&|\|\||[-+*/<>&|])(?=\s)|\b(?:min|max)(?=_*\()|\b(?:true|false)\b")
 NUMBER = re.compile(r"(?<![\w.])(\d+(?:\.\d*)?(?:e-?\d+)?)(?=u?(?![\w.']))")
 STATEMENT = re.compile(r"^ *(?!return|delete)((?:\S+ [+*-]= |[\w.:>-]+\()[^;]*;) *$", re.M)  # a change of a number, or a call
 CONDITION = re.compile(r"\b(?:if|while) \(")
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])*\''
                       r"|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.S | re.M)
-# No test asks for what is never to happen, for the words in which it is said, and for what only makes programs faster.
+# Tests do not cover failed invariants, the words of errors, and prefetches.
 NOT_TESTED = re.compile(r"\b(?:static_assert|MORULA_CHECK|throw)\b[^;]*;|\[\[.*?\]\]"
                         r"|^[^\n]*prefetch\w*\([^;{]*\{.*?^\}|[^;{}]*\b\w*prefetch\w*(?:<\w+>)?\([^;{]*;", re.S | re.M)
 TEMPLATE = re.compile(r"(?:\btemplate |(?<=\w))<[^<>;{}()]*>")
@@ -60,17 +60,17 @@ Mutant = collections.namedtuple("Mutant", "file line old new nth begin end text"
 
 
 def code_of(text):
-    """The text with blanks in place of all that is not to be mutated."""
+    """The text with blanks in place of code that is not mutated."""
     blank = lambda match: re.sub(r"[^\n]", " ", match[0])
     code = NOT_TESTED.sub(blank, NOT_CODE.sub(blank, text))
-    while True:  # brackets within brackets: from the inmost ones outwards
+    while True:  # nested brackets, from the innermost outwards
         without = TEMPLATE.sub(lambda match: re.sub(r"[^\n]", "_", match[0]), code)
         if without == code: return code
         code = without
 
 
 def changes(code):
-    """All (begin, end, new text) in code."""
+    """All mutations of the code, as (begin, end, new text)."""
     for m in OPERATOR.finditer(code):
         if m[0] in SWAPS: yield m.start(), m.end(), SWAPS[m[0]]
     for m in NUMBER.finditer(code):
@@ -89,7 +89,7 @@ def changes(code):
 
 
 def mutants_of(file, text):
-    """All mutants of a source, in its order."""
+    """All mutants of a source, in the order of their places."""
     found, seen = [], collections.Counter()
     for begin, end, new in sorted(changes(code_of(text)), key=lambda c: (c[0], c[1], c[2] or "")):
         first, last = text.rfind("\n", 0, begin) + 1, text.find("\n", end)
@@ -102,7 +102,7 @@ def mutants_of(file, text):
 
 
 def chosen(mutants, count):
-    """So many of them, always the same while the lines are the same: one of each line before a second one of any."""
+    """A sample of the mutants, the same for the same lines: one of each line before a second of any line."""
     digest = lambda m: hashlib.sha256(f"{m.old}\n{m.new}\n{m.nth}".encode()).hexdigest()
     turn, order = collections.Counter(), []
     for m in sorted(mutants, key=digest):
@@ -112,7 +112,7 @@ def chosen(mutants, count):
 
 
 def read_accepted(text):
-    """{(file, old line, new line): why} of blocks of four lines: file, - old, + new, why."""
+    """Reads blocks of four lines (file, - old, + new, why) as {(file, old line, new line): why}."""
     accepted = {}
     for block in re.split(r"\n\s*\n", re.sub(r"^#.*\n?", "", text, flags=re.M).strip()):
         lines = block.splitlines()
@@ -124,7 +124,7 @@ def read_accepted(text):
 
 
 def run(command, cpu_limit=None, **options):
-    """(what it ended with, empty if well; CPU seconds). A program that takes longer than its limit hangs."""
+    """Returns (how the program ended, "" for success; CPU seconds). A program that exceeds its limit hangs."""
     def limit():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
@@ -156,12 +156,12 @@ class Bench:
         for f in files: self.write(f, (ROOT / f).read_bytes())
         for path in [p for p in self.source.rglob("*") if p.is_file()]:
             if str(path.relative_to(self.source)) not in files: path.unlink()
-        if not (self.build / "build.ninja").exists():  # of the kernels those that every machine of the architecture has
+        if not (self.build / "build.ninja").exists():  # only the kernels that every machine of the architecture runs
             subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                             "-DMORULA_UNITY=OFF", "-DMORULA_PORTABLE=ON"], check=True)
 
     def write(self, file, content):
-        """Only what differs, so that only that is built."""
+        """Copies only files that differ, so that only these are built."""
         path = self.source / file
         if path.exists() and path.read_bytes() == content: return
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -179,13 +179,13 @@ class Bench:
 
     @functools.cache
     def seconds(self, test):
-        """CPU time where nothing is mutated."""
+        """Measures the CPU time without mutation."""
         failed, seconds = self.test(test)
         if failed: sys.exit(f"{test} fails without any mutation: {failed}")
         return seconds
 
     def judge(self, mutant, text, tests):
-        """(killed | survived | does not compile, by what)"""
+        """Returns (killed | survived | does not compile, by which test)."""
         self.write(mutant.file, (text[:mutant.begin] + mutant.text + text[mutant.end:]).encode())
         if self.make(tests): return "does not compile", ""
         for test in tests:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""mutate.py finds what is planted for it, and leaves alone what is no code. Compiles nothing."""
+"""Tests that mutate.py mutates planted code, and nothing else. Compiles nothing."""
 import sys
 
-sys.dont_write_bytecode = True  # nothing is left beside the sources
+sys.dont_write_bytecode = True  # leaves no files beside the sources
 
 import mutate
 
@@ -32,7 +32,7 @@ double plain(const double& v) {
 }
 '''
 
-EXPECTED = {  # from line 16 on: what each becomes
+EXPECTED = {  # mutants of each line from line 16 on
     16: ["b - c", "b + c", "b / c", "b * c"],
     17: ["b <= c", "b < c", "b >= c", "b > c", "b != c", "b == c"],
     18: ["b || c", "b && c", "std::max(b", "std::min<double>(b"],

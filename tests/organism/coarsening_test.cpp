@@ -1,4 +1,4 @@
-// Level of detail against the fine run: what it saves and what it costs.
+// Compares runs with level of detail with the fine run: savings and errors.
 #include <cmath>
 
 #include "catch.h"
@@ -37,8 +37,7 @@ TEST_CASE("coarsening: five cells lie, and are as large, as in the fine run, for
   const CountedRun coarse(scene), fine(fineScene);
 
   const auto a = measureCells(coarse.world), b = measureCells(fine.world);
-  // Later on it is a close call which axis of a nearly round cell is its longest: a coarser mesh decides
-  // otherwise.
+  // Later, rounding decides which axis of a nearly round cell is its longest, and a coarser mesh decides otherwise.
   REQUIRE(a.size() == 5);
   REQUIRE(b.size() == 5);
   Worst centre, volume, area;
@@ -53,9 +52,9 @@ TEST_CASE("coarsening: five cells lie, and are as large, as in the fine run, for
     area.see(std::abs(a[i].at("area") / b[i].at("area") - 1));
   }
   CAPTURE(sum / 5, double(centre), double(volume), double(area), fine.vertexSteps / coarse.vertexSteps);
-  CHECK(sum / 5 < 0.05);  // cell radii
+  CHECK(sum / 5 < 0.05);  // [cell radii]
   CHECK(centre < 0.1);
-  CHECK(volume < 0.03);  // friction in the packing is chaotic by then: 0.023 of one cell
+  CHECK(volume < 0.03);  // friction in the packing is chaotic by now: one cell reaches 0.023
   CHECK(area < 0.02);
   CHECK(coarse.world.bodies->livingVertices == 642 + 4 * 162);
   CHECK(fine.vertexSteps > 3 * coarse.vertexSteps);

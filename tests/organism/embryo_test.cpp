@@ -1,5 +1,4 @@
-// The worm's embryo to 28 cells: its stages, what is known of its contacts, how far it is from the real one, and its
-// mirror image.
+// The worm's embryo to 28 cells: its stages, its known contacts, its distance from real embryos, and its mirror image.
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -27,7 +26,7 @@ bool touch(const World& world, const CellNames& names, const std::string& a, con
   return false;
 }
 
-/// The real embryo in the middle of a stage: so many cells, between the divisions before and after.
+/// A stage of the real embryo, in the middle between two divisions.
 struct Stage {
   std::size_t cells;
   double middle;  // [time]
@@ -42,7 +41,7 @@ std::vector<Stage> realStages() {
   return stages;
 }
 
-/// Pairs that touch over more than 5 % of the mean of all contacts, as the four cells' contacts are counted.
+/// Returns the pairs that touch over more than 5 % of the mean contact, as tests of four cells count contacts.
 std::set<std::pair<CellPath, CellPath>> clearContacts(const World& world) {
   const auto contacts = measureContacts(world);
   double mean = 0;
@@ -53,13 +52,13 @@ std::set<std::pair<CellPath, CellPath>> clearContacts(const World& world) {
   return clear;
 }
 
-/// How an embryo compares with the real one in the middle of a stage.
+/// The comparison of an embryo with the real one in the middle of a stage.
 struct Nearness {
   double distance = 0, f1 = 0;  // [µm], [1]
   std::set<std::pair<CellPath, CellPath>> contacts;
 };
 
-const double radius = 17.05;  // [µm] of the egg: 20769 µm³
+const double radius = 17.05;  // [µm] of the egg, whose volume is 20769 µm³
 
 Nearness nearnessOf(const World& world, const Stage& stage) {
   Observation now(world);
@@ -72,20 +71,20 @@ Nearness nearnessOf(const World& world, const Stage& stage) {
   return found;
 }
 
-/// What one seed makes.
+/// The results of one seed.
 struct Embryo {
-  std::vector<Nearness> near;       // [stage]
-  std::vector<std::size_t> counts;  // of cells, one after the other
-  int pharynx = 0;                  // cells told by MS that they will make it
+  std::vector<Nearness> near;       // one per stage
+  std::vector<std::size_t> counts;  // numbers of cells in their order
+  int pharynx = 0;                  // number of cells that MS tells to make pharynx
 };
 
-/// To its end, or past the last stage.
+/// Grows an embryo to its end, or past the last stage.
 Embryo grow(int seed, const std::vector<Stage>& stages, bool whole) {
   const Scenario scenario = embryo({"seed=" + std::to_string(seed)});
   World world = makeWorld(scenario.scene);
   Embryo grown;
   grown.counts.push_back(world.cells.path.size());
-  const double twelve = 14.5;  // [time] as long before MS divides as the contacts take to settle
+  const double twelve = 14.5;  // [time] contacts have settled; MS divides later
   bool asked = false;
   while (!finished(world) && (whole || grown.near.size() < stages.size())) {
     step(world);
@@ -105,8 +104,8 @@ void compareWithReal(int ofAll, int whole) {
   const auto stages = realStages();
   std::vector<Embryo> seeds(ofAll);
   parallelFor(ofAll, 2, [&](int i) { seeds[i] = grow(i + 1, stages, i < whole); });
-  // Of eight cells the three smallest faces of the real ones, a quarter of the mean at most, may be there or not: the
-  // reference has 16 contacts without them, and the next smallest is 0.7 of the mean.
+  // The reference of eight cells lacks the three smallest faces of real embryos, a quarter of the mean at most: these
+  // contacts may be there or not. The next smallest face is 0.7 of the mean.
   const auto names = embryo().names;
   std::set<std::pair<CellPath, CellPath>> small;
   for (const auto& [a, b] : {std::pair("ABar", "C"), std::pair("ABpl", "ABpr"), std::pair("ABpr", "P3")})
@@ -127,7 +126,7 @@ void compareWithReal(int ofAll, int whole) {
     std::cout << stages[s].cells << " cells: " << mean[s].distance << " µm, F1 " << mean[s].f1 << '\n';
   CHECK(mean[2].f1 >= 0.87);
   CHECK(mean[2].distance <= 3.6);  // [µm] real embryos differ among themselves by 2.3
-  CHECK(mean[3].distance <= 4.2);  // [µm] and here by 2.0
+  CHECK(mean[3].distance <= 4.2);  // [µm] real embryos differ among themselves by 2.0
   int told = 0;
   for (int i = 0; i < whole; ++i) {
     const auto& counts = seeds[i].counts;
@@ -161,9 +160,9 @@ TEST_CASE(
 TEST_CASE("mirrored rules give the mirrored embryo") {
   using namespace mirrored;
   Scene scene = withoutSeed(embryo({"stop.time=13"}).scene);
-  // P0 along the egg, 3 degrees from its measured axis. With that one rounding decides in a cut, and not alike in the
-  // mirror: 1e-15 more or less of the axis moves four cells by 0.02 radii (perhaps where a fold of the flat side opens
-  // or does not, division/halves.h; it was not looked into).
+  // P0 divides along the egg, 3 degrees from its measured axis. With the measured axis rounding decides a cut, and
+  // otherwise in the mirror: a change of the axis by 1e-15 moves four cells by 0.02 radii. The cause is unknown,
+  // perhaps a fold of the flat side (division/halves.h).
   scene.mechanics->division.rules.at(0).plane->axis = {-1, 0, 0};
   World world = makeWorld(scene), image = makeWorld(mirror(scene, Axis::z));
   while (!finished(world)) step(world), step(image);
@@ -174,6 +173,6 @@ TEST_CASE("mirrored rules give the mirrored embryo") {
     CHECK(world.lineage.entries[i].path == image.lineage.entries[i].path);
     CHECK(world.lineage.entries[i].born == image.lineage.entries[i].born);
   }
-  // Sums around a mirrored ring run the other way; eight cells have had no time to make much of it.
+  // Sums around a mirrored ring run the other way; this difference is still small at eight cells.
   CHECK(difference(world, image, Axis::z) < 1e-6);
 }

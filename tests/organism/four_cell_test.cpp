@@ -1,4 +1,4 @@
-// The diamond of the worm's four cells: in nearly every seed with what the embryo has, and not by itself.
+// The diamond of the worm's four cells: nearly every seed gives it with the embryo's properties, and not without.
 #include <iostream>
 
 #include "catch.h"
@@ -8,7 +8,8 @@ using namespace four_cells;
 
 namespace {
 
-/// Five contacts above 5 % of the mean, ABa (AA) and P2 (BB) apart, and 1.8 to 2.0 times as far as ABa and ABp.
+/// Returns true for five contacts above 5 % of the mean, with ABa (AA) and P2 (BB) apart, 1.8 to 2.0 times as far as
+/// ABa and ABp.
 bool isDiamond(const Arrangement& a) {
   for (const char* pair : {"AA-AB", "AA-BA", "AB-BA", "AB-BB", "BA-BB"})
     if (!a.contact.contains(pair) || a.contact.at(pair) <= 0.05) return false;

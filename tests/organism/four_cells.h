@@ -1,5 +1,5 @@
 #pragma once
-// The arrangement of four cells: who touches whom.
+// The arrangement of four cells: which of them touch.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,14 +14,14 @@ namespace four_cells {
 
 using namespace morula;
 
-/// Of the grandchildren of one egg: AA, AB, BA, BB.
+/// The arrangement of the grandchildren of an egg: AA, AB, BA, BB.
 struct Arrangement {
-  std::map<std::string, double> contact;   // [1] "AA-AB": its area over the mean of all contacts
-  std::map<std::string, double> distance;  // [length] of the centres
+  std::map<std::string, double> contact;   // [1] "AA-AB": the contact's area over the mean of all contacts
+  std::map<std::string, double> distance;  // [length] between the centres
   std::string name;                        // tetrahedron, diamond, T, square, linear; "other"
 };
 
-/// By the graph of the contacts whose areas are above 5 % of the mean.
+/// Returns an arrangement's name by the graph of the contacts whose areas are above 5 % of the mean.
 inline std::string nameOf(const std::map<std::string, double>& contact) {
   std::map<std::string, int> degree;
   int contacts = 0;
@@ -55,7 +55,7 @@ inline Arrangement arrangementOf(const World& world) {
   return found;
 }
 
-/// One run for each seed from 1 on, with these values changed.
+/// Runs the scenario with these changes for each seed from 1 on.
 inline std::vector<Arrangement> runSeeds(const std::string& file, int seeds, const std::vector<std::string>& changes) {
   std::vector<Override> overrides;
   for (const std::string& change : changes) overrides.push_back(parseOverride(change));

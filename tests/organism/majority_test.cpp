@@ -1,5 +1,5 @@
-// [Nilsson 2008, §6.2.5]: "This mechanism can probably make it possible to code the same organism with less complex
-// code." It can.
+// Tests a conjecture of [Nilsson 2008, §6.2.5]: "This mechanism can probably make it possible to code the same organism
+// with less complex code."
 #include <map>
 
 #include "catch.h"
@@ -12,7 +12,7 @@ namespace {
 
 struct Organism {
   std::size_t genes;
-  std::map<CellPath, std::string> fates;  // "red", "blue" or what else
+  std::map<CellPath, std::string> fates;  // "red", "blue" or others
 };
 
 Organism grow(const std::string& name) {

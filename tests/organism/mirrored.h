@@ -1,5 +1,5 @@
 #pragma once
-// The mirror image of a scene that has nothing but division axes and chirality to tell left from right.
+// Mirrors scenes in which only division axes and chirality tell left from right.
 #include "scenario/scenario.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
@@ -16,7 +16,7 @@ inline Vector mirror(Vector v, Axis axis) {
   return v;
 }
 
-/// Without what a seed does: it knows nothing of mirrors.
+/// Returns the scene without effects of the seed, which have no mirror image.
 inline Scene withoutSeed(Scene scene) {
   scene.variation = {};
   for (DivisionRule& rule : scene.mechanics->division.rules) rule.tilt.reset();
@@ -32,8 +32,8 @@ inline Scene mirror(Scene scene, Axis axis) {
 
 inline Point centreOf(const CellMeasures& m) { return {m.at("x"), m.at("y"), m.at("z")}; }
 
-/// How far cells of the one are from where the mirror shows the other's; infinite if other cells live or touch.
-/// [length]
+/// Returns the max distance [length] of cells from the mirror images of the other world's cells; infinite if other
+/// cells live or touch.
 inline double difference(const World& world, const World& other, Axis axis) {
   const auto a = measureCells(world), b = measureCells(other);
   const auto touchA = measureContacts(world), touchB = measureContacts(other);

@@ -1,4 +1,4 @@
-// Who touches whom in a packing of 64 cells does not follow from the time step.
+// The contacts in a packing of 64 cells do not depend on the time step.
 #include <set>
 
 #include "base/parallel.h"
@@ -14,7 +14,7 @@ namespace {
 
 using Pairs = std::set<std::pair<std::string, std::string>>;
 
-/// Who touches whom at the end of a run whose automatic time steps are so much shorter from a time on.
+/// Returns the pairs that touch at the end. The automatic time steps are multiplied by `share` from time `from` on.
 Pairs pairsAtEnd(const Scene& scene, double from, double share) {
   World world = makeWorld(scene);
   while (world.clock.time < from) step(world);
@@ -29,8 +29,8 @@ Pairs pairsAtEnd(const Scene& scene, double from, double share) {
 }  // namespace
 
 TEST_CASE("shell-64: at an eighth of the time step 97 % of the pairs that touch at the end are the same") {
-  // From one state after the last division on: what comes before is chaotic, and a rounding error decides who divides
-  // where.
+  // All runs share one state after the last division: before, runs are chaotic, and rounding decides where cells
+  // divide.
   constexpr double afterLastDivision = 6.5;
   constexpr int seeds = 3;
   std::vector<std::size_t> touching(seeds);

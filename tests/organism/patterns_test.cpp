@@ -23,10 +23,10 @@ World runToEnd(const Scene& scene) {
 
 struct Kind {
   int count = 0;
-  double volume = 0, lowest = INFINITY, highest = -INFINITY;  // [length³] of all; [length] of centres, along z
+  double volume = 0, lowest = INFINITY, highest = -INFINITY;  // [length³] of all cells; [length] z of centres
 };
 
-/// By the substance that their names begin with.
+/// Groups cells by the substance that their names begin with.
 std::map<std::string, Kind> kindsOf(const World& world) {
   std::map<std::string, Kind> kinds;
   for (const CellMeasures& cell : measureCells(world)) {
@@ -39,8 +39,8 @@ std::map<std::string, Kind> kindsOf(const World& world) {
   return kinds;
 }
 
-/// [degree] By which daughter A of each cell at that depth is turned about the z axis against daughter B;
-/// anticlockwise, seen from +z, is positive.
+/// Returns the angles [degree] by which daughter A of each cell at this depth is turned about the z axis against
+/// daughter B. Anticlockwise, seen from +z, is positive.
 std::vector<double> twists(const World& world, int depth) {
   const auto cells = measureCells(world);
   std::vector<double> all;
@@ -72,8 +72,8 @@ TEST_CASE("sea urchin: 8 mesomeres, 4 macromeres and 4 micromeres, from pole to 
 }
 
 TEST_CASE("sea urchin: starts a millionth of a radius apart go through the third cleavage, too") {
-  // Steps that did not follow pairs held at the end of their reach ended these seeds before time 9.2: "it is pressed
-  // into".
+  // Formerly steps ignored pairs held at the end of their reach, and these seeds ended before time 9.2 with "it is
+  // pressed into".
   for (const std::uint64_t seed : {3, 4, 6, 7, 8, 9}) {
     Scene scene = sceneOf("urchin");
     scene.seed = seed, scene.variation.start = 1e-6, scene.stop.time = 9.5;
@@ -96,7 +96,7 @@ TEST_CASE("spiral cleavage turns clockwise with the third division and anticlock
 TEST_CASE("spiral cleavage in the mirror is that of a left-handed snail") {
   Scene scene = withoutSeed(sceneOf("spiral"));
   const auto apart = [&] { return difference(runToEnd(scene), runToEnd(mirror(scene, Axis::y)), Axis::y); };
-  CHECK(apart() < 1e-4);  // rounding has grown to 6e-6 in the packing of 16 cells
+  CHECK(apart() < 1e-4);  // rounding grows to 6e-6 in the packing of 16 cells
   scene.stop.time = 8;    // four cells
   CHECK(apart() < 1e-9);
 }

@@ -1,4 +1,4 @@
-// The shape of the shell decides how the worm's four cells lie [Yamamoto & Kimura 2017].
+// The shape of the shell decides the arrangement of the worm's four cells [Yamamoto & Kimura 2017].
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -10,7 +10,7 @@ using namespace four_cells;
 
 namespace {
 
-/// How many of the seeds lie so, in a spheroid that is so many times as long as wide.
+/// Returns the number of seeds with each arrangement, in a spheroid `aspect` times as long as wide.
 std::map<std::string, int> arrangements(double aspect, int seeds, const std::string& adhesion) {
   std::vector<std::string> changes{"physics.shell.ellipsoid=[" + std::to_string(aspect) + ", 1, 1]"};
   if (!adhesion.empty()) changes.push_back("physics.contact.adhesion=" + adhesion);
@@ -57,7 +57,7 @@ TEST_CASE(
   CHECK(at(2.25, "1")["diamond"] > between["diamond"]);
   CHECK(sticky["diamond"] >= 3 * seeds / 4);
   CHECK(stickyLonger["diamond"] > longer["diamond"]);
-  // The scenario's head tells these counts.
+  // The scenario's head comment states these counts.
   std::ifstream file(MORULA_SOURCE_DIR "/scenarios/worm/shell-shapes.yaml");
   const std::string head{std::istreambuf_iterator<char>(file), {}};
   const auto told = [&](const std::string& before, int count, const std::string& after) {

@@ -1,4 +1,4 @@
-// The thesis' four cells touch the same neighbours whatever mesh and time step they are computed with.
+// The thesis' four cells touch the same neighbours with every mesh and time step.
 #include "catch.h"
 #include "organism/four_cells.h"
 
@@ -17,7 +17,7 @@ TEST_CASE("unique-four: the same four contacts whatever the mesh, the time step,
   for (std::size_t i = 0; i < settings.size(); ++i) {
     INFO((settings[i].empty() ? "as shipped" : settings[i][0]));
     CHECK(found[i].name == "square");
-    // The name leaves small contacts out; the map has them all.
+    // The arrangement's name ignores small contacts, the map does not.
     REQUIRE(found[i].contact.size() == 4);
     for (const char* pair : {"AA-AB", "AA-BA", "AB-BB", "BA-BB"}) CHECK(found[i].contact.contains(pair));
   }

@@ -1,5 +1,5 @@
-// The worm's lineage [Sulston, Schierenberg, White & Thomson 1983]: counts of the literature, both encodings of it, and
-// cell for cell a table of the lineage where there is one.
+// The worm's lineage [Sulston, Schierenberg, White & Thomson 1983]: counts of the literature, both encodings of the
+// lineage, and a table of it cell for cell if there is one.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -30,7 +30,7 @@ struct Leaves {
   friend bool operator==(const Leaves&, const Leaves&) = default;
 };
 
-/// Of the cells whose paths begin so.
+/// Counts the leaves whose paths begin with `founder`.
 Leaves leavesOf(const Lineage& lineage, const std::string& founder) {
   Leaves leaves;
   for (const LineageEntry& cell : lineage.entries) {
@@ -42,12 +42,12 @@ Leaves leavesOf(const Lineage& lineage, const std::string& founder) {
   return leaves;
 }
 
-/// One line of the table: cell, parent, direction, end, tissue, division time.
+/// Reads the table. Columns: cell, parent, direction, end, tissue, division time.
 std::map<std::string, std::array<std::string, 5>> readTable(const std::filesystem::path& file) {
   std::map<std::string, std::array<std::string, 5>> rows;
   std::ifstream in(file);
   std::string line;
-  std::getline(in, line);  // its header
+  std::getline(in, line);  // skips the header
   while (std::getline(in, line)) {
     std::stringstream fields(line);
     std::string cell;

@@ -1,21 +1,21 @@
-// Loaded before a program (LD_PRELOAD), it lets one operation fail: of those on files below FAULT_FOLDER, or of those
-// that ask for memory. Programs that it starts are counted with it.
+// A library for LD_PRELOAD that lets one operation fail: one on files below FAULT_FOLDER, or one that asks for memory.
+// Operations of programs that the program starts are counted too.
 //
 //   FAULT=KIND:N:HOW   the N-th of KIND, counted from 1 and in all processes together
 //     KIND  write, sync, rename, make (to open for writing, mkdir, truncate), remove, read (also to open),
 //           files (all but read);
 //           new (operator new), malloc (malloc, calloc and realloc, but not for operator new);
 //           all: none fails, and each kind but `files` is counted for itself
-//     HOW   a name of errno (ENOSPC, EIO); the same with a '+': it and all that follow; short: half is written, the rest
-//           is refused; kill: the process ends by SIGKILL; killall: and so does its whole group. Memory: anything.
-//   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were; of `all` eight for each kind, in the order above, after
-//                      these. Without FAULT's N (0) it only counts.
-//   FAULT_PLACES=FILE  while it only counts: eight bytes for each operation, a hash of the six innermost calls that led to it
-//   FAULT_CLOCK=N      the clock is so many seconds fast; also without FAULT
+//     HOW   a name of errno (ENOSPC, EIO); with a '+' all later operations fail too; short: half is written, then
+//           the error; kill: the process ends by SIGKILL; killall: its whole group does. Memory: anything.
+//   FAULT_COUNT=FILE   eight bytes, zero at first, for the number of operations; KIND `all` adds eight for each kind,
+//                      in the order above. Without FAULT's N (0) operations are only counted.
+//   FAULT_PLACES=FILE  for counting only: eight bytes per operation, a hash of the six innermost calls
+//   FAULT_CLOCK=N      the clock is N seconds fast; also without FAULT
 //
-// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and
-// LLVM, cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program
-// looks beforehand whether there is enough.
+// Memory is counted from the beginning of main() to its end: before and after, nobody could report an error. Memory of
+// Mesa, LLVM, cairo and font libraries is not counted, because these crash without memory; the program checks
+// beforehand that there is enough.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -59,8 +59,8 @@ struct Fault {
   int error = EIO;
   bool goesOn = false, isShort = false, kills = false, killsAll = false;
   char folder[PATH_MAX] = {};
-  Counter* counts = nullptr;  // of `all` at the kind's number, else the first
-  int places = -1;            // a file
+  Counter* counts = nullptr;  // KIND `all` counts at the kind's number, others at 0
+  int places = -1;            // a file descriptor
 } fault;
 bool inMain = false;
 
@@ -93,9 +93,9 @@ void readFault() {
 
 thread_local bool isLooking = false;
 
-/// Where the n-th operation came from.
+/// Writes a hash of the calls that led to the n-th operation.
 void notePlace(std::uint64_t n) {
-  isLooking = true;  // what that asks for itself does not count
+  isLooking = true;  // memory of the backtrace is not counted
   void* calls[6];
   const int count = ::backtrace(calls, 6);
   std::uint64_t hash = 14695981039346656037u;
@@ -104,7 +104,7 @@ void notePlace(std::uint64_t n) {
   isLooking = false;
 }
 
-/// Whether this operation, of this kind, is to fail.
+/// Counts an operation of this kind and returns true if it must fail.
 bool isHit(Kind kind) {
   const std::uint64_t n = ++fault.counts[fault.kind == all ? kind : none];
   if (fault.places >= 0) notePlace(n);
@@ -155,7 +155,7 @@ int findDrivers(dl_phdr_info* library, size_t, void*) {
   return 0;
 }
 
-/// `caller`: where the answer goes.
+/// Returns true if this request for memory must fail. `caller`: the return address.
 bool noMemory(Kind kind, void* caller) {
   if (!inMain || !isCounted(kind) || isLooking) return false;
   const auto place = reinterpret_cast<std::uintptr_t>(caller);
@@ -175,13 +175,13 @@ __attribute__((constructor)) void begin() { readFault(); }
 
 }  // namespace
 
-// `name` of the C library; `refuses`: when it fails.
+// Defines the C library's function `name`, which fails if `refuses` is true.
 #define MORULA_FAILING(result, name, refuses, parameters, arguments) \
   result name parameters {                                           \
     static auto* const real = next<result parameters>(#name);        \
     return (refuses) ? static_cast<result>(-1) : real arguments;     \
   }
-// Where half may be written before the rest is refused.
+// Defines a function that writes. A short failure writes half of the bytes.
 #define MORULA_WRITING(name, parameters, arguments, halfOfThem) \
   ssize_t name parameters {                                     \
     static auto* const real = next<ssize_t parameters>(#name);  \
@@ -246,7 +246,7 @@ void* calloc(size_t count, size_t size) {
 void* realloc(void* memory, size_t size) {
   return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_realloc(memory, size);
 }
-char* strdup(const char* text) {  // or the caller would be the C library
+char* strdup(const char* text) {  // else the caller would be the C library
   const size_t size = std::strlen(text) + 1;
   void* const copy = noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_malloc(size);
   return copy ? static_cast<char*>(std::memcpy(copy, text, size)) : nullptr;
@@ -260,7 +260,7 @@ int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv
   auto* const start = next<decltype(__libc_start_main)>("__libc_start_main");
   return start(
       [](int count, char** words, char** environment) {
-        // The program would load it to draw; once it is there, its requests for memory are known.
+        // The program loads this library only to draw; loaded early, the addresses of its code are known.
         if (isCounted(news) || isCounted(mallocs)) ::dlopen(MORULA_OSMESA, RTLD_LAZY);
         ::dl_iterate_phdr(findDrivers, nullptr);
         inMain = true;

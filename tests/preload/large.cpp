@@ -1,2 +1,2 @@
-// Loaded in the place of OSMesa, it fails as libraries do for which there is no address space.
+// Replaces OSMesa by a library that does not load for lack of address space.
 char large[1ul << 48];

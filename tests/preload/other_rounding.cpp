@@ -1,5 +1,5 @@
-// Loaded before a program (LD_PRELOAD), it changes how the processor rounds before the program begins, as a
-// library does that was linked with -ffast-math. OTHER_ROUNDING: flush, or up.
+// A library for LD_PRELOAD that changes the processor's rounding before the program begins, as libraries linked with
+// -ffast-math do. OTHER_ROUNDING: flush, or up.
 #include <cfenv>
 #include <cstdlib>
 #include <cstring>

@@ -17,7 +17,7 @@ namespace morula::chance {
 
 namespace {
 
-/// [length³] Six times the signed volume of tetrahedra from the origin, face by face.
+/// Returns the mesh's volume [length³]: the sum of signed tetrahedra from the origin, face by face.
 double ownVolume(const Mesh& m) {
   double six = 0;
   for (const Face& f : m.faces) {
@@ -27,7 +27,7 @@ double ownVolume(const Mesh& m) {
   return six / 6;
 }
 
-/// [1] Of the points of a grid in a cell's box that lie in it, how many lie in the other too.
+/// Returns the share [1] of grid points inside `a` that are also inside `b`. The grid covers the box of `a`.
 double ownOverlap(const Mesh& a, const Mesh& b) {
   constexpr int n = 11;
   const Box box = measureBox(a.vertices), other = measureBox(b.vertices);
@@ -50,10 +50,10 @@ double ownOverlap(const Mesh& a, const Mesh& b) {
   return inside ? static_cast<double>(both) / inside : 1;
 }
 
-/// How far the share of about 600 points may be off: two standard deviations at a fifth.
+/// Sampling error of the share: two standard deviations at 600 points and a share of a fifth.
 constexpr double samplingError = 0.03;
 
-/// [1] 1 on the shell.
+/// Returns the place of a point relative to the shell [1]: 1 on the shell.
 double reachOf(const ShellParameters& shell, const Point& p) {
   if (!shell.mesh) return norm(Vector{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]});
   double most = 0;
@@ -74,7 +74,7 @@ std::string ownVerdict(const World& world) {
     const Mesh& m = meshes.back();
     const std::string name = "cell " + world.cells.path[cell].text();
     const double scale = b.restScale[slot], volume = ownVolume(m);
-    // Membranes can be made for more or less than what is in them (membrane.production).
+    // Membranes can be made for more or less than their contents (membrane.production).
     const double contents = b.parameters.pressure.constant;
     const double rest =
         egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents : scale * scale * scale);
@@ -83,9 +83,8 @@ std::string ownVerdict(const World& world) {
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
     if (b.parameters.shell) {
       std::vector<Point> inside;
-      // A ball is drawn with a mesh of its volume: its vertices stand out. A shell that holds the surface that holds a
-      // mesh's volume is felt by vertices as if its half-axes were longer by the sag; how large that is unit/physics
-      // tests.
+      // The mesh of a ball has the ball's volume, so its vertices stand out. A shell that holds the surface of a mesh's
+      // volume acts on vertices as if its half-axes were longer by the sag, which unit/physics tests.
       const double* a = b.parameters.shell->semiAxes;
       const bool holdsVertices = b.parameters.shell->mesh || b.parameters.shell->holds == Held::vertices;
       const double sag = sphere || holdsVertices ? 0 : b.sag[slot];
@@ -127,7 +126,7 @@ bool isOfGenesAlone(const Scene& scene) {
 bool isClosedBetweenEvents(const World& world) {
   if (!world.bodies || settles(world)) return false;
   const PhysicsParameters& p = world.bodies->parameters;
-  const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
+  const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents that have no rest volume
   const bool touches =
       world.contacts && (world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair);
   return world.bodies->model().hasMembrane && !p.shell && !p.growth && !p.motility && !boundless && !touches &&
@@ -157,7 +156,7 @@ Scene turned(Scene scene, const Turn& turn) {
     place(v);
     v = {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
   };
-  const auto rotation = [&](Vector& axis) {  // in a mirror it goes the other way round
+  const auto rotation = [&](Vector& axis) {  // a mirror reverses rotations
     place(axis);
     if (turn.mirrors) axis = -1.0 * axis;
   };

@@ -1,6 +1,6 @@
 #pragma once
-// Whether a world is fine, by measures that share nothing with those of the program: volumes by a sum over faces,
-// overlap by points in meshes, the shell by its equation.
+// Judges worlds by measures that share no code with those of the program: volumes by a sum over faces, overlap by
+// points in meshes, the shell by its equation.
 #include <map>
 #include <string>
 
@@ -8,25 +8,25 @@
 
 namespace morula::chance {
 
-/// What is wrong with the world; "" if nothing is.
+/// Returns the first fault of the world; "" if there is none.
 std::string ownVerdict(const World& world);
 
-/// All cells that ever lived, and what they hold.
+/// Returns all cells that ever lived, and their substances.
 std::map<std::string, std::string> familyOf(const World& world);
 
-/// Whether genes alone decide the lineage; where cells perceive bodies, or wait for a size, bodies do, too.
+/// Returns true if genes alone decide the lineage. Cells that perceive bodies, or wait for a size, also depend on
+/// bodies.
 bool isOfGenesAlone(const Scene& scene);
 
-/// True where nothing but what is measured (measureEnergy) holds energy, and nothing adds any while no cell divides,
-/// dies or connects.
+/// Returns true if measureEnergy measures all energy, and none is added while no cell divides, dies or connects.
 bool isClosedBetweenEvents(const World& world);
 
-/// A copy of the scene that is turned or mirrored: `place` only changes the order and the signs of coordinates.
+/// A turn or a mirror image of scenes: `place` only changes the order and the signs of coordinates.
 struct Turn {
   const char* name;
   Vector (*place)(const Vector&);
   bool mirrors = false;
-  bool isExact = false;  // it changes no order in which numbers are added, so the copy has the same bits
+  bool isExact = false;  // keeps the order of all sums, so that the copy has the same bits
 };
 extern const Turn turns[3];
 Scene turned(Scene scene, const Turn& turn);

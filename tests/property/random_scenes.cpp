@@ -1,14 +1,13 @@
-// No run that is not fine looks fine: scenes by chance, and what must hold of each.
+// Tests random scenes for runs that are wrong but look right.
 //
 //   random_scenes FIRST LAST [FOLDER]     seeds; what fails is shrunk, and written into the folder
 //   random_scenes FILE.yaml               one scene, as if it had been drawn
 //   random_scenes print SEED              writes what is drawn
 //
-// Of a scene that ends well and is called sane: own measures agree (own_oracles.h); a run without bodies has the same
-// lineage where genes alone decide; with half the step it is fine, too, or says why not; gone on with from a
-// checkpoint, with other instructions, it has the same bits; turned and mirrored copies end turned and mirrored; and
-// while nothing happens that adds energy, none is gained. What is refused says where; what stops is counted by its
-// reason, and the advice that it gives is tried.
+// Checks of a scene that ends well and sane: own measures agree (own_oracles.h). Without bodies the lineage is the same
+// if genes alone decide. Half the step gives a sane run too, or a reason. Resumed from a checkpoint, with other
+// instructions, the run has the same bits. Turned and mirrored copies end turned and mirrored. Energy is not gained
+// while no event adds any. Refusals must name a place. Failures are counted by their reason, and their advice is tried.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,11 +39,11 @@ using namespace morula::chance;
 namespace {
 
 constexpr double maxWork =
-    4e6;  // vertices times evaluations of the forces, of one run: 0.3 s; longer ones end before their end
-constexpr double maxGain = 0.05;  // of the energy: check/sanity.cpp
+    4e6;  // max vertices times force evaluations of a run: 0.3 s; longer runs are cut short
+constexpr double maxGain = 0.05;  // [1] of the energy, as in check/sanity.cpp
 constexpr std::uint64_t fewSteps = 40;
 
-/// [force·length] Of what is closed between events, since the last one.
+/// Measures the gain of energy [force·length] since the last event, in worlds that are closed between events.
 class EnergyWatch {
  public:
   void see(const World& world) {
@@ -53,7 +52,7 @@ class EnergyWatch {
     auto cells = std::pair(world.cells.path, world.cells.state);
     const auto ties = world.connections ? world.connections->history.size() + released(world) : 0;
     if (cells != cells_ || ties != ties_ || !begin_) {
-      // The forces of what has just been born are those of the next step.
+      // Forces of newborn cells are computed only in the next step, so the energy is taken from then on.
       begin_.reset();
       if (cells == cells_ && ties == ties_) {
         begin_ = now.total();
@@ -75,17 +74,17 @@ class EnergyWatch {
   }
   std::optional<double> begin_;
   double scale_ = 0;
-  std::pair<std::vector<CellPath>, std::vector<StateId>> cells_;  // what they hold decides how they stick
+  std::pair<std::vector<CellPath>, std::vector<StateId>> cells_;  // the state decides how cells stick
   std::size_t ties_ = 0;
 };
 
 struct Course {
   std::optional<World> world;
-  std::string group;  // why it did not end well, for people; numbers and names taken out
-  std::string text;   // the same in full
+  std::string group;  // the reason without numbers and names, if the run did not end well
+  std::string text;   // the full reason
   bool refused = false, stopped = false, sane = false;
-  std::string half;  // a checkpoint somewhere in the middle
-  double gain = 0;   // [1] of energy
+  std::string half;  // a checkpoint about halfway
+  double gain = 0;   // [1] gain of energy
 };
 
 std::string groupOf(std::string text) {
@@ -111,7 +110,7 @@ double workOf(const World& world, std::uint64_t steps) {
 
 Execution ownExecution() { return {.isa = bestIsa(), .threads = 1, .memoryLimit = 4e8}; }
 
-/// Runs to the end, or to the step or time that is given.
+/// Runs to the end, or to `lastStep`.
 Course run(const Scenario& scenario, bool diagnoses = false, std::optional<std::uint64_t> lastStep = {}) {
   Course course;
   try {
@@ -155,13 +154,13 @@ Course run(const Scenario& scenario, bool diagnoses = false, std::optional<std::
 }
 
 struct Verdict {
-  std::string find;  // what is wrong with the program: a few words by which the like is known
+  std::string find;  // a few words that classify the fault of the program
   std::string more;
   Course course;
   bool tooLong = false;
 };
 
-/// [length] How far a copy's vertices are from where they should be; infinite where other cells live.
+/// Returns the max distance [length] of a copy's vertices from their proper places; infinite if other cells live.
 double differenceOf(const World& world, const World& copy, const Turn& turn) {
   if (world.cells.path != copy.cells.path || world.clock.step != copy.clock.step) return INFINITY;
   double most = 0;
@@ -172,9 +171,9 @@ double differenceOf(const World& world, const World& copy, const Turn& turn) {
   return most;
 }
 
-/// Directions of divisions are the scene's own: the sign of a line, and of a round cell the line itself; and rounding
-/// says to which side a vertex in the plane belongs. Where a copy was cut in another way, it is another scene from
-/// there on.
+/// Returns true if both worlds have the same divisions. The sign of an axis, and the axis of a round cell, belong to
+/// the scene and not to its turn; rounding decides the side of a vertex in the plane. A copy that divides otherwise is
+/// another scene from then on.
 bool dividedAlike(const World& world, const World& copy, const Turn& turn, double tolerance) {
   if (world.divisions.size() != copy.divisions.size()) return false;
   for (std::size_t i = 0; i < world.divisions.size(); ++i)
@@ -184,10 +183,10 @@ bool dividedAlike(const World& world, const World& copy, const Turn& turn, doubl
   return true;
 }
 
-/// [1] As rounding that has gone on for a while.
+/// [1] The size of rounding errors that have accumulated for a while.
 double jitterOf(const Scene& scene) { return scene.mechanics->physics.precision == Precision::binary32 ? 4e-7 : 1e-12; }
 
-/// How far copies that were moved by so little come tells how chaotic a scene is.
+/// Returns a copy moved by rounding errors: the distance between such copies measures how chaotic a scene is.
 Scene jittered(Scene scene, std::uint64_t copy) {
   Draw draw(scene.seed + copy);
   const double most = jitterOf(scene) * scene.mechanics->physics.cell.radius;
@@ -196,9 +195,9 @@ Scene jittered(Scene scene, std::uint64_t copy) {
   return scene;
 }
 
-/// What a copy does otherwise; "" if nothing.
+/// Returns how a copy differs; "" if it does not.
 std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& end) {
-  // One without rounding of its own to the end, another as long as rounding stays small.
+  // Exact copies are compared at the end, others while rounding is small.
   const std::uint64_t last = turn.isExact ? end.clock.step : std::min(end.clock.step, fewSteps);
   const auto changed = [&](Scene scene) {
     Scenario copy = scenario;
@@ -209,7 +208,7 @@ std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& e
   if (copy.refused) return "is refused: " + copy.text;
   Course own;
   if (!turn.isExact) own = run(scenario, false, last);
-  // Of a copy that was moved a little; nothing of one that then stops or divides otherwise.
+  // Returns the allowed distance, by a copy that was moved a little; nothing if this copy stops or divides otherwise.
   const auto boundBy = [&](std::uint64_t number) -> std::optional<double> {
     const Course near = changed(jittered(scenario.scene, number));
     const Turn still{"", [](const Vector& v) { return v; }};
@@ -220,13 +219,13 @@ std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& e
   const std::optional<double> bound = turn.isExact ? 0 : boundBy(0);
   if (!bound) return "";
   const World& world = turn.isExact ? end : *own.world;
-  // A copy that divided otherwise is another scene; at the first division that was of its own choice.
+  // A copy that divides otherwise is another scene; only divisions of one world alone are wrong.
   const bool alike = dividedAlike(world, *copy.world, turn, turn.isExact ? 0 : 1e-3);
   if (!alike) return world.divisions.empty() != copy.world->divisions.empty() ? "divides otherwise" : "";
   if (copy.stopped) return "stops: " + copy.text;
   const double difference = differenceOf(world, *copy.world, turn);
   if (difference <= *bound) return "";
-  // Sticky cells that settle have many places of rest near each other: one copy may come to the same by chance.
+  // Sticky cells that settle have many states of rest near each other, and one moved copy may reach the same by chance.
   for (std::uint64_t number = 1; !turn.isExact && number < 8; ++number) {
     const std::optional<double> other = boundBy(number);
     if (!other || difference <= *other) return "";
@@ -245,7 +244,7 @@ std::string wrongAfterResuming(const Scenario& scenario, const Course& course, s
   return stateHash(world) == stateHash(*course.world) ? "" : fmt::format("from step {} to {}", from, end);
 }
 
-/// What is written down on the way, and how it is looked at, changes nothing.
+/// Checks that recording does not change results.
 std::string wrongWhenRecorded(const Scenario& scenario, const World& end) {
   const Simulation recorded = simulate(scenario, ownExecution(), {.record = recordingOf(scenario, true)});
   if (recorded.end.want != Want::nothing) return "";
@@ -256,7 +255,7 @@ std::string wrongWithoutBodies(const Scenario& scenario, const World& end) {
   if (!isOfGenesAlone(scenario.scene)) return "";
   Scene scene = scenario.scene;
   scene.mechanics.reset();
-  // A run that has enough cells ends between the events of one step.
+  // A run with enough cells ends between the events of one step.
   const auto& enough = scene.stop.cells;
   if (enough && end.cells.path.size() >= *enough) scene.stop = {.cycles = {}, .time = {}, .cells = enough};
   else scene.stop = {.cycles = {}, .time = end.clock.time, .cells = {}};
@@ -280,7 +279,8 @@ Course runWithHalfTheStep(const Scenario& scenario, const World& end) {
   return run(half);
 }
 
-/// What is gained by the error of the time step falls with it; it may be large where a cell has just been cut.
+/// Returns a gain of energy that does not fall with the time step. A gain from the time step's error falls; it may be
+/// large just after a division.
 std::string gainIn(const Course& course, const Course& half) {
   if (!(course.gain > maxGain && half.sane && half.gain > 0.7 * course.gain)) return "";
   return fmt::format("by {:.3g}, and by {:.3g} with half the step", course.gain, half.gain);
@@ -321,7 +321,7 @@ Verdict judge(const std::string& text, std::uint64_t seed, bool diagnoses) {
   return verdict;
 }
 
-/// What a message says would help: "KEY VALUE helps", or "use KEY: VALUE".
+/// Returns the advice of a message: "KEY VALUE helps", or "use KEY: VALUE".
 std::optional<std::pair<std::string, std::string>> adviceIn(const std::string& text) {
   static const std::regex helps(R"(([a-z_]+(?:[.][a-z_-]+)+) ([^ ,;]+) helps)"),
       use(R"(use ([a-z_]+(?:[.][a-z_-]+)+): ([^ ,;]+))");
@@ -332,7 +332,7 @@ std::optional<std::pair<std::string, std::string>> adviceIn(const std::string& t
 
 struct Group {
   int count = 0;
-  std::map<std::string, int> advised;  // what became of scenes that took the advice
+  std::map<std::string, int> advised;  // outcomes of scenes that took the advice
   std::string example;
 };
 
@@ -407,7 +407,7 @@ int print(const char* what, const std::map<std::string, Group>& groups, bool exa
   return count;
 }
 
-/// Of what fails for its drag alone nothing else is left.
+/// Checks that shrinking a scene that fails only for its drag leaves nothing else.
 bool shrinks() {
   Json scenario = drawScene(1).scenario;
   setKey(scenario, "physics.drag", 3.21);
@@ -441,7 +441,7 @@ int main(int argc, char** argv) {
   const int refused = print("refused:", tally.refused, !folder.empty());
   std::printf("cut short: %d\nkeys drawn: %zu of %zu\nfinds: %d\n", tally.cut, tally.drawn.size(),
               scenario::parameterTable().parameters.size(), tally.finds);
-  // Scenes that nobody could run would prove nothing.
+  // Scenes that never run well would prove nothing.
   const int count = static_cast<int>(last - first + 1);
   return tally.finds == 0 && tally.sane >= count / 4 && refused <= count / 2 ? 0 : 1;
 }

@@ -21,7 +21,7 @@ const std::string unlike =
     "dna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(c|b, A)\n  g4(a|b, B)\n  g5(divide|b)\n  g6(c|c)\n";
 const std::string mesh = "  mesh: {icosphere: 1}\n";
 
-/// Small scenes that go well, of all that the program can do; what is not said is at its default.
+/// Small scenes that run well and together use all features; keys that are not given have their defaults.
 const std::vector<std::string> bases = {
     // Four to sixteen shells in a sphere
     head + divides + "stop: {time: 3.9}\nphysics:\n  drag: 1\n  shell: {sphere: 1.2}\n  contact: {}\n" + mesh,
@@ -77,7 +77,7 @@ const std::vector<std::string> bases = {
         "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: {}\n" + mesh,
     // Daughters with coarser meshes
     head + divides + "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
-    // What a seed changes
+    // Random variations by seed
     head + unlike +
         "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: {}\n" +
         mesh + "variation: {cycle: 0.1, share: 0.04, start: 0.05, tilt: 8}\n",
@@ -88,12 +88,12 @@ const std::vector<std::string> bases = {
         mesh,
 };
 
-/// Where a base's files may lie: they are meshes.
+/// The folder that bases may name files in, and its meshes.
 const std::string folder = MORULA_SOURCE_DIR "/scenarios/hard";
 const std::vector<std::string> files = {"globe.obj", "lens.obj", "rod.obj"};
 const std::vector<std::string> words = {"a", "b", "c", "a*", "A", "B"};
 
-/// A number by its scale, with few digits: people write such ones.
+/// Rounds a number to three digits, as people write numbers.
 double rounded(double value) { return std::stod(numberText(value, 3)); }
 
 double drawReal(Draw& draw, const Json& schema, const Json& now) {
@@ -105,7 +105,7 @@ double drawReal(Draw& draw, const Json& schema, const Json& now) {
   double middle = now.is_number() ? std::abs(now.get<double>()) : 1;
   if (middle == 0) middle = 1;
   if (std::isfinite(least) && std::isfinite(most) && draw.chance(0.5)) return rounded(draw.between(least, most));
-  // Mostly within a factor of four; one in twenty far off.
+  // Most values lie within a factor of four; one in twenty is far off.
   const double decades = draw.chance(0.05) ? 6 : draw.chance(0.3) ? 1.5 : 0.6;
   double value = middle * std::pow(10, draw.between(-decades, decades));
   if (least < 0 && draw.chance(0.5)) value = -value;
@@ -130,7 +130,7 @@ Json drawMap(Draw& draw, const Json& schema, const Json& now) {
   return map;
 }
 
-/// A value that the JSON schema of a parameter allows; `now`: what it is, or is by default.
+/// Returns a value that the parameter's JSON schema allows. `now`: the present value or the default.
 Json drawValue(Draw& draw, const Json& schema, const Json& now) {
   if (schema.contains("const")) return schema["const"];
   if (schema.contains("enum")) return draw.one(schema["enum"]);
@@ -164,7 +164,7 @@ Json drawDna(Draw& draw) {
   return text;
 }
 
-/// Where the key with this path stands: "a.b" at "/a/b".
+/// Returns the JSON pointer of a key: "a.b" gives "/a/b".
 Json::json_pointer placeOf(std::string path) {
   std::ranges::replace(path, '.', '/');
   return Json::json_pointer("/" + path);
@@ -183,7 +183,7 @@ Json drawParameter(Draw& draw, const Parameter& p, const Json& scenario) {
   return drawValue(draw, p.schema, now ? *now : p.write(defaults));
 }
 
-/// Without what stands there.
+/// Returns the tree without the value at `place`.
 Json without(Json tree, const Json::json_pointer& place) {
   Json& above = tree[place.parent_pointer()];
   if (above.is_array()) above.erase(std::stoul(place.back()));
@@ -191,7 +191,7 @@ Json without(Json tree, const Json::json_pointer& place) {
   return tree;
 }
 
-/// A base as a tree: what it says, and nothing that is at its default.
+/// Returns a base as a tree, without keys at their defaults.
 Json treeOf(const std::string& text) {
   Json tree = parseJson(readScenario(text, sceneFile, folder).resolved);
   const Scenario defaults = scenario::allDefaults();
@@ -206,7 +206,7 @@ Json treeOf(const std::string& text) {
   return tree;
 }
 
-/// The DNA without these lines of the scenario's text.
+/// Returns the DNA without these lines, counted in the scenario's text.
 std::string withoutLines(const Json& scenario, const std::set<int>& lines) {
   const std::string text = sceneText(scenario), before = text.substr(0, text.find("dna: |"));
   int line = static_cast<int>(std::ranges::count(before, '\n')) + 2;
@@ -217,7 +217,7 @@ std::string withoutLines(const Json& scenario, const std::set<int>& lines) {
   return kept;
 }
 
-/// Takes away what messages complain of.
+/// Removes the keys and genes that messages complain about. Returns true if it changed the scenario.
 bool repair(Json& scenario, const std::string& messages) {
   static const std::regex complaint(R"(:(\d+):\d+: ([a-z][a-z_.-]*)[^\n]*)");
   bool changed = false;
@@ -234,7 +234,7 @@ bool repair(Json& scenario, const std::string& messages) {
   return changed || !genes.empty();
 }
 
-/// Nothing that makes a scene of many cells, or of many vertices.
+/// Limits the numbers of cells and vertices.
 void keepSmall(Json& scenario) {
   constexpr int maxCells = 16, maxLevel = 1;
   const Json* cells = find(scenario, "stop.cells");
@@ -282,7 +282,7 @@ Drawn drawScene(std::uint64_t seed) {
   };
   for (std::uint64_t count = 1 + draw.bits() % 5; count > 0;) {
     const Parameter& p = draw.one(all);
-    // Formats, names and pictures change no result, and checks only what is said of it.
+    // Most keys that change no result, such as formats, names, pictures and checks, are skipped.
     const bool matters = p.decides == scenario::Decides::results && !p.path.starts_with("check.");
     if (!matters && draw.chance(0.8)) continue;
     if (!p.parent().empty() && !find(drawn.scenario, p.parent()) && draw.chance(0.5)) continue;
@@ -294,7 +294,7 @@ Drawn drawScene(std::uint64_t seed) {
       set(*beside, drawParameter(draw, *beside, drawn.scenario));
   }
   keepSmall(drawn.scenario);
-  // Some stay as they are, to be refused.
+  // One scene in ten is not repaired, so that it is refused.
   for (int turn = draw.chance(0.1) ? 6 : 0; turn < 6; ++turn) {
     try {
       readScene(sceneText(drawn.scenario));
@@ -331,7 +331,7 @@ Scenario readScene(const std::string& text) { return readScenario(text, sceneFil
 
 namespace {
 
-/// All places in a tree, the inner ones behind those that they are in.
+/// Collects all places in a tree, inner places after outer ones.
 void collect(const Json& tree, const Json::json_pointer& at, std::vector<Json::json_pointer>& all) {
   if (!tree.is_structured()) return;
   for (const auto& [key, value] : tree.items()) {
@@ -347,10 +347,10 @@ std::vector<Json::json_pointer> placesIn(const Json& tree) {
   return all;
 }
 
-/// Simpler things to stand in a value's place, the simplest first.
+/// Returns simpler replacements of a value, the simplest first.
 std::vector<Json> simplerThan(const Json& value) {
   std::vector<Json> all;
-  if (value.is_string()) {  // a gene less
+  if (value.is_string()) {  // removes a gene
     const std::string text = value;
     for (std::size_t end = text.find('\n'); end != text.npos && end + 1 < text.size();) {
       const std::size_t next = std::min(text.find('\n', end + 1), text.size());

@@ -1,6 +1,6 @@
 #pragma once
-// Scenes by chance: a few small bases, of which keys of the table that the loader reads with are set to values of what
-// its schema allows. A key that joins the table is drawn without being told here.
+// Random scenes: small bases in which keys of the parameter table get values that the schema allows. New keys of the
+// table are drawn without changes here.
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -11,10 +11,10 @@
 
 namespace morula::chance {
 
-/// splitmix64 [Steele, Lea, Flood 2014], so that a seed names the same scene wherever this runs.
+/// splitmix64 [Steele, Lea, Flood 2014], so that a seed gives the same scene on every machine.
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : state_(seed) { state_ = bits(); }  // or seeds would be one stream, shifted
+  explicit Draw(std::uint64_t seed) : state_(seed) { state_ = bits(); }  // decorrelates seeds
   std::uint64_t bits() {
     std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -34,20 +34,21 @@ class Draw {
 
 struct Drawn {
   Json scenario;
-  std::set<std::string> keys;  // their paths, of those that were drawn and make sense in it
+  std::set<std::string> keys;  // paths of the drawn keys that the scenario kept
 };
 Drawn drawScene(std::uint64_t seed);
 
-/// As a file: the name by which messages call it, and a scenario that `morula run` takes.
+/// The name of the scenario's file in messages, and its text for `morula run`.
 inline const std::string sceneFile = "random.yaml";
 std::string sceneText(const Json& scenario);
-/// Throws InputError as readScenario does.
+/// Reads a scene. Throws InputError as readScenario does.
 Scenario readScene(const std::string& text);
 
-/// Sets a key by its path, or takes it away for null; what stands in the way in its section goes.
+/// Sets a key by its path, or removes it for null; keys of its section that exclude it are removed.
 void setKey(Json& scenario, const std::string& path, const Json& value);
 
-/// The smallest scenario found that still `fails`: without keys, then with shorter lists and rounder numbers.
+/// Returns the smallest scenario found that still `fails`: with fewer keys, then with shorter lists and rounder
+/// numbers.
 Json shrink(Json scenario, const std::function<bool(const Json&)>& fails);
 
 }  // namespace morula::chance

@@ -1,11 +1,11 @@
-// A scene that goes on for as long as is asked, in one piece and in pieces: 64 cells, of which at every cycle half
-// divide and half die, that grow, stick, and hold each other for a while.
+// A scene that goes on for any time, in one piece and in pieces. It has 64 cells that grow, stick, and connect for a
+// while; in every cycle half of them divide and half die.
 //
 //   soak STEPS PIECES
 //
-// Held against: the hash at the end of each piece, of a world that goes on from a checkpoint in a new world; the
-// memory that the process takes after a tenth of the steps; and energy: what is missing after a while without events
-// is what drag, damping and friction took, and the whole does not creep up.
+// Checks: the hash at the end of each piece, in a new world that goes on from a checkpoint; the growth of memory after
+// a tenth of the steps; and energy. In intervals without events the lost energy must be that of drag, damping and
+// friction, and the total must not creep up.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,8 +24,8 @@ using namespace morula;
 
 namespace {
 
-// Six rounds make 64 cells. From then on a daughter A divides at her cycle and a daughter B dies at hers; p and q have
-// cycles of different lengths, so that the events of one fall into the rest of the other.
+// Six rounds make 64 cells. From then on a daughter A divides at her cycle and a daughter B dies at hers. p and q have
+// different cycle lengths, so that one has events while the other rests.
 const char* const scene = R"(morula: 1
 name: soak
 seed: 1
@@ -63,10 +63,10 @@ physics:
 connections: {release-age: 1.2}
 )";
 
-constexpr double maxMissing = 1e-3;  // [1] of the energy, in a while without events
-constexpr double maxCreep = 1.25;    // [1] the mean energy in any tenth, over that in the first one with all cells
-constexpr double maxMemory = 16e6;   // [byte] more than after a tenth: what is kept of 8000 divisions, and more
-constexpr int watched = 128;         // [steps] a while
+constexpr double maxMissing = 1e-3;  // [1] of the energy, in an interval without events
+constexpr double maxCreep = 1.25;    // [1] mean energy of any tenth over that of the first tenth with all cells
+constexpr double maxMemory = 16e6;   // [byte] growth after the first tenth: records of 8000 divisions, and more
+constexpr int watched = 128;         // [steps] length of an interval
 
 double memoryTaken() {
   std::ifstream file("/proc/self/statm");
@@ -75,7 +75,7 @@ double memoryTaken() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// What nothing has happened to while it stays the same.
+/// The numbers that change with every event; equal objects have no event between them.
 struct Quiet {
   std::size_t lives = 0, ties = 0;
   double sizes = 0, released = 0;
@@ -87,10 +87,10 @@ struct Quiet {
 };
 
 struct Balance {
-  double worst = 0;  // [1]
+  double worst = 0;  // [1] largest error of the balance
   int whiles = 0;
 
-  /// Makes `watched` steps.
+  /// Makes `watched` steps and checks their energy balance if there was no event.
   void watch(World& world) {
     const Quiet before(world);
     const double begin = measureEnergy(world).total();
@@ -121,10 +121,10 @@ int soak(std::uint64_t steps, std::uint64_t pieces) {
   const Scenario scenario = readScenario(scene, "soak.yaml", "");
   const Execution execution{.isa = bestIsa(), .threads = 1};
   World world = makeWorld(scenario.scene, execution);
-  const std::uint64_t tenth = steps / 10, all = 7000;  // by then there are 64 cells
+  const std::uint64_t tenth = steps / 10, all = 7000;  // steps after which there are 64 cells
   Balance balance;
   double memory = 0;
-  std::vector<std::pair<double, int>> energies(11);  // [tenth] sums, and of how many
+  std::vector<std::pair<double, int>> energies(11);  // [tenth] sums and their numbers of terms
   int least = 1000, most = 0;
   std::vector<Hash> hashes;
   for (std::uint64_t piece = 1; piece <= pieces; ++piece) {

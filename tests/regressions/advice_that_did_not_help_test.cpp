@@ -1,6 +1,5 @@
-// A cell that was inside out was always told to lower physics.time_step, which in 9 of 11 cases changed
-// nothing: contents were at rest with another volume than the mesh, or contact was too soft. What a failure
-// advises has been tried.
+// A cell inside out always led to the advice to lower physics.time_step, which in 9 of 11 cases changed nothing: the
+// contents' rest volume was not the mesh's, or contact was too soft. Now the advice has been tried.
 #include "catch.h"
 #include "launch.h"
 
@@ -27,7 +26,7 @@ TEST_CASE("contents at rest with a fortieth of the mesh's volume: the failure na
   CHECK(has(run.err, "physics.pressure.outside"));
   CHECK(has(run.err, "helps: use it"));
   CHECK(!has(run.err, "lower physics.time_step"));
-  // What it advises does help.
+  // The advice helps.
   const auto at = run.err.rfind("physics.pressure.outside ") + std::string("physics.pressure.outside ").size();
   const std::string value = run.err.substr(at, run.err.find(' ', at) - at);
   CHECK(runText(onlyCell("  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: " + value + "}\n")).code == 0);

@@ -1,6 +1,5 @@
-// When the last cells died while they touched, the list of contacts was still that of the step before: the sample of the
-// end read memory that was gone, and the program ended with signal 11. It is empty, and
-// the run done.
+// When the last cells died while they touched, the list of contacts was still that of the step before. The last sample
+// read freed memory, and the program ended with signal 11. Now the list is empty, and the run is done.
 #include "catch.h"
 #include "launch.h"
 

@@ -1,6 +1,6 @@
-// `review --accept` accepted another result than the one that waited and was looked at, without a word. In a copied
-// project `review` showed the other project's result, or deleted it. A picture of an earlier result stayed beside a new
-// one, and a page of an earlier check showed pictures of now. A golden's name and reason could hold control characters.
+// `review --accept` silently accepted another result than the one that waited and was shown. In a copied project
+// `review` showed or deleted the other project's result. A picture of an earlier result stayed with a new one, and a
+// page of an earlier check showed pictures of now. A golden's name and reason could hold control characters.
 #include "catch.h"
 #include "project.h"
 
@@ -8,7 +8,7 @@ using namespace morula::test;
 
 namespace {
 
-/// One cell that changes its shape a little.
+/// A scenario of one cell that changes its shape a little.
 std::string cellOf(int drag) {
   return "morula: 1\nname: cell\ndna: |\n  START: a0\n  g1(a1|a0)\nstop: {time: 0.125}\nphysics: {mesh: {icosphere: 1}, drag: " +
          std::to_string(drag) + "}\n";
@@ -29,7 +29,7 @@ TEST_CASE("only the result that waits is accepted") {
   project.write("scenarios/one.yaml", treeOf(2));
   REQUIRE(project.shell("$M check").code == 1);
   REQUIRE(project.shell("$M review").code == 1);
-  project.write("scenarios/one.yaml", treeOf(3));  // changed after it was looked at
+  project.write("scenarios/one.yaml", treeOf(3));  // changed after it was shown
   const std::string before = readWhole(project.folder / "golden/one.golden");
   const auto other = project.shell("$M review scenarios/one.yaml --accept --by me --why seen");
   CHECK(other.code == 1);
@@ -46,7 +46,7 @@ TEST_CASE("what waits belongs to its project, wherever that was moved, and is no
   project.write("a/scenarios/one.yaml", treeOf(2));
   REQUIRE(project.shell("$M check", "a").code == 1);
   REQUIRE(project.shell("cp -r a b").code == 0);
-  project.write("a/scenarios/one.yaml", treeOf(3));  // the other project goes on
+  project.write("a/scenarios/one.yaml", treeOf(3));  // the other project changes its scenario
   const auto copied = project.shell("$M review --quiet", "b");
   CHECK(copied.code == 1);
   CHECK_THAT(copied.out, ContainsSubstring("scenarios/one.yaml: ") && ContainsSubstring("stop.cycles: 1 → 2"));
@@ -65,7 +65,7 @@ TEST_CASE("pictures are of the result beside which they lie") {
   REQUIRE(project.shell("$M check --reports reports").code == 1);
   REQUIRE_FALSE(waiting(project, ".png").empty());
   CHECK_THAT(readWhole(project.folder / "reports/report.html"), !ContainsSubstring("There are no pictures"));
-  // The page of this check is made again when the scenario is another one.
+  // A page of a check whose scenario has changed since shows no pictures.
   project.write("scenarios/one.yaml", cellOf(3));
   REQUIRE(project.shell("$M report reports/report.json -o later.html --quiet").code == 0);
   CHECK_THAT(readWhole(project.folder / "later.html"), ContainsSubstring("There are no pictures: since this check"));

@@ -1,6 +1,5 @@
-// A round cell has no longest extent, so rounding chose where it was cut, and a table of errors showed 0.2
-// for every time step of another precision. accuracy says which cell is cut elsewhere, when, and how round it
-// was.
+// A round cell has no longest extent, so rounding chose its division plane, and a table of errors showed 0.2 for every
+// time step of another precision. Now accuracy says which cell is cut elsewhere, when, and how round it was.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -11,8 +10,8 @@ using Json = nlohmann::json;
 
 TEST_CASE("accuracy: where an ambiguous axis parts two runs, a remark says so") {
   const TemporaryFolder folder;
-  // A flattened egg swings through a round shape, and divides when it is round: with 42 vertices its longest
-  // extent is still x, and with 162, which swing a little faster, it is z already.
+  // A flattened egg swings through a round shape, and divides when it is round. With 42 vertices its longest extent is
+  // still x; with 162, which swing a little faster, it is already z.
   writeWhole(folder / "round.yaml",
              "morula: 1\nname: round\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\ncycle: {length: "
              "0.1267089844}\n"

@@ -1,7 +1,6 @@
-// A time step longer than a cell's cycle ran one cycle per step: `cycle: {length: 0.005}`, `stop: {cycles:
-// 5}` with bodies ended with 4 cells at time 0.03 instead of 32 at 0.025, and exit code 0. Time steps, cycles
-// and stops agree with the lineage-only run of the same scene, always: random DNA, random cycle lengths,
-// several integrators, automatic and given steps.
+// A time step longer than a cell's cycle ran one cycle per step: `cycle: {length: 0.005}`, `stop: {cycles: 5}` with
+// bodies ended with 4 cells at time 0.03 instead of 32 at 0.025, and exit code 0. Now runs with bodies agree with the
+// lineage of the same scene, for random DNA and cycle lengths, several integrators, automatic and given steps.
 #include <random>
 #include <set>
 
@@ -19,8 +18,8 @@ using Random = std::mt19937;
 
 int below(Random& random, int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); }
 
-/// Some cells divide, some die, states change; substances s0 … s5, each of which makes the next, so that no
-/// cell is ever without any.
+/// Returns random DNA: some cells divide, some die, states change. Each of the substances s0 … s5 makes the next, so
+/// that every cell always holds some.
 std::string randomDna(Random& random) {
   std::set<std::string> genes{"divide|s0"};
   for (int s = 0; s < 6; ++s) genes.insert("s" + std::to_string((s + 1) % 6) + "|s" + std::to_string(s));
@@ -54,7 +53,7 @@ Scene randomScene(Random& random) {
   if (stop == 1 || stop == 3) scene.stop.time = 0.2 + below(random, 100) * 0.01;
   scene.stop.cells = 2 + below(random, 12);  // keeps the test short
 
-  // Bodies that hardly move, so that steps are limited by cycles and stops, and are free to divide.
+  // Bodies hardly move, so that only cycles and stops limit steps, and are free to divide.
   PhysicsParameters& p = scene.mechanics->physics;
   p.cell = {1, 1e6, CellModel::sphere};
   p.drag = 0.01;
@@ -110,7 +109,7 @@ TEST_CASE("the lineage with bodies is the lineage without") {
       deaths += x.fate == Fate::died;
     }
     for (const TimeStepChange& t : world.timeSteps) CHECK(t.timeStep <= scene.cycle.length);
-    // The run ends at its stop: where the program chooses the steps exactly, otherwise within one step.
+    // The run ends at its stop: exactly if the program chooses the steps, else within one step.
     const auto end = plannedEnd(scene);
     if (end && !world.cells.path.empty() && world.cells.path.size() < *scene.stop.cells) {
       const double late = scene.mechanics->physics.timeStep.value_or(0);

@@ -1,6 +1,6 @@
-// Cells whose adhesion had crushed them into clumps of vertices, or that passed through themselves, were told as "sane
-// yes", or their run died with a cause that nobody had measured ("it cannot divide"). Each has a check of its own, and
-// a sentence with the cell, the number and the key to change.
+// Cells that adhesion had crushed into clumps of vertices, or that passed through themselves, were reported as "sane
+// yes", or their run failed with an unmeasured cause ("it cannot divide"). Now each fault has a check, and a sentence
+// with the cell, the number and the key to change.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The messages of the sanity checks that failed, by their names.
+/// Returns the messages of failed sanity checks, by the checks' names.
 std::map<std::string, std::string> failedOf(const std::string& scenario) {
   const Launched run =
       runText("morula: 1\nname: s\ndna: |\n  START: a0\n  g1(a0|a0)\n" + scenario, {"--json", "--no-pictures"});

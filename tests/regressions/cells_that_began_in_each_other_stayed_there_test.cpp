@@ -1,6 +1,6 @@
-// Cells that begin deeper in each other than contacts see were left there: no vertex felt the other cell, and the run
-// ended with exit 0, "sane yes". Cells a little less deep were refused by "it is pressed into cell A", which told only
-// one of the two.
+// Cells that begin deeper in each other than contacts reach stayed there: no vertex felt the other cell, and the run
+// ended with exit 0, "sane yes". Cells a little less deep failed with "it is pressed into cell A", which named only one
+// of the two.
 #include "catch.h"
 #include "launch.h"
 
@@ -19,7 +19,7 @@ bool contains(const std::string& text, const char* part) { return text.find(part
 }  // namespace
 
 TEST_CASE("cells that begin in each other are never sane, and where they are refused both are named") {
-  const double reach[] = {0, 0.45, 0.23, 0.12};  // how deep contacts see on these meshes
+  const double reach[] = {0, 0.45, 0.23, 0.12};  // reach of contacts on these meshes
   for (const int icosphere : {1, 2, 3})
     for (const double apart : {0.0, 0.2, 1.0, 1.5, 1.7, 1.8, 1.9, 2.0}) {
       const auto run = twoCells(apart, icosphere);

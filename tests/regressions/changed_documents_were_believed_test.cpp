@@ -1,6 +1,5 @@
-// A stored scenario could be edited: replay ran the edited one and said "the same bits", export packed it. A
-// run's documents are held to the hashes that they are stored under, and its id to what it follows from,
-// before anything is made of them.
+// An edited stored scenario was believed: replay ran it and said "the same bits", and export packed it. Now every
+// reader checks a run's documents against their hashes, and the run's id against its origin.
 #include <filesystem>
 
 #include "catch.h"

@@ -1,6 +1,6 @@
-// `check` was green over a family behind a symbolic link, scenarios that end in .yml, and an empty project; one
-// scenario that could not be read ended it before its reports were written, and those of an earlier check stayed,
-// green. A project whose scenarios all must stop ended with exit 6.
+// `check` was green over a family behind a symbolic link, scenarios that end in .yml, and an empty project. An
+// unreadable scenario ended it before its reports were written, and green reports of an earlier check stayed. A project
+// whose scenarios all must stop ended with exit 6.
 #include "catch.h"
 #include "project.h"
 
@@ -10,7 +10,7 @@ TEST_CASE("families behind links and scenarios that end in .yml are checked") {
   const Project project;
   project.write("elsewhere/one.yaml", treeOf(2));
   std::filesystem::create_directory_symlink("../elsewhere", project.folder / "scenarios/linked");
-  std::filesystem::create_directory_symlink("..", project.folder / "elsewhere/around");  // links may lead in circles
+  std::filesystem::create_directory_symlink("..", project.folder / "elsewhere/around");  // links may form circles
   project.write("scenarios/two.yml", treeOf(2));
   project.write("scenarios/family/three.YAML", treeOf(2));
   CHECK(project.shell("$M check").code == 1);
@@ -49,11 +49,11 @@ TEST_CASE("a scenario that cannot be read is a failed check, the others go on, a
       0);
   const auto green = project.shell("$M check --reports reports");
   CHECK(green.code == 0);
-  CHECK_THAT(green.err, ContainsSubstring("scenarios/f/claims.study.yaml"));  // is named: it is not run here
+  CHECK_THAT(green.err, ContainsSubstring("scenarios/f/claims.study.yaml"));  // named, and not run here
   project.write("reports/of-others.txt", "kept");
 
   project.write("scenarios/b.yaml", "morula: 1\nnam: b\n");
-  project.write("scenarios/c.yml", treeOf(2));  // whose golden would be that of c.yaml
+  project.write("scenarios/c.yml", treeOf(2));  // its golden would be that of c.yaml
   std::filesystem::create_symlink("nowhere.yaml", project.folder / "scenarios/d.yaml");
   const auto red = project.shell("$M check --reports reports");
   CHECK(red.code == 3);

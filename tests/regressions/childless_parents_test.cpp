@@ -1,6 +1,6 @@
-// A program inherits much from its caller. If SIGCHLD was ignored, no process of its own could be
-// waited for: a study and a film ended with "No child processes". Without /proc a study ended as a bug of ours: "stoi".
-// If the system gave no threads, drawing waited for those of OpenGL without end.
+// Programs inherit much from their callers. With SIGCHLD ignored, waiting for child processes failed: a study and a
+// film ended with "No child processes". Without /proc a study ended as a bug: "stoi". On systems that gave no threads,
+// drawing waited forever for OpenGL's threads.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ TEST_CASE("a study runs where its parent ignores the ends of others, and where t
              "morula-study: 1\nname: few\nbase: small.yaml\nseeds: 1\nmeasures: [cells]\n"
              "vary: {cycles: {two: {stop.cycles: 2}, three: {stop.cycles: 3}}}\n");
   Words places{"env --ignore-signal=CHLD "};
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which read the map of their own memory in /proc
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers read their memory map in /proc
   places.push_back("unshare -m sh -c 'mount -t tmpfs none /proc && exec \"$@\"' x ");
 #endif
   for (const std::string& as : places) {

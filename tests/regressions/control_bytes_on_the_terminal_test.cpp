@@ -1,6 +1,6 @@
-// Keys, names, --set, file names, OBJ lines, goldens and databases brought control bytes to the terminal, where they
-// could rewrite what stands there; bytes that are not UTF-8 in JSON ended as a bug, exit 70. All output passes one
-// function that shows such bytes instead of sending them; JSON stays JSON.
+// Keys, names, --set, file names, OBJ lines, goldens and databases sent control bytes to the terminal, where these
+// could rewrite text. Bytes that are not UTF-8 ended JSON output as a bug, exit 70. Now all output passes one function
+// that makes such bytes visible; JSON stays JSON.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +19,7 @@ const std::string escape = "\x1b]0;owned\x07",
                       "\xe2\x80\xae"
                       "abc",
                   noText = "\xff\xfe";
-// What the readers of YAML let pass, and what they refuse at once.
+// The first text passes readers of YAML, the second is refused at once.
 const Words hostile{"a" + c1 + direction + "\x7f", escape + "\r" + noText};
 
 void checkClean(const Launched& run) {

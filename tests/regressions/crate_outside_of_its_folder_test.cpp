@@ -1,5 +1,5 @@
-// export --ro-crate wrote where a stranger's database told it to: run_document.role or path could be absolute or climb
-// with `..`. Every file of a crate lies in its folder, under a safe name, and no two of them under one.
+// export --ro-crate wrote to places that a stranger's database named: run_document.role or path could be absolute or
+// climb with `..`. Now every file of a crate lies in its folder, under a safe and unique name.
 #include <filesystem>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A run in the folder `in`: its database.
+/// Makes a run in the folder `in` and returns its database.
 std::string storedIn(const TemporaryFolder& folder) {
   const auto database = folder / "in/run.db";
   writeWhole(folder / "small.yaml", smallScene);

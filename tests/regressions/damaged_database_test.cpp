@@ -1,6 +1,5 @@
-// A database with user_version -1 ended `run --db` by SIGSEGV; a status that is none or a hash of other digits ended
-// readers with exit 70, as bugs. Whatever a column of a stranger's file holds, every verb that reads it ends with an
-// answer or with a sentence.
+// A database with user_version -1 ended `run --db` by SIGSEGV; an unknown status or a hash with other digits ended
+// readers with exit 70, as bugs. Now every verb ends with an answer or with a sentence, whatever a column holds.
 #include <filesystem>
 
 #include "catch.h"
@@ -14,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A database of one run with all tables filled, whose tables no longer promise anything about what they hold.
+/// A database of one run with all tables filled, and without constraints on their values.
 struct Loose {
   Loose() {
     writeWhole(folder / "small.yaml", smallScene);
@@ -28,7 +27,7 @@ struct Loose {
       db.execute(std::string("UPDATE sqlite_schema SET sql = replace(sql, ") + promise + ")");
     db.execute("PRAGMA writable_schema = RESET");
   }
-  /// False if SQLite itself refuses the change.
+  /// Changes a copy of the database. Returns false if SQLite itself refuses the change.
   bool damage(const std::string& sql) {
     fs::copy_file(original, damaged, fs::copy_options::overwrite_existing);
     try {

@@ -1,6 +1,6 @@
-// Connections at their default strength, kept by both daughters of every division, pulled 32 cells in their
-// shell to two fifths of their volume, and the run failed after 100 s. No default crushes: the connections of
-// a cell share one strength.
+// Connections of default strength, kept by both daughters at every division, pulled 32 cells in their shell to two
+// fifths of their volume, and the run failed after 100 s. Now the connections of a cell share one strength, so that no
+// default crushes.
 #include <algorithm>
 
 #include "catch.h"
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// [1] Volume of all cells at the end over that at the start.
+/// [1] The volume of all cells at the end over that at the start.
 double keptVolume(const std::string& connections) {
   const std::string text =
       "morula: 1\nname: holding-on\ndna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(c|b)\n  g4(divide|b)\n"
@@ -35,7 +35,7 @@ TEST_CASE("default connections of 32 cells that all hold one another crush nothi
   const double with = keptVolume("connections: {on-division: both}\n");
   INFO("kept without connections " << without << ", with " << with);
   CHECK(with > 0.99 * without);
-  // What the default was: enough to see the difference.
+  // The former default shows the difference.
   CHECK(keptVolume("connections: {on-division: both, strength: 0.2}\n") < 0.96 * without);
 }
 
@@ -62,6 +62,6 @@ TEST_CASE("the pull on a cell whose connections share a strength is no larger wi
   };
   CHECK(norm(pulls(1)[1]) <= sharedStrength * (1 + 1e-9));
   const auto two = pulls(2);
-  CHECK(norm(two[0]) == Approx(sharedStrength / 2));  // the lesser of what the two ends have for it
+  CHECK(norm(two[0]) == Approx(sharedStrength / 2));  // the lesser of the shares of both ends
   CHECK(norm(two[0] + two[1] + two[2]) < 1e-12);
 }

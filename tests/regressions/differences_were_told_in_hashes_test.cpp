@@ -1,6 +1,6 @@
-// After one number of a scenario was changed, check and explain told hashes and ulps, never the key. Changed
-// keys with both values stand first, then the lineage, then how far cells moved and how volumes and pressures
-// changed. One changed key was as many failures as checks: it is one, and the others follow from it.
+// After a number of a scenario changed, check and explain reported hashes and ulps, never the key. Now changed keys
+// with both values come first, then the lineage, then how far cells moved and how volumes and pressures changed. A
+// changed key was one failure per check; now it is one, from which the others follow.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -16,7 +16,7 @@ const std::string comparedScene =
     "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  pressure: {constant: 155, outside: 43}\n  "
     "contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
 
-/// True if the words stand in this order.
+/// Returns true if the text has the words in this order.
 bool inOrder(const std::string& text, const Words& words) {
   std::size_t at = 0;
   for (const auto& word : words) {

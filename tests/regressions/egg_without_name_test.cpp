@@ -1,4 +1,4 @@
-// Messages called the egg "cell ''". One function names a cell for people: "the egg", or "cell AB".
+// Messages called the egg "cell ''". Now one function names cells for people: "the egg", or "cell AB".
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -28,7 +28,7 @@ TEST_CASE("a failure of the egg names the egg") {
   CHECK(run.err.find("''") == std::string::npos);
 }
 
-// A new message must not spell it out itself.
+// New messages must use this function.
 TEST_CASE("no source puts a cell's path between quotes") {
   int files = 0;
   for (const auto* folder : {"core", "runner"})

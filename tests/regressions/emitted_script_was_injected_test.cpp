@@ -1,5 +1,5 @@
-// The name of a study's folder stood unquoted in the script for Slurm: a line end in it began a command of its own, and
-// a blank, a quote or a '%' led elsewhere. Whatever its name, the script names this folder and runs nothing else.
+// The name of a study's folder was unquoted in the script for Slurm: a line end in it began another command, and a
+// blank, a quote or a '%' led elsewhere. Now the script names this folder and runs nothing else.
 #include <filesystem>
 
 #include "catch.h"
@@ -18,7 +18,7 @@ struct FolderWithStudy : TemporaryFolder {
   }
 };
 
-/// Runs a script in the folder, where `morula` and `parallel` only write down their arguments, one a line.
+/// Runs a script in the folder; there `morula` and `parallel` only write their arguments into a file, one a line.
 int run(const TemporaryFolder& folder, const std::string& shell, const std::string& script) {
   writeWhole(folder / "tool", "#!/bin/sh\nprintf '%s\\n' \"$@\" >>\"$TOLD\"\n");
   fs::permissions(folder / "tool", fs::perms::owner_all);

@@ -1,6 +1,6 @@
-// `physics.cell.radius=1e-300`, `record.every=1e-12` and `record.pictures=1e-300` never came to an end: loops
-// that doubled nothing or counted up in floating point. Numbers out of every sensible range are refused, and
-// the next multiple of an interval is found in constant time.
+// `physics.cell.radius=1e-300`, `record.every=1e-12` and `record.pictures=1e-300` ran forever, in loops that doubled
+// zero or counted up in floating point. Now numbers outside of sensible ranges are refused, and the next multiple of an
+// interval is found in constant time.
 #include <cmath>
 #include <limits>
 

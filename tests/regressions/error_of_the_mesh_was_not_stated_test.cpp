@@ -1,6 +1,5 @@
-// Errors that were stated were those of the time step alone: the reference was computed on the scenario's own
-// mesh, which itself was off by fifty times as much. `accuracy` states both, and what it says of the mesh is
-// what a run on a mesh two levels finer shows.
+// Stated errors were those of the time step alone: the reference ran on the scenario's mesh, whose error was fifty
+// times as large. Now `accuracy` states both errors; a run on a mesh two levels finer confirms that of the mesh.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-// scenarios/bullet/pressed-pair, one mesh coarser and for a shorter time.
+// The scenario is scenarios/bullet/pressed-pair, one mesh level coarser and for a shorter time.
 const std::string pair = R"(morula: 1
 name: pair
 dna: |
@@ -39,7 +38,7 @@ struct Cell {
   double x = 0, volume = 0, pressure = 0, contactArea = 0;
 };
 
-/// The first cell at the end.
+/// Returns the first cell at the end of a run.
 Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const std::string& timeStep) {
   const std::string file = folder / ("level" + level + ".db");
   succeeds({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db", file, "--out", folder.path(),
@@ -70,13 +69,13 @@ TEST_CASE("accuracy: the stated error of the mesh is what a mesh two levels fine
   const Json stated = mesh["levels"][0]["at_end"];
 
   const Cell coarse = cellAtEnd(folder, "1", "0.00390625"), fine = cellAtEnd(folder, "3", "0.0009765625");
-  // Of the centroid of what the cell encloses, which is a tenth as far off as that of its vertices.
+  // Positions are centroids of enclosed volumes, whose error is a tenth of that of the vertices' centroid.
   CHECK(stated["position"] < 0.2 * std::abs(coarse.x - fine.x));
   CHECK(stated["contact_area"] == Approx(std::abs(coarse.contactArea / fine.contactArea - 1)).epsilon(0.2));
   CHECK(stated["volume"] == Approx(std::abs(coarse.volume / fine.volume - 1)).epsilon(0.2));
   CHECK(stated["pressure"] == Approx(std::abs(coarse.pressure / fine.pressure - 1)).epsilon(0.2));
 
-  // The whole error holds both.
+  // The total error has both parts.
   const Json own = json["as_it_is"];
   CHECK(own["parts"]["mesh"] == mesh["error"]);
   CHECK(own["error"].get<double>() >= own["parts"]["time"].get<double>() + mesh["error"].get<double>());

@@ -1,5 +1,5 @@
-// A ball was exported as an icosphere of its volume, whose vertices stood 2.7 % out of it, and of the shell that held
-// it. They lie on the ball.
+// A ball was exported as an icosphere of its volume, whose vertices stood 2.7 % out of the ball and its shell. Now the
+// vertices lie on the ball.
 #include <cmath>
 #include <cstring>
 
@@ -23,6 +23,6 @@ TEST_CASE("the vertices of an exported ball lie on it, and within its shell") {
   for (int v = 0; v < 42; ++v) {
     float x[3];
     std::memcpy(x, &file[begin + v * stride], sizeof x);
-    CHECK(std::hypot(x[0], x[1], x[2]) == Approx(0.99).epsilon(1e-4));  // 16 bits, and single precision
+    CHECK(std::hypot(x[0], x[1], x[2]) == Approx(0.99).epsilon(1e-4));  // tolerance for 16 bits and single precision
   }
 }

@@ -1,5 +1,5 @@
-// A kill or a full disk left part of a folder that was exported under its final name, and the next call said "is there
-// already". A folder is there when it is whole, and what a killed export leaves is removed by the next.
+// A kill or a full disk left part of an exported folder under its final name, and the next call said "is there
+// already". Now only whole folders get their name, and the next export removes the remains of killed ones.
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -40,7 +40,7 @@ TEST_CASE("an export that cannot be finished leaves no folder") {
   const Exports e;
   for (const std::string kind : {"csv", "vtk", "ply", "gltf", "crate"}) {
     CAPTURE(kind);
-    // Files may not grow beyond a kilobyte: the first of them are written, a later one fails.
+    // Files may not grow beyond a kilobyte: the first files are written, a later one fails.
     std::string line = "ulimit -f 2; '" + programFile() + "'";
     for (const std::string& word : e.command(kind)) line += " '" + word + "'";
     CHECK(std::system((line + " >/dev/null 2>&1").c_str()) != 0);
@@ -67,7 +67,7 @@ TEST_CASE("an export that is killed at any moment leaves no folder or a whole on
     CHECK((left.empty() || left == whole));
   }
   fs::remove_all(e.folder / "out");
-  succeeds(e.command("csv"));  // which removes the drafts of exports that were killed
+  succeeds(e.command("csv"));  // this export removes the drafts of killed ones
   CHECK_FALSE(e.hasDrafts());
 }
 

@@ -1,5 +1,5 @@
-// A scenario with `check: {fails: ["."]}` and a golden passed whatever stopped it: the text fitted the name of its
-// file, and the golden was compared with nothing.
+// A scenario with `check: {fails: ["."]}` and a golden passed whatever stopped it: the pattern matched the name of its
+// file, and nothing was compared with the golden.
 #include "catch.h"
 #include "project.h"
 

@@ -1,5 +1,5 @@
-// Where files may not grow (ulimit -f) the first large write killed the program by SIGXFSZ. It ends with exit 6 and a
-// sentence, and the database keeps what it had.
+// With limited file sizes (ulimit -f) the first large write killed the program by SIGXFSZ. Now it ends with exit 6 and
+// a sentence, and the database keeps its contents.
 #include "catch.h"
 #include "hostile.h"
 #include "store/store.h"
@@ -15,7 +15,7 @@ TEST_CASE("a limit of file sizes is told, and costs no earlier run") {
   };
   REQUIRE(withSeed("1").code == 0);
   {
-    const Limit files(RLIMIT_FSIZE, 20'000);  // less than the database has, enough for messages
+    const Limit files(RLIMIT_FSIZE, 20'000);  // less than the database's size, enough for messages
     refuses(withSeed("2"), 6, "ulimit -f");
   }
   {

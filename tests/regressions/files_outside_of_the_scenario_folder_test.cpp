@@ -1,5 +1,5 @@
-// `dna: {file: /etc/shadow}` read any file that the user can read, and echoed its lines in messages; so did a mesh, and
-// a scenario stored in a database. A scenario reaches its own folder only, unless --allow-outside is given.
+// `dna: {file: /etc/shadow}` read any file that the user can read, and echoed its lines in messages. So did a mesh, and
+// a scenario stored in a database. Now scenarios read only their own folder, unless --allow-outside is given.
 #include <filesystem>
 
 #include "catch.h"

@@ -1,6 +1,6 @@
-// A library loaded before the program that had the processor flush denormal numbers to zero, or round upward,
-// changed results; the same run in an ordinary environment was then told as one whose input had changed. The
-// program sets rounding and denormals itself.
+// A preloaded library that made the processor flush denormal numbers to zero, or round upward, changed results. An
+// ordinary run of the same scene was then reported as having changed input. Now the program sets rounding and denormals
+// itself.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

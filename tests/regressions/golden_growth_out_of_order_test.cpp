@@ -1,5 +1,5 @@
-// The lines `growth` of a golden were read in whatever order they stood, and the chaos horizon was that of
-// the first. Lines that are out of order, twice or out of range are refused, with their place.
+// The lines `growth` of a golden were read in any order, and the chaos horizon was that of the first. Now lines that
+// are out of order, repeated or out of range are refused, with their place.
 #include "catch.h"
 #include "golden/golden.h"
 

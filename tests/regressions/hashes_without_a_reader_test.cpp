@@ -1,6 +1,6 @@
-// Two thirds of a study's disk was cell_hash, stored because the scenario has `check:` although --no-check
-// was said. Hashes of the states on the way are stored only of a run that is checked, who would read them is
-// told if they are not there, and `export --list` says of each table what it holds and why.
+// Two thirds of a study's disk was cell_hash, stored because the scenario has `check:` although --no-check was given.
+// Now only checked runs store hashes of intermediate states, commands that need missing hashes say so, and `export
+// --list` explains each table.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

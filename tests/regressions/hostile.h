@@ -1,6 +1,5 @@
 #pragma once
-// What several of these tests need: a scene that takes a moment, limits of the system, and what a terminal must never
-// be sent.
+// Helpers of several regression tests: quick scenes, limits of the system, and bytes that must never reach a terminal.
 #include <sys/resource.h>
 
 #include <string>
@@ -9,17 +8,17 @@
 
 namespace morula::test {
 
-/// Two divisions without bodies.
+/// A scene of two divisions without bodies.
 inline const std::string smallScene =
     "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(a1|a0)\n  g2(divide|a0)\n  g3(divide|a1)\n"
     "stop: {cycles: 3}\nrecord: {every: 1}\n";
 
-/// One cell with a body, drawn at the end and on the way.
+/// A scene of one cell with a body.
 inline const std::string smallBody =
     "morula: 1\nname: body\ndna: |\n  START: a0\n  g1(a1|a0)\nstop: {time: 0.03125}\n"
     "physics: {time_step: 0.0078125, mesh: {icosphere: 1}}\n";
 
-/// Programs started meanwhile have no more of it than so many bytes.
+/// Limits a resource of the programs that are started meanwhile.
 class Limit {
  public:
   Limit(decltype(RLIMIT_AS) of, rlim_t bytes) : of_(of) {
@@ -34,7 +33,7 @@ class Limit {
   rlimit before_{};
 };
 
-/// The first byte that a terminal would obey, as text; "" if there is none. Line ends and tabs are ours.
+/// Returns the first byte that a terminal would obey, as text; "" if there is none. Line ends and tabs are allowed.
 inline std::string harmfulByte(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);

@@ -1,5 +1,5 @@
-// `init --study` and `--base` put their texts into YAML as they came: keys were injected, and files were written that
-// Morula itself refused. What is written is valid and holds these texts, or is not written.
+// `init --study` and `--base` wrote their texts unquoted into YAML: they could inject keys, and Morula refused some of
+// the written files. Now a written file is valid and holds these texts.
 #include <filesystem>
 
 #include "catch.h"
@@ -23,6 +23,6 @@ TEST_CASE("a study that init writes is valid, or is not written") {
       std::filesystem::copy_file(folder / "organism.yaml", folder / base,
                                  std::filesystem::copy_options::overwrite_existing);
     const auto run = launch({"init", "--study", "s", "--base", base, folder / "s.study.yaml", "--force"});
-    if (run.code == 0) succeeds({"validate", folder / "s.study.yaml"});  // or refused, as a name with a line end may be
+    if (run.code == 0) succeeds({"validate", folder / "s.study.yaml"});  // a name with a line end may be refused
   }
 }

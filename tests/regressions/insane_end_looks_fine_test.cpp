@@ -1,6 +1,5 @@
-// Runs that ended with cells crushed to a thousandth, in one another or out of sight were told as "done",
-// exit 0. The end of every run with bodies is measured: one that is not sane says which cell and why, and
-// exits 1, whatever else is asked for.
+// Runs that ended with cells crushed to a thousandth, inside each other or out of sight were reported as "done", exit
+// 0. Now the end of every run with bodies is measured: a run that is not sane says which cell and why, and exits 1.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -13,8 +12,7 @@ namespace {
 
 const std::string dividing = "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n";
 
-/// Two cells that begin with their centres on each other: contacts hold surfaces apart that face each other, and know
-/// no inside.
+/// A scenario of two cells that begin with coinciding centres: contacts separate only surfaces that face each other.
 std::string overlapping(const std::string& check = "") {
   return "morula: 1\nname: overlapping\n" + dividing +
          "stop: {time: 0.5}\ncells: [{at: [-5e-10, 0, 0]}, {at: [5e-10, 0, 0]}]\n"
@@ -22,13 +20,13 @@ std::string overlapping(const std::string& check = "") {
          check;
 }
 
-/// Three cells, of which one is in another world.
+/// A scenario of three cells, one of them very far away.
 const std::string farAway =
     "morula: 1\nname: far\ndna: 'START: a'\nstop: {time: 0.1}\n"
     "physics: {mesh: {icosphere: 1}, contact: {}}\n"
     "cells:\n  - {at: [0, 0, 0]}\n  - {at: [2.5, 0, 0]}\n  - {at: [1e12, 0, 0]}\n";
 
-/// Contents that at rest hold a fifth of the mesh, and an integrator that gains energy.
+/// A scenario whose contents at rest hold a fifth of the mesh, with an integrator that gains energy.
 const std::string crushed =
     "morula: 1\nname: crushed\n" + dividing +
     "stop: {time: 2.9}\nphysics:\n  integrator: explicit-euler\n  drag: 0.2\n  mesh: {icosphere: 1}\n"

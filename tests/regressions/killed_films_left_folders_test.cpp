@@ -1,4 +1,4 @@
-// When a signal ended the drawing of a film, its temporary folder of pictures stayed beside it.
+// A signal that ended the drawing of a film left its temporary folder of pictures.
 #include <csignal>
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// With an ffmpeg that says that it is there and then takes long; what it draws does not matter.
+/// A film drawn with a fake ffmpeg that starts and then takes long.
 struct Film {
   TemporaryFolder folder;
   Film() {

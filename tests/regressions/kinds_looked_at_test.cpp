@@ -1,5 +1,5 @@
-// Verbs that look at a scenario or a run were only ever tried on ordinary cells. render, lineage and explain
-// are tried here on every kind of scenario that is shipped, cut short.
+// Verbs that show a scenario or a run were only tried on ordinary cells. This test tries render, lineage and explain on
+// every kind of shipped scenario, cut short.
 #include <filesystem>
 #include <regex>
 
@@ -13,8 +13,8 @@ namespace {
 
 struct Kind {
   std::string file;
-  std::string stop;   // instead of the scenario's
-  std::string cycle;  // the same; "": the scenario's
+  std::string stop;   // replaces the scenario's stop
+  std::string cycle;  // replaces the scenario's cycle; "" keeps it
 };
 
 const std::vector<Kind> kinds{{"thesis/elegans-1024", "{cycles: 3}", ""},  // a lineage only
@@ -28,7 +28,7 @@ const std::vector<Kind> kinds{{"thesis/elegans-1024", "{cycles: 3}", ""},  // a 
                               {"hard/single-precision", "{time: 0.03}", ""},
                               {"hard/sliver-rod", "{time: 0.03}", ""}};  // a mesh from a file
 
-/// The shipped scenario, shorter, in this folder.
+/// Writes the shipped scenario, cut short, into the folder and returns its file.
 std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
   const fs::path original = fs::absolute("scenarios/" + kind.file + ".yaml");
   std::string text = readWhole(original.string());
@@ -38,7 +38,7 @@ std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
   for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at)
     fs::copy_file(original.parent_path() / (*at)[1].str(), folder / fs::path((*at)[1].str()).filename().string());
   text = std::regex_replace(text, std::regex("file: [^ },\n]*/"), "file: ");
-  text = std::regex_replace(text, std::regex("\ncheck:.*(\n +.*)*"), "");  // what holds at the end of all
+  text = std::regex_replace(text, std::regex("\ncheck:.*(\n +.*)*"), "");  // checks apply to the full run
   text += "\ncheck: {}\n";  // explain reads the hashes that only checked runs keep
   const std::string file = folder / "kind.yaml";
   writeWhole(file, text);
@@ -68,7 +68,7 @@ TEST_CASE("render, lineage and explain do their work for every kind of scenario"
       }
     const auto run = launch({"run", file, "--out", folder / "out", "--no-pictures"}, {{"CI", ""}});
     CAPTURE(run.err, run.out);
-    CHECK((run.code == 0 || run.out.find("not sane at the end") != run.out.npos));  // cut short before it was at rest
+    CHECK((run.code == 0 || run.out.find("not sane at the end") != run.out.npos));  // cut short before it is at rest
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
       if (entry.path().extension() == ".db") {
         checkFine({"lineage", entry.path().string()});

@@ -1,5 +1,5 @@
-// The legend listed every colour of the scenario, also those of substances that no cell in the picture holds.
-// A picture must not change with a colour that is not in it, and must change with one that is.
+// The legend listed every colour of the scenario, even of substances that no cell in the picture holds. A picture must
+// depend on a colour if and only if the picture shows it.
 #include "catch.h"
 #include "launch.h"
 
@@ -24,13 +24,13 @@ std::string picture(const std::string& colours, const std::string& style) {
 TEST_CASE("a legend lists the colours in its picture and no others") {
   for (const std::string style : {"solid", "wireframe", "both", "lineage"}) {
     CAPTURE(style);
-    // c is gone after the first cycle; g4 needs what no cell ever holds.
+    // The substance c is gone after the first cycle; g4 needs a substance that no cell ever holds.
     const auto b = picture("{b: '#377eb8'}\n", style);
     CHECK(picture("{b: '#377eb8', c: '#e41a1c'}\n", style) == b);
     CHECK(picture("{b: '#377eb8', c*: '#e41a1c'}\n", style) == b);
     CHECK(picture("{b: '#377eb8', divide: '#e41a1c'}\n", style) !=
           picture("{b: '#377eb8'}\n", style == "lineage" ? style : "lineage"));
-    CHECK(picture("{'b*': '#377eb8'}\n", style) != b);  // its label stands there
+    CHECK(picture("{'b*': '#377eb8'}\n", style) != b);  // the legend shows its label
     CHECK(picture("{c: '#e41a1c'}\n", style) != b);
   }
 }

@@ -1,5 +1,5 @@
-// `export --license CC-BY` wrote {"@id": "CC-BY"}, which is no URI. SPDX identifiers become their address,
-// addresses stay, anything else is refused with what was probably meant.
+// `export --license CC-BY` wrote {"@id": "CC-BY"}, which is no URI. Now SPDX identifiers become their address,
+// addresses stay, and other texts are refused with a suggestion.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
-// `lineage --json` gave no end to cells that live: how long a leaf lived could not be told. It is the run's
-// end, with fate alive.
+// `lineage --json` gave no end for living cells, so the lifetime of a leaf was unknown. Now their end is the run's end,
+// with fate alive.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

@@ -1,6 +1,6 @@
-// Names of 10⁴ letters made a lineage picture take 18 s (the label was measured anew for each letter that it
-// lost), and nothing limited them. Names have at most 100 letters, refused with place and limit, and a
-// message never repeats a name of a million letters; labels take time by what fits, whatever their length.
+// Names of 10⁴ letters made a lineage picture take 18 s, because the label was measured again for each letter removed,
+// and nothing limited names. Now names have at most 100 letters; messages give place and limit, and never repeat a name
+// of a million letters. Labels take time by the letters that fit.
 #include "catch.h"
 #include "launch.h"
 
@@ -33,7 +33,7 @@ TEST_CASE("names of a million letters are refused with their place and the limit
                "6:6: dna: the gene's product of 1000000 letters; a name has at most 100");
   checkRefused(head + "dna: |\n  START: a\n  " + million + "(a|a)\n", "6:3: dna: a");
   checkRefused("morula: 1\nname: " + million + "\nstop: {cycles: 2}\n" + dna, "2:7: name: ");
-  // From 1025 letters on YAML itself takes them for no key.
+  // YAML itself reads no key of 1025 letters or more.
   const std::string thousand(1000, 'a');
   checkRefused(head + dna + thousand + ": 1\n", "7:1: a key of 1000 bytes; keys have at most 100");
   checkRefused(head + dna + "colours: {" + thousand + ": '#e41a1c'}\n", "7:11: colours: a key of 1000 bytes");

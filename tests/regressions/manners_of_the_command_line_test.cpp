@@ -1,4 +1,4 @@
-// Small untruths of the command line: what was asked for was not done, or was refused with the wrong words or code.
+// Small faults of the command line: requests were ignored, or refused with the wrong words or exit code.
 #include "catch.h"
 #include "launch.h"
 

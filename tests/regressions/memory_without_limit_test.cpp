@@ -1,7 +1,6 @@
-// DNA that divides for ever, many cells with fine meshes, and thousands of cells in one place took memory
-// until the system killed the program, or ended as a bug (exit code 70). What can be predicted is refused
-// (exit code 3), and a run that would take more than its limit ends as a numerical failure (exit code 4) that
-// is stored and says what to change.
+// DNA that divides forever, many cells with fine meshes, and thousands of cells in one place took memory until the
+// system killed the program, or ended as a bug (exit code 70). Now predictable cases are refused (exit code 3). A run
+// that exceeds its limit ends as a numerical failure (exit code 4), which is stored and says what to change.
 #include "catch.h"
 #include "launch.h"
 #include "stored.h"

@@ -1,5 +1,5 @@
-// Two scenario files of one name wrote into one folder, one after the other: the pictures of the one were replaced by
-// the other's. The second gets a folder of its own, with eight digits; a file that was only edited keeps its folder.
+// Two scenario files of one name wrote into one folder, and the second run replaced the pictures of the first. Now the
+// second file gets its own folder, with eight digits; a file that was only edited keeps its folder.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -26,6 +26,6 @@ TEST_CASE("scenarios of one name in two files have folders of their own") {
   CHECK(databaseOf("b.yaml") == b);
   writeWhole(folder / "a.yaml", text(4));
   CHECK(databaseOf("a.yaml") == a);
-  writeWhole(folder / "copy.yaml", text(4));  // the same results: there is nothing to lose
+  writeWhole(folder / "copy.yaml", text(4));  // equal results: nothing can be lost
   CHECK(databaseOf("copy.yaml") == a);
 }

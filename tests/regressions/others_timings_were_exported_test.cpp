@@ -1,4 +1,4 @@
-// A crate and a copy of one run of a study held the table `timing` of all tasks: hosts and commands of others.
+// Crates and copies of one run of a study held the table `timing` of all tasks, with hosts and commands of others.
 #include "catch.h"
 #include "launch.h"
 #include "stored.h"

@@ -1,5 +1,6 @@
-// render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. What a command
-// writes replaces files of its own kind only, whatever their names end in, and the message says what the other file is.
+// render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. Now commands
+// replace only files of the kind that they write, whatever the files' endings, and the message names the other file's
+// kind.
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -23,7 +24,7 @@ TEST_CASE("a picture does not replace a file of another kind") {
     refuses({"render", "--quiet", "--style", "lineage", "-o", file, scenario}, 6, "would replace");
     CHECK(readWhole(file) == before);
   }
-  // Drawings and papers of somebody else.
+  // The files are drawings and papers of somebody else.
   const std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n";
   writeWhole(folder / "mine.svg", svg);
   writeWhole(folder / "paper.pdf", "%PDF-1.5\n%\xd0\xd4\xc5\xd8\n");
@@ -33,7 +34,7 @@ TEST_CASE("a picture does not replace a file of another kind") {
     CHECK(launch({"lineage", "--quiet", "-o", file, scenario}).code == 6);
     CHECK(readWhole(file) == before);
   }
-  // By its ending it is no picture.
+  // The ending .txt is not one of pictures.
   writeWhole(folder / "letter.txt", "Dear all\n");
   CHECK(launch({"render", "--quiet", "--style", "lineage", "-o", folder / "letter.txt", scenario}).code == 2);
   CHECK(readWhole(folder / "letter.txt") == "Dear all\n");

@@ -1,6 +1,5 @@
-// A speed near the largest number that there is made an acceleration that is not a number, and the hash of that state
-// ended the run with exit code 70, before the next step would have found it. Such a run is refused or a numerical
-// failure.
+// A speed near the largest number made an acceleration that is not a number. The hash of that state ended the run with
+// exit code 70, before the next step would have found the error. Now such a run is refused or fails numerically.
 #include "catch.h"
 #include "launch.h"
 
@@ -15,6 +14,6 @@ TEST_CASE("a scene whose forces are not finite at its start is refused") {
   for (const std::string recorded : {"", "record: {every: 0.0625}\ncheck: {}\n"}) {
     const auto run = runText(scene + recorded, {"--quiet"});
     CAPTURE(recorded, run.out, run.err);
-    CHECK(run.code == 3);  // nothing has run yet: the scene is at fault
+    CHECK(run.code == 3);  // nothing has run yet: the scene is wrong
   }
 }

@@ -1,5 +1,5 @@
-// run removed the whole folder `sequence` of an earlier run, with files of the user's in it. It removes only pictures
-// that Morula itself wrote there and that the new run does not replace.
+// run removed the whole folder `sequence` of an earlier run, with the user's files in it. Now it removes only pictures
+// that Morula wrote and that the new run does not replace.
 #include <filesystem>
 
 #include "catch.h"
@@ -25,5 +25,5 @@ TEST_CASE("run: files of the user's in the sequence folder stay") {
   CHECK(std::filesystem::exists(sequence + "cover.png"));
   CHECK(readWhole(sequence + "0009.png") == foreign);
   CHECK(std::filesystem::exists(sequence + "0001.png"));
-  CHECK_FALSE(std::filesystem::exists(sequence + "0002.png"));  // of the longer sequence
+  CHECK_FALSE(std::filesystem::exists(sequence + "0002.png"));  // a picture of the longer sequence
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A project in a folder of its own, in which `morula` is called as people call it there.
+// A project in its own folder, in which tests call `morula` as users do.
 #include <cstdlib>
 #include <filesystem>
 
@@ -11,7 +11,7 @@ struct Project {
   TemporaryFolder folder;
   Project() { std::filesystem::create_directory(folder / "scenarios"); }
 
-  /// Runs a shell command in the folder, with M as the program. `in`: a folder below.
+  /// Runs a shell command in the folder `in` of the project, with the program as $M.
   Launched shell(const std::string& command, const std::string& in = ".") const {
     const std::string out = folder / "said.out", err = folder / "said.err";
     const int status = std::system(("cd '" + folder / in + "' && unset CI GITHUB_ACTIONS && M='" + programFile() +
@@ -26,7 +26,7 @@ struct Project {
   bool has(const std::string& name) const { return std::filesystem::exists(folder / name); }
 };
 
-/// A lineage of so many cycles.
+/// A scenario of a lineage of so many cycles.
 inline std::string treeOf(int cycles, const std::string& more = "") {
   return "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: " +
          std::to_string(cycles) + "}\n" + more;

@@ -1,6 +1,6 @@
-// accuracy --target printed a command that exited with 4 at the second division: nothing later than the
-// horizon of chaos had been computed, and lighter daughters bear only shorter time steps. What is printed has
-// been run to its end, and holds its error against a run in an eighth of its time steps.
+// accuracy --target printed a command that exited with 4 at the second division: it had computed nothing beyond the
+// horizon of chaos, and lighter daughters bear only shorter time steps. Now a printed command has been run to its end,
+// and meets its error against a run with an eighth of its time steps.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -16,7 +16,7 @@ const std::string crowd =
     "stop: {time: 1}\nphysics:\n  mesh: {icosphere: 1}\n  drag: 10\n  shell: {sphere: 1}\n"
     "  cell: {radius: 0.95}\n  contact: {}\n";
 
-/// What settings `accuracy` finds for the crowd, which lies in the folder from then on.
+/// Writes the crowd into the folder and returns the command that asks accuracy for settings.
 Words asked(const TemporaryFolder& folder) {
   writeWhole(folder / "crowd.yaml", crowd);
   return {"accuracy", folder / "crowd.yaml", "--only", "--integrator", "velocity-verlet", "--rounds", "1",
@@ -29,11 +29,11 @@ TEST_CASE("accuracy --target: the printed command runs to its end, and holds its
   const TemporaryFolder folder;
   const Words words = joined(asked(folder), {"--target", "3e-2", "--halvings", "2"});
   const Json json = jsonOf(words), target = json["target"];
-  CHECK(json["times"].back() < 1);  // chaos: what comes later was not compared
+  CHECK(json["times"].back() < 1);  // chaos: later times were not compared
   const Words command = target["run_to_the_end"]["command"];
   succeeds(joined(command, {"--no-check", "--no-pictures", "--quiet", "--out", folder.path()}));
   CHECK(target["run_to_the_end"]["error"] <= 3e-2);
-  // Steps that were long enough for fewer cells are not recommended, and it says so.
+  // Steps that were long enough only for fewer cells are not recommended, and accuracy says so.
   for (const Json& row : json["rows"])
     if (row["cpu_seconds"] < target["run_to_the_end"]["cpu_seconds"]) SUCCEED();
 

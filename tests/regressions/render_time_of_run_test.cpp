@@ -1,5 +1,4 @@
-// `render --time 99` of a run that ends at 10 drew the end and said nothing; `--time 0`, which is a sample,
-// was refused.
+// `render --time 99` of a run that ends at 10 silently drew the end; `--time 0`, which is a sample, was refused.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"

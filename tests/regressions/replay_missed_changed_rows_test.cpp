@@ -1,6 +1,6 @@
-// replay looked at hashes alone and said "the same bits" of a database whose samples were doubled or whose
-// cells were deleted. Every value that a run stores is compared with what the run gives now: table, row,
-// column and both values of the first difference, and how many rows differ.
+// replay compared only hashes and said "the same bits" of a database with doubled samples or deleted cells. Now it
+// compares every stored value with the repeated run's, and reports table, row, column and both values of the first
+// difference, and the number of rows that differ.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,5 @@
-// Two scenarios of one file name in different folders overwrote each other's results that wait for a review,
-// and their JUnit suites had one name; runs with --set shared one folder with the plain run. Each has a place
-// of its own.
+// Two scenarios of one file name in different folders overwrote each other's results that wait for a review, and their
+// JUnit suites had one name. Runs with --set shared a folder with the plain run. Now each has its own place.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,7 +21,7 @@ std::string sceneUntil(const std::string& time) {
 
 TEST_CASE("scenarios of one file name keep their waiting results and their JUnit suites apart") {
   const TemporaryFolder folder;
-  const std::string stem = fs::path(folder.path()).filename().string();  // a name that no other test has
+  const std::string stem = fs::path(folder.path()).filename().string();  // a unique name
   Words files;
   for (const char* inside : {"a", "b"}) {
     fs::create_directory(folder / inside);
@@ -41,7 +40,7 @@ TEST_CASE("scenarios of one file name keep their waiting results and their JUnit
   for (const char* inside : {"/a/", "/b/"})
     CHECK(occurrences(junit, std::string("<testsuite name=\"") + folder.path() + inside + stem + "\"") == 1);
   CHECK(launch({"review", files[0], "--reject", "--why", "a test"}).code == 0);
-  CHECK(waits(1));  // the other one still waits
+  CHECK(waits(1));  // the other result still waits
   CHECK(launch({"review", files[1], "--reject", "--why", "a test"}).code == 0);
 }
 
@@ -62,7 +61,7 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
   CHECK(all[1] == folder / "out/twin-7/run.db");
   CHECK_THAT(all[2], Catch::Matchers::StartsWith(folder / "out/twin-0-"));
   CHECK(dbOf({a, "--set", "stop.time=1"})[0] == all[2]);  // the same variant, the same folder
-  // Pictures lie in that folder, too, where the database lies elsewhere.
+  // Pictures lie in the variant's folder also if the database lies elsewhere.
   const auto dbElsewhere = [&](const std::string& file, const std::string& db) {
     const auto run = succeeds({"run", file, "--out", folder / "pictures", "--db", folder / db});
     return occurrences(run.out, folder / "pictures/twin-0/");

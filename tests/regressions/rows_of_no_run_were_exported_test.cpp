@@ -1,5 +1,5 @@
-// Rows that belong to no run, as a flipped bit makes them of a page's spare bytes, were exported among the others: each run's
-// rows matched its digest. Of a study's own tables no export checked the digests.
+// Rows that belong to no run, as a flipped bit in a page's spare bytes makes them, were exported: each run's rows
+// matched its digest. No export checked the digests of a study's own tables.
 #include "catch.h"
 #include "project.h"
 #include "stored.h"

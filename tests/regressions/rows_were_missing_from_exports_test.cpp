@@ -1,5 +1,5 @@
-// A database with a page of another table, or a lineage from which a cell was deleted, was exported and shown with rows
-// missing and exit 0; after check results were deleted, replay said "the same bits".
+// A database with a page of another table, or with a deleted cell, was exported and shown with rows missing and exit 0.
+// After check results were deleted, replay said "the same bits".
 #include <filesystem>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
-// Of four runs into one folder at once two failed on their pictures: one removed the sequence that another
-// was writing. All end well; they draw one after the other.
+// When four runs drew into one folder at once, two failed on their pictures: one removed the sequence that another was
+// writing. Now all end well and draw one after the other.
 #include <filesystem>
 #include <thread>
 

@@ -1,6 +1,6 @@
-// Without `record` nothing was sampled, although "only start and end" was documented; and an organism whose
-// cells had all died was stored as one without bodies. Every run has a sample of its start and of its end;
-// what was not measured is NULL, and what was measured is not.
+// Without `record` nothing was sampled, although "only start and end" was documented; an organism whose cells had all
+// died was stored as one without bodies. Now every run has a sample of its start and end; a value is NULL if and only
+// if it was not measured.
 #include "catch.h"
 #include "launch.h"
 #include "stored.h"
@@ -14,7 +14,6 @@ const char* const dies =
     "morula: 1\nname: dies\ndna: |\n  START: a0\n  g1(die|a0)\nstop: {cycles: 1}\n"
     "physics:\n  mesh: {icosphere: 1}\n  shell: {sphere: 1}\n  cell: {radius: 0.9}\n";
 
-/// A scenario without record.
 const char* const lives = "morula: 1\nname: lives\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 2}\n";
 
 struct RunWithoutRecord {

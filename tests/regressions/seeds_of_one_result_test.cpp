@@ -1,5 +1,5 @@
-// Ten seeds of a scenario without random parts are one result ten times, and nothing said so. `--seed` and
-// `--seeds` say it once on stderr, JSON has "seed_matters".
+// Ten seeds of a scenario without random parts give one result ten times, which nothing said. Now `--seed` and
+// `--seeds` say it once on stderr, and JSON has "seed_matters".
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Two seeds of it, cheaply.
+/// Runs two seeds of a quick scenario.
 Launched runSeeds(const Words& more) {
   const TemporaryFolder folder;
   const Words words{"run",         uniqueFour, "--seeds",       "1..2",  "--no-pictures",           "--out",

@@ -1,6 +1,6 @@
-// Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke
-// down in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused
-// with a sentence. Its checkpoint was thrown away, and with it all that had been computed.
+// A run short of memory was reported as a bug or broken hardware, for it differed from an earlier one. Drawing crashed
+// in OpenGL: exit 70 or a signal. The checkpoint, and with it all computed steps, was thrown away. Now an end for lack
+// of memory is compared with nothing, and drawing is refused with a sentence.
 #include "catch.h"
 #include "hostile.h"
 #include "store/store.h"
@@ -9,7 +9,7 @@ using namespace morula::test;
 
 namespace {
 
-/// Twelve divisions without bodies.
+/// A scenario of twelve divisions without bodies.
 const std::string tree =
     "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n";
 
@@ -48,7 +48,7 @@ TEST_CASE("a picture for which there is no memory is refused, and the run is kep
         {"run", folder / "body.yaml", "--quiet", "--no-check", "--out", folder.path(), "--db", folder / database});
     CAPTURE(limit, run.err);
     if (run.code == 0) return 0;
-    if (run.err.find("loading shared libraries") != std::string::npos) return 2;  // not ours: it never began
+    if (run.err.find("loading shared libraries") != std::string::npos) return 2;  // the program itself did not start
     CHECK(run.code == 4);
     CHECK_THAT(run.err, ContainsSubstring("memory"));
     if (run.err.find("to draw") != std::string::npos) {

@@ -1,7 +1,6 @@
-// `dye`, `grw`, `grow` without physics.growth, `make: by-gene` without a gene that makes `connect`, `START:
-// a` that nothing reads, and `g1(b|b)` were valid, and the organism silently did less than was meant. Each is
-// refused with its place; a name that may be meant as it stands is a warning, and one that is used is
-// nobody's slip.
+// These scenarios were valid, and the organism silently did less than was meant: `dye`, `grw`, `grow` without
+// physics.growth, `make: by-gene` without a gene that makes `connect`, `START: a` that nothing reads, and `g1(b|b)`.
+// Now each is refused with its place. A name that may be intended gives a warning, a name that is used none.
 #include <algorithm>
 
 #include "catch.h"
@@ -11,7 +10,7 @@ using namespace morula::test;
 
 namespace {
 
-/// validate, of a scenario with these genes (each line of its own) and this behind them.
+/// Runs validate on a scenario with these genes, each on a line, and this rest.
 Launched validated(const std::string& genes, const std::string& rest = "") {
   const TemporaryFolder folder;
   std::string text = "morula: 1\nname: s\nstop: {cycles: 2}\n" + rest + "dna: |\n";
@@ -78,7 +77,7 @@ TEST_CASE("growth needs physics.growth, and connecting needs connections by gene
   checkRefused(grows, "physics: {}\n", ":8:6: dna: 'grow' does nothing here: ");
   checkRefused("START: shrink, a\ng1(a|a)", "physics: {}\n", ":6:10: dna: 'shrink' does nothing here: ");
   checkFine(grows, "physics: {growth: {}}\n");
-  checkFine(grows);  // as a lineage a DNA may be asked that does more
+  checkFine(grows);  // DNA may ask for more than a lineage does
   checkRefused(connects, "physics: {contact: {}}\n", ":8:6: dna: 'connect' does nothing here: ");
   checkRefused(connects, "physics: {contact: {}}\nconnections: {}\n", "connections.make is at-division");
   checkFine(connects, "physics: {contact: {}}\nconnections: {make: by-gene}\n");
@@ -112,10 +111,10 @@ TEST_CASE("a gene whose input can never be present is refused, through any numbe
   checkRefused(a + "g1(b|c)\ng2(c|b)", "", "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
   checkFine(a + "g1(b|a, A)\ng2(divide|a)");
   checkFine(a + "g2(c|b)\ng1(b|a)");  // the order of genes does not matter
-  // A cell may begin with what START does not hold, and no gene produces.
+  // A cell may begin with substances that neither START nor a gene gives.
   checkFine(a + "g1(divide|b)", "physics: {}\ncells: [{at: [0, 0, 0], substances: [b]}]\n");
   checkFine(a + "g1(b|b)", "physics: {}\ncells: [{at: [0, 0, 0], substances: [b]}]\n");
-  // One cause, one message.
+  // One cause gives one message.
   const auto run = validated(a + "g1(b|b)\ng2(c|b)\ng3(d|c)");
   CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
 }

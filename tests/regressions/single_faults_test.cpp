@@ -1,7 +1,7 @@
-// Found by letting every operation fail, one after the other (tests/faults): drafts of killed runs stayed for ever, a
-// folder that could not be opened after it was made stayed and was made again and again, a folder exported into the
-// current one could be there by half, and memory that ended in a destructor of a library or in the first words of the
-// program ended in SIGABRT, in a database or a PNG in another exit code.
+// Letting every operation fail, one after the other (tests/faults), found these faults. Drafts of killed runs stayed
+// forever. A folder that could not be opened after it was made stayed and was made again and again. Half of an export
+// into the current folder could be left. Running out of memory in a library's destructor or at the program's start
+// ended in SIGABRT, in a database or a PNG with another exit code.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include "catch.h"
 #include "hostile.h"
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own library has to be loaded first
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers' libraries must be loaded first
 
 using namespace morula::test;
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ struct Place {
   Launched run(const std::string& fault) const {
     return with(fault, {"run", "--quiet", folder / "in/small.yaml", "--out", folder / "in"});
   }
-  /// `counted`: how many operations of the fault's kind there were.
+  /// Runs with a fault; then counted() returns the number of operations of the fault's kind.
   Launched with(const std::string& fault, const Words& words) const {
     writeWhole(folder / "count", std::string(8, '\0'));
     return launch(words, {{"LD_PRELOAD", MORULA_FAILING},
@@ -47,7 +47,7 @@ struct Place {
   }
 };
 
-/// What cairo and the C library do where memory fails them, and nobody can mend from outside.
+/// Returns true for a failure of cairo or the C library without memory, which the program cannot prevent.
 bool isOfALibrary(const std::string& said) {
   return said.find("longjmp causes uninitialized stack frame") != said.npos;
 }
@@ -83,7 +83,7 @@ TEST_CASE("an export whose folder cannot be opened or put in its place leaves no
     fs::remove_all(p.folder / "in/out");
   }
   CHECK(refused > 1);
-  // Into the folder that is the current one, file by file.
+  // Exports into the current folder, file by file.
   fs::create_directory(p.folder / "in/here");
   writeWhole(p.folder / "count", std::string(8, 0));
   const std::string line = "cd '" + p.folder / "in/here' && FAULT=rename:15:EIO FAULT_FOLDER='" + p.folder / "in" +
@@ -107,7 +107,7 @@ TEST_CASE("memory that ends anywhere ends in the exit code of memory, with a sen
     };
     for (int n = 1; n <= 5; ++n) fails(n);
     for (int n = 6; n <= all; n += std::max(1, all / 60)) fails(n);
-    for (int n = all - 20; n <= all; ++n) fails(n);  // where its picture becomes a file
+    for (int n = all - 20; n <= all; ++n) fails(n);  // writing the picture
   }
 }
 

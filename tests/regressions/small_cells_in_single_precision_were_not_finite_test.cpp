@@ -1,5 +1,6 @@
-// Lists are filled up with a vertex far away. Over the squared radius of small cells its squared distance is beyond
-// single precision, and nothing times infinity was no number: forces of all cells smaller than a fifth.
+// Lists are padded with a vertex far away. Divided by the squared radius of small cells, its squared distance
+// overflowed single precision, and zero times infinity is no number: forces of all cells smaller than a fifth were
+// wrong.
 #include "catch.h"
 #include "launch.h"
 

@@ -1,5 +1,5 @@
-// Scenarios state what their mesh costs. Two of them are held here against the same scene on icosphere 4,
-// with steps so short that they add little, at times at which `accuracy` compares meshes that are far apart.
+// Scenarios state the error of their mesh. This test compares two of them with the same scene on icosphere 4, with
+// steps too short to add errors, at times at which `accuracy` compares meshes.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ using namespace morula;
 
 namespace {
 
-/// The cells' surfaces, by path, at `time`.
+/// Returns the cells' surfaces, sorted by path, at `time`.
 std::vector<Mesh> surfacesAt(const std::string& file, const std::string& level, const std::string& timeStep,
                              double time) {
   const Scenario scenario = loadScenario(
@@ -27,7 +27,7 @@ std::vector<Mesh> surfacesAt(const std::string& file, const std::string& level, 
   return surfaces;
 }
 
-/// Of the enclosed volume: tetrahedra from the origin.
+/// Returns the centroid of the enclosed volume, from tetrahedra based at the origin.
 Point volumeCentroid(const Mesh& mesh) {
   Vector moment;
   double volume = 0;
@@ -40,8 +40,8 @@ Point volumeCentroid(const Mesh& mesh) {
   return moment / volume;
 }
 
-/// [length] From a point to the nearest of fifteen on each face, which lie a quarter of an edge apart: on
-/// icosphere 4 that is a hundredth of a radius.
+/// Returns the distance [length] of a point to the nearest of fifteen points on each face. These lie a quarter of an
+/// edge apart, on icosphere 4 a hundredth of a radius.
 double distance(const Point& p, const Mesh& mesh) {
   double least = INFINITY;
   for (const Face& f : mesh.faces) {
@@ -55,7 +55,7 @@ double distance(const Point& p, const Mesh& mesh) {
   return std::sqrt(least);
 }
 
-/// [radii of the egg; volumes over the finer's] The largest over cells of what errors are made of.
+/// Returns the largest error over cells: positions in radii of the egg, volumes relative to the finer mesh.
 double difference(const std::vector<Mesh>& coarse, const std::vector<Mesh>& fine, double radius) {
   REQUIRE(coarse.size() == fine.size());
   double largest = 0;
@@ -80,13 +80,13 @@ TEST_CASE(
     std::string timeStep, fineTimeStep;
     double within;
   };
-  // After a division finer meshes are hardly nearer: 0.017 is stated for 0.0218 at 1.109, when `accuracy` compares.
-  // Between its times of comparison, at 1.03, it is 0.035 (runner/measurements/accuracy/README.md).
+  // After a division finer meshes hardly converge: 0.017 is stated for 0.0218 at 1.109, a time at which `accuracy`
+  // compares. Between such times, at 1.03, the error is 0.035 (runner/measurements/accuracy/README.md).
   const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
                               Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
   const std::string root = MORULA_SOURCE_DIR;
   const std::string file = root + "/scenarios/" + scene.name + ".yaml";
-  double stated = 0;  // the largest of those that `difference` takes
+  double stated = 0;  // the largest of the errors that `difference` measures
   for (const GoldenItem& item : readGoldenFile(root + "/golden/" + scene.name + ".golden").stated)
     if (const auto* error = std::get_if<GoldenError>(&item);
         error && (error->quantity == "position" || error->quantity == "surface" || error->quantity == "volume"))

@@ -1,6 +1,6 @@
-// A study whose runs had failed, had ended insane, were missing or were made from another scenario was green: `study
-// run`, `status`, `check` and `compare` ended with 0 and without a word. Statistics of a study went into a golden whose
-// DNA had changed since. A crate of a study held one run of many.
+// A study whose runs had failed, were insane, were missing or belonged to another scenario was green: `study run`,
+// `status`, `check` and `compare` silently ended with 0. Statistics of a study went into a golden with older DNA. A
+// crate of a study held one run of many.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Two cells, far apart, deep in one another, or so fast that their squares overflow.
+/// Two cells: far apart, deep in one another, or so fast that their squared speeds overflow.
 const std::string fine = "cells: [{at: [-3, 0, 0]}, {at: [3, 0, 0]}]",
                   insane = "cells: [{at: [-0.05, 0, 0]}, {at: [0.05, 0, 0]}]",
                   failing = "cells: [{at: [-3, 0, 0], velocity: [1e+200, 0, 0]}, {at: [3, 0, 0]}]";
@@ -22,7 +22,7 @@ const std::string base =
     "physics: {mesh: {icosphere: 1}, time_step: 0.0078125}\nvariation: {start: 0.01}\n" +
     fine + "\n";
 
-/// With a claim that always holds: two balls of radius 1.
+/// Returns a study with a claim that always holds: the volume of two balls of radius 1.
 std::string studyOf(const std::string& levels, const std::string& more = "") {
   return "morula-study: 1\nname: two\nbase: two.yaml\nseeds: 1..3\nmeasures: [world.volume]\n" + more +
          "check: [{measure: world.volume, at: {start: fine}, mean: 8.4, within: 4}]\nvary:\n  start:\n    heavy: {physics.cell.mass: 2}\n" +
@@ -42,7 +42,7 @@ struct States : Project {
   }
 };
 
-/// Everything that judges a study says the same.
+/// Checks that every verb that judges a study says the same.
 void allSay(const States& project, int code, const std::string& state, const std::string& onThePage) {
   for (const std::string& command :
        {std::string("study run scenarios/two.study.yaml --out out"),

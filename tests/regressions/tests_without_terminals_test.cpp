@@ -1,5 +1,5 @@
-// Two tests of the terminal failed with "no terminal to be had" where a system has no pseudo-terminals. They
-// are skipped there, and say so.
+// Two tests of the terminal failed with "no terminal to be had" on systems without pseudo-terminals. Now they are
+// skipped there, with a message.
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/wait.h>
@@ -10,14 +10,14 @@
 
 using namespace morula::test;
 
-// In a process that sees no /dev: a user and mount namespace of its own, where the system allows one.
+// The test runs in a process without /dev: in its own user and mount namespace, if the system allows one.
 TEST_CASE("launchOnTerminal tells that there is no terminal, and throws nothing") {
   enum Outcome { told, notTold, notAllowed };
   const int child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
     if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0 && unshare(CLONE_NEWNS) != 0) _exit(notAllowed);
-    // Nothing of this may reach the mounts that others see.
+    // Mounts must not reach other processes.
     if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) _exit(notAllowed);
     if (mount("none", "/dev", "tmpfs", 0, nullptr) != 0) _exit(notAllowed);
     try {

@@ -1,5 +1,5 @@
-// A study that keeps pictures, under a limit of memory in which nothing can be drawn: the run for which a picture was
-// to be drawn was thrown away with it. It is kept, and what is said is the memory.
+// A study with pictures lost a run under a limit of memory in which nothing can be drawn. Now the run is kept, and the
+// message names memory.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
-// Cells that stick by what they hold stop to stick when they hold something else: the energy that parting them would
-// take is gone, and that looked like a gain of energy out of nothing, "not sane", exit 1.
+// Adhesion depends on the substances of cells. When these changed, the energy of parting the cells was gone, which
+// looked like a gain of energy from nothing: "not sane", exit 1.
 #include "catch.h"
 #include "launch.h"
 

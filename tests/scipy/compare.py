@@ -1,4 +1,4 @@
-"""Computes with SciPy and NumPy what statistics_numbers says, from the same numbers, and compares to 1e-9."""
+"""Computes the results of statistics_numbers with SciPy and NumPy, from the same numbers, and compares to 1e-9."""
 import json
 import math
 import sys
@@ -14,7 +14,7 @@ wrong = 0
 
 
 def same(what, mine, theirs):
-    """Relative to the value where it is large, and to 1 where it is small; p-values also relative to themselves."""
+    """Compares relative to large values, and absolutely for small ones; p-values also relative to themselves."""
     global compared, worst, wrong
     compared += 1
     error = abs(mine - theirs) / max(abs(theirs), 1e-3)
@@ -36,7 +36,7 @@ def tost(difference, error, df, margin):
 
 
 def exact(d):
-    """Of differences that repeat: over all choices of signs. 0 where none repeats."""
+    """The p-value over all choices of signs, and the smallest possible one; zeros if no difference repeats."""
     if len(np.unique(np.abs(d).round(12))) == len(d):
         return 0, 0
     zero = np.zeros(len(d))
@@ -84,7 +84,7 @@ def check_samples(number, case):
 
 
 def residual(y, columns):
-    """Sum of squares that a least-squares fit of these columns leaves."""
+    """The residual sum of squares of a least-squares fit of these columns."""
     x = np.column_stack(columns)
     fit, *_ = np.linalg.lstsq(x, y, rcond=None)
     return float(((y - x @ fit) ** 2).sum())
@@ -151,7 +151,7 @@ for value in ours["distributions"]:
     for what, mine, theirs in (("Student", value["above"], stats.t.sf(value["t"], value["df"])),
                                ("Fisher", value["f"], stats.f.sf(value["t"] ** 2, 3, value["df"]))):
         same(f"{what} {at}", mine, theirs)
-        if theirs > 1e-200:  # tails count by their ratio, too
+        if theirs > 1e-200:  # tails are compared by their ratio, too
             same(f"{what} {at}, relative", mine / theirs, 1.0)
 for share, student in ours["quantiles"]:
     same("Student quantile", student, stats.t.ppf(share, 9))

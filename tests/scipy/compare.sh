@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What runner/studies/statistics says of some numbers, and what SciPy says of the same numbers.
+# Compares results of runner/studies/statistics with those of SciPy for the same numbers.
 #
 #   compare.sh PROGRAM      (statistics_numbers)
 #
-# Exit codes: 0 the same to 1e-9, 1 not so, 77 there is no SciPy.
+# Exit codes: 0 equal to 1e-9, 1 different, 77 there is no SciPy.
 set -euo pipefail
 python=/usr/bin/python3
 if ! "$python" -c 'import scipy.stats' 2>/dev/null; then

@@ -1,4 +1,4 @@
-// Samples, and all that runner/studies/statistics says of them, as one JSON object for compare.py.
+// Prints samples, and all results of runner/studies/statistics for them, as one JSON object for compare.py.
 #include <cstdio>
 
 #include "base/random.h"

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# However a study is run, its merged database is the same, byte for byte after VACUUM INTO, but for the table `timing`.
+# Checks that every way to run a study gives the same merged database, byte for byte after VACUUM INTO, except the table
+# `timing`.
 #
-#   same_everywhere.sh MORULA WAY     jobs: one job and two; shards: five, on "machines" of their own, merged in shuffled order and
-#                                     twice; killed: kill -9 at twenty random moments; snakemake, parallel, slurm: by what
-#                                     `morula study emit` writes
+#   same_everywhere.sh MORULA WAY
+#     WAY   jobs: one job and two; shards: five on different "machines", merged twice in shuffled order; killed: kill -9
+#           at twenty random moments; snakemake, parallel, slurm: by the files of `morula study emit`
 #
-# Exit codes: 0 the same, 1 not so, 2 usage, 77 what it needs is not installed.
+# Exit codes: 0 equal, 1 different, 2 usage, 77 a program is not installed.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 if [ $# -ne 2 ]; then
@@ -42,7 +43,7 @@ needs sqlite3
 
 study() { "$MORULA" study "$@" --quiet; }
 
-# The database without times and machines, as VACUUM INTO leaves it.
+# Prints the database without times and machines, after VACUUM INTO.
 plain() { # FROM TO
   cp "$1" "$2.copy"
   rm -f "$2"
@@ -70,7 +71,7 @@ case $way in
   jobs)
     study run small.study.yaml --out two --jobs 2 >/dev/null
     same two
-    study merge whole >/dev/null # once more: nothing changes
+    study merge whole >/dev/null # a second merge changes nothing
     same whole
     ;;
   shards)
@@ -91,14 +92,14 @@ case $way in
       process=$!
       sleep "0.$(printf %03d $((RANDOM % 400 + 40)))"
       kill -9 $process 2>/dev/null || :
-      if wait $process 2>/dev/null; then # it was faster: take away some of what it has, so that there is something to do
+      if wait $process 2>/dev/null; then # it ended before the kill: some of its results are removed
         find killed/tasks -name '*[0-7].db' -delete
       else
         killed=$((killed + 1))
       fi
     done
     for file in killed/tasks/*.db; do
-      [ -e "$file" ] || continue # on a busy machine none has come to its end
+      [ -e "$file" ] || continue # on a busy machine no run has ended
       [ "$(sqlite3 "$file" 'PRAGMA integrity_check')" = ok ] || fail "$file is damaged"
     done
     study run small.study.yaml --out killed >/dev/null

@@ -1,14 +1,14 @@
 # shellcheck shell=bash
-# A Slurm of one node on loopback, with a configuration, keys, ports and logs of its own in a folder of its own; for tests.
+# Runs a Slurm of one node on loopback for tests, with its own configuration, keys, ports and logs in a folder.
 #
 #   . slurm.sh
-#   start_slurm FOLDER    starts munged, slurmctld and slurmd, and waits until the node takes jobs; then sbatch, squeue, … use it.
-#                         Returns 1, and says why, where that cannot be.
-#   stop_slurm            ends them, by their process ids; may be called in a trap.
+#   start_slurm FOLDER    starts munged, slurmctld and slurmd, and waits until the node takes jobs; then sbatch,
+#                         squeue, … use it. Returns 1 and prints the reason if that fails.
+#   stop_slurm            ends them by their process ids; may be called in a trap.
 
 slurm_processes=()
 
-free_port() { # a port on loopback that nothing listens on
+free_port() { # prints an unused port on loopback
   local port
   while :; do
     port=$((20000 + (RANDOM * 32768 + RANDOM) % 20000))

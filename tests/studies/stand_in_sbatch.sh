@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What sbatch does with a job array, where there is no Slurm: its jobs, one after the other, here.
+# Stands in for sbatch: runs the jobs of a job array here, one after the other.
 #
 #   stand_in_sbatch.sh SCRIPT
 #
-# Exit codes: 0 all jobs ended with 0, 1 one did not.
+# Exit codes: 0 all jobs succeeded, 1 a job failed.
 set -euo pipefail
 range=$(sed -n 's/^#SBATCH --array=//p' "$1")
 output=$(sed -n 's/^#SBATCH --output=//p' "$1")

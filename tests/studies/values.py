@@ -23,7 +23,7 @@ def main(file):
         if status == "missing":
             sys.exit(f"{file}: the run {task} is missing; go on with morula study run")
         if status == "failed":
-            print(f"{task},failed,{reason}")  # the reason as it is, commas and all, to the end of the line
+            print(f"{task},failed,{reason}")  # the unquoted reason is the rest of the line
             continue
         times = {}
         for time, measure, value in db.execute(

@@ -3,7 +3,7 @@ import { shownText, type Data, type Run } from "./data";
 import type { State } from "./state";
 import { drawn } from "./tools";
 
-const playSeconds = 8; // from start to end
+const playSeconds = 8; // duration of the whole run
 
 export class Clock {
   readonly slider = document.createElement("input");
@@ -13,7 +13,11 @@ export class Clock {
   private times: number[] = [];
   private playing = false;
 
-  constructor(parent: HTMLElement, private readonly data: Data, private readonly state: State) {
+  constructor(
+    parent: HTMLElement,
+    private readonly data: Data,
+    private readonly state: State,
+  ) {
     this.slider.type = "range";
     this.slider.id = "time";
     this.slider.min = "0";
@@ -26,7 +30,10 @@ export class Clock {
     slide.className = "slide";
     slide.append(this.slider, this.marks);
     parent.append(this.play, slide, this.output);
-    this.slider.addEventListener("input", () => { this.stop(); this.state.set({ time: Number(this.slider.value) }); });
+    this.slider.addEventListener("input", () => {
+      this.stop();
+      this.state.set({ time: Number(this.slider.value) });
+    });
     this.slider.addEventListener("keydown", (e) => {
       const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
       if (!by) return;
@@ -45,13 +52,17 @@ export class Clock {
   }
 
   setRuns(): void {
-    const runs = this.shown(), end = Math.max(...runs.map((run) => run.end)), times = new Set<number>([0, end]);
-    for (const run of runs) for (const time of run.hasBodies ? run.times : run.cells.flatMap((c) => [c.born, c.ended])) times.add(time);
+    const runs = this.shown(),
+      end = Math.max(...runs.map((run) => run.end)),
+      times = new Set<number>([0, end]);
+    for (const run of runs)
+      for (const time of run.hasBodies ? run.times : run.cells.flatMap((c) => [c.born, c.ended])) times.add(time);
     this.times = [...times].sort((a, b) => a - b);
     this.slider.max = String(end);
     const divisions = new Set(runs.flatMap((run) => run.cells.filter((c) => c.fate === "divided").map((c) => c.ended)));
     this.marks.replaceChildren();
-    for (const time of divisions) { // the slider's knob keeps half of its width from both ends
+    for (const time of divisions) {
+      // The slider's knob keeps half of its width from both ends.
       const x = (1000 * time) / (end || 1);
       this.marks.append(drawn("line", { x1: x, x2: x, y1: 0, y2: 9 }));
     }
@@ -59,32 +70,45 @@ export class Clock {
     this.marks.style.width = "calc(100% - 16px)";
   }
 
-  /** To a later or an earlier frame. */
+  /** Goes to a later or an earlier frame. */
   step(by: number): void {
-    const { time } = this.state.choice, slack = 1e-9 * (this.times[this.times.length - 1] || 1);
-    const at = by > 0 ? this.times.findIndex((t) => t > time + slack) : this.times.map((t) => t < time - slack).lastIndexOf(true);
-    const last = this.times.length - 1, from = at < 0 ? (by > 0 ? last : 0) : at;
+    const { time } = this.state.choice,
+      slack = 1e-9 * (this.times[this.times.length - 1] || 1);
+    const at =
+      by > 0
+        ? this.times.findIndex((t) => t > time + slack)
+        : this.times.map((t) => t < time - slack).lastIndexOf(true);
+    const last = this.times.length - 1,
+      from = at < 0 ? (by > 0 ? last : 0) : at;
     this.state.set({ time: this.times[Math.min(last, Math.max(0, from + by - Math.sign(by)))] });
   }
 
-  toggle(): void { if (this.playing) this.stop(); else this.start(); }
+  toggle(): void {
+    if (this.playing) this.stop();
+    else this.start();
+  }
 
   private start(): void {
     const end = this.times[this.times.length - 1];
     if (this.state.choice.time >= end * (1 - 1e-9)) this.state.set({ time: 0 });
     this.playing = true;
     this.showPlaying();
-    const from = this.state.choice.time, began = performance.now();
+    const from = this.state.choice.time,
+      began = performance.now();
     const go = (now: number) => {
       if (!this.playing) return;
       const time = from + ((now - began) / 1000 / playSeconds) * end;
       this.state.set({ time: Math.min(end, Math.max(from, time)) });
-      if (time >= end) this.stop(); else requestAnimationFrame(go);
+      if (time >= end) this.stop();
+      else requestAnimationFrame(go);
     };
     requestAnimationFrame(go);
   }
 
-  private stop(): void { this.playing = false; this.showPlaying(); }
+  private stop(): void {
+    this.playing = false;
+    this.showPlaying();
+  }
 
   private showPlaying(): void {
     this.play.textContent = this.playing ? "❚❚ Pause" : "▶ Play";
@@ -97,7 +121,8 @@ export class Clock {
       const at = Math.min(time, run.end);
       return run.cells.filter((c) => c.born <= at && (at < c.ended || (c.fate === "alive" && at <= c.ended))).length;
     });
-    const text = `time ${shownText(this.data, "time", time)}, ${living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | ")}`;
+    const counts = living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | "),
+      text = `time ${shownText(this.data, "time", time)}, ${counts}`;
     if (Number(this.slider.value) !== time) this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", text);
     this.output.textContent = text;

@@ -1,4 +1,4 @@
-// Which colour a cell has.
+// The colours of cells.
 import type { Data, Frame, Run } from "./data";
 
 export type Rgb = [number, number, number]; // 0 to 1, sRGB
@@ -8,7 +8,7 @@ export function rgbOf(hex: string): Rgb {
   return [((n >> 16) & 255) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255];
 }
 
-/** Of a quantity: the ends of the scale are the least and the greatest value in all frames that were looked at. */
+/** Colours by substances, generation, clone or a measure, whose scale spans its values in all frames. */
 export class Colouring {
   private readonly scale: Rgb[];
   private readonly series: Rgb[];
@@ -19,26 +19,33 @@ export class Colouring {
     this.series = data.series.map(rgbOf);
   }
 
-  /** What colours can mean in these runs. */
+  /** Returns the meanings that colours can have in these runs. */
   choices(): string[] {
     const measures = new Set<string>();
     for (const run of this.data.runs) run.measures.forEach((m) => measures.add(m));
     return ["substance", "generation", "clone", ...measures];
   }
 
-  /** Least and greatest value of a measure in all runs: at one time, or in all frames. */
+  /** Returns the least and greatest value of a measure in all runs, at one time or (null) in all frames. */
   range(measure: string, time: number | null): [number, number] {
-    const key = `${measure} ${time}`, known = this.ranges.get(key);
+    const key = `${measure} ${time}`,
+      known = this.ranges.get(key);
     if (known) return known;
     if (this.ranges.size > 1000) this.ranges.clear();
-    let low = Infinity, high = -Infinity;
+    let low = Infinity,
+      high = -Infinity;
     for (const run of this.data.runs) {
-      const m = run.measures.indexOf(measure), n = run.measures.length;
+      const m = run.measures.indexOf(measure),
+        n = run.measures.length;
       if (m < 0 || !run.hasBodies) continue;
       const one = time === null ? null : run.frameNumber(time);
       for (let k = one ?? 0; k <= (one ?? run.times.length - 1); ++k) {
         const values = run.valuesOf(k);
-        for (let i = m; i < values.length; i += n) if (Number.isFinite(values[i])) (low = Math.min(low, values[i])), (high = Math.max(high, values[i]));
+        for (let i = m; i < values.length; i += n)
+          if (Number.isFinite(values[i])) {
+            low = Math.min(low, values[i]);
+            high = Math.max(high, values[i]);
+          }
       }
     }
     const range: [number, number] = low <= high ? [low, high] : [0, 1];
@@ -47,11 +54,16 @@ export class Colouring {
   }
 
   at(share: number): Rgb {
-    const x = Math.min(1, Math.max(0, share)) * (this.scale.length - 1), i = Math.min(this.scale.length - 2, Math.floor(x)), f = x - i;
+    const x = Math.min(1, Math.max(0, share)) * (this.scale.length - 1),
+      i = Math.min(this.scale.length - 2, Math.floor(x)),
+      f = x - i;
     return [0, 1, 2].map((k) => this.scale[i][k] * (1 - f) + this.scale[i + 1][k] * f) as Rgb;
   }
 
-  private clone(path: string): Rgb { return rgbOf(this.data.clones[path.slice(0, 2)]); } // of the four cells after two divisions
+  /** Clones begin with the four cells after two divisions. */
+  private clone(path: string): Rgb {
+    return rgbOf(this.data.clones[path.slice(0, 2)]);
+  }
 
   ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];
@@ -60,12 +72,13 @@ export class Colouring {
     if (by === "clone") return this.clone(cell.path);
     const m = run.measures.indexOf(by);
     if (m < 0) return rgbOf(run.colours[frame.state[i]]);
-    const [low, high] = this.range(by, time), value = frame.values[i * run.measures.length + m];
+    const [low, high] = this.range(by, time),
+      value = frame.values[i * run.measures.length + m];
     if (!Number.isFinite(value)) return [0.74, 0.74, 0.74];
     return this.at(high > low ? (value - low) / (high - low) : 0.5);
   }
 
-  /** In the tree, where a cell is not one moment: by its last substances, and grey for measures. */
+  /** Returns a cell's colour in the tree: by its last substances, and grey for measures, which change with time. */
   ofLine(run: Run, path: string, state: number, by: string): string {
     const css = (c: Rgb) => `rgb(${c.map((x) => Math.round(255 * x)).join(",")})`;
     if (by === "generation") return css(this.series[path.length % this.series.length]);

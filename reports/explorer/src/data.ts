@@ -1,14 +1,14 @@
-// What the page holds for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write it.
+// The page's data for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write them.
 import { facesAcross } from "./occlusion";
 
 export type Fate = "alive" | "divided" | "died";
 
-/** One cell that ever was. Times in the scene's unit. */
+/** A cell that ever lived. Times are in the scene's unit. */
 export interface Cell {
-  path: string; // "" the egg, then A and B
-  name: string; // "" without
+  path: string; // "" for the egg, then A and B
+  name: string; // "" without a name
   born: number;
-  ended: number; // of those alive: the run's end
+  ended: number; // for living cells: the run's end
   fate: Fate;
   state: number;
   label: string;
@@ -18,7 +18,11 @@ export interface Cell {
 
 export type CellRow = [path: string, name: string, born: number, ended: number, fate: Fate, state: number];
 
-export interface Contact { a: number; b: number; area: number }
+export interface Contact {
+  a: number;
+  b: number;
+  area: number;
+}
 
 /** The living cells at one time; index i below is a cell of this frame. */
 export interface Frame {
@@ -31,31 +35,55 @@ export interface Frame {
   values: Float32Array; // [i * measures + m]
   contacts: Contact[];
   connections: [number, number][];
-  forces: Float32Array; // [3 (i * Run.netForces + k)] net force of each kind on each cell; NaN: not known
-  vertexForces: VertexForces | null; // of the last frame
+  forces: Float32Array; // [3 (i * Run.netForces + k)] net force of each kind on each cell; NaN: unknown
+  vertexForces: VertexForces | null; // only in the last frame
   positions: Float32Array; // xyz of all vertices, cell after cell
-  firstVertex: Uint32Array; // [i], and one more: the number of all
+  firstVertex: Uint32Array; // [i], and the number of all vertices at the end
 }
 
-/** With room for so many cells and measures of each. */
+/** Returns a frame with room for `count` cells and measures of each. */
 export function blankFrame(time: number, step: number, count: number, measures: number): Frame {
   return {
-    time, step, count, cell: new Uint32Array(count), mesh: new Uint32Array(count), state: new Uint32Array(count),
-    values: new Float32Array(count * measures), contacts: [], connections: [], forces: new Float32Array(0), vertexForces: null,
-    positions: new Float32Array(0), firstVertex: new Uint32Array(count + 1),
+    time,
+    step,
+    count,
+    cell: new Uint32Array(count),
+    mesh: new Uint32Array(count),
+    state: new Uint32Array(count),
+    values: new Float32Array(count * measures),
+    contacts: [],
+    connections: [],
+    forces: new Float32Array(0),
+    vertexForces: null,
+    positions: new Float32Array(0),
+    firstVertex: new Uint32Array(count + 1),
   };
 }
 
-interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
+interface FrameHead {
+  time: number;
+  step: number;
+  cells: number;
+  contacts: number;
+  connections: number;
+  offset: number;
+  vertexForces: number;
+}
 
 /** Forces on the vertices of each cell, as runner/publish/report_data/frames.h writes them. */
 export class VertexForces {
   private readonly steps: Float32Array; // [i * kinds + k]
-  private readonly first: Uint32Array; // likewise, where its numbers begin
+  private readonly first: Uint32Array; // [i * kinds + k] index of its first number
   private readonly numbers: Int8Array;
 
-  constructor(bytes: ArrayBuffer, at: number, private readonly kinds: number, firstVertex: Uint32Array) {
-    const cells = firstVertex.length - 1, n = cells * kinds;
+  constructor(
+    bytes: ArrayBuffer,
+    at: number,
+    private readonly kinds: number,
+    firstVertex: Uint32Array,
+  ) {
+    const cells = firstVertex.length - 1,
+      n = cells * kinds;
     this.steps = new Float32Array(bytes, at, n);
     this.first = new Uint32Array(n + 1);
     for (let k = 0; k < n; ++k) {
@@ -65,11 +93,14 @@ export class VertexForces {
     this.numbers = new Int8Array(bytes, at + 4 * n, this.first[n]);
   }
 
-  /** [kind][3 * vertex of the cell] of a cell of the frame; null where there are none. */
+  /** Returns the forces [kind][3 * vertex of the cell] on a cell of the frame; null for kinds without forces. */
   of(cell: number): (Float32Array | null)[] {
     return Array.from({ length: this.kinds }, (_, kind) => {
-      const k = cell * this.kinds + kind, step = this.steps[k];
-      return step > 0 ? Float32Array.from(this.numbers.subarray(this.first[k], this.first[k + 1]), (x) => step * x) : null;
+      const k = cell * this.kinds + kind,
+        step = this.steps[k];
+      return step > 0
+        ? Float32Array.from(this.numbers.subarray(this.first[k], this.first[k + 1]), (x) => step * x)
+        : null;
     });
   }
 }
@@ -84,17 +115,17 @@ export class Run {
   readonly colours: string[];
   readonly legend: [string, string][];
   readonly measures: string[];
-  readonly forces: string[]; // kinds that cells can have
-  readonly netForces: string[]; // and those of them that may add up to anything on a cell
+  readonly forces: string[]; // all kinds
+  readonly netForces: string[]; // kinds whose net force on a cell may differ from 0
   readonly meshes: Uint32Array[];
-  readonly across: Uint32Array[]; // of each mesh
+  readonly across: Uint32Array[]; // facesAcross of each mesh
   readonly vertexCounts: number[];
   readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   readonly radius: number;
   readonly times: number[];
   private readonly heads: FrameHead[] = [];
   private readonly bytes: ArrayBuffer;
-  private readonly kept = new Map<number, Frame>(); // decoded, the last few
+  private readonly kept = new Map<number, Frame>(); // the last few decoded frames
 
   constructor(json: any, bytes: ArrayBuffer) {
     this.title = json.title;
@@ -121,33 +152,49 @@ export class Run {
     this.times = this.heads.map((head) => head.time);
   }
 
-  /** All cells that ever were, in place of those known before. */
+  /** Replaces the cells that ever lived. */
   protected takeCells(rows: CellRow[]): void {
     this.cells.length = 0;
     this.byPath.clear();
     for (const [path, name, born, ended, fate, state] of rows) {
-      const cell: Cell = { path, name, born, ended, fate, state, label: name || path || "egg", mother: null, daughters: [] };
+      const cell: Cell = {
+        path,
+        name,
+        born,
+        ended,
+        fate,
+        state,
+        label: name || path || "egg",
+        mother: null,
+        daughters: [],
+      };
       this.cells.push(cell);
       this.byPath.set(path, cell);
     }
     for (const cell of this.cells) {
-      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
+      cell.mother = cell.path === "" ? null : (this.byPath.get(cell.path.slice(0, -1)) ?? null);
       cell.mother?.daughters.push(cell);
     }
     for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
   }
 
-  /** Whether any of its cells are ever connected. */
-  get connected(): boolean { return this.heads.some((head) => head.connections > 0); }
+  /** True if any cells of the run are ever connected. */
+  get connected(): boolean {
+    return this.heads.some((head) => head.connections > 0);
+  }
 
-  get hasBodies(): boolean { return this.heads.length > 0; }
+  get hasBodies(): boolean {
+    return this.heads.length > 0;
+  }
 
-  /** The last frame at that time or before; the first one if all are later. */
+  /** Returns the last frame at `time` or before; the first frame if all are later. */
   frameNumber(time: number): number {
-    let low = 0, high = this.times.length;
+    let low = 0,
+      high = this.times.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.times[middle] <= time * (1 + 1e-12)) low = middle + 1; else high = middle;
+      if (this.times[middle] <= time * (1 + 1e-12)) low = middle + 1;
+      else high = middle;
     }
     return Math.max(0, low - 1);
   }
@@ -161,16 +208,20 @@ export class Run {
     return frame;
   }
 
-  /** Of all cells of a frame, without its shapes: [i * measures + m]. */
+  /** Returns the values of a frame's cells, [i * measures + m], without decoding shapes. */
   valuesOf(number: number): Float32Array {
-    const head = this.heads[number], m = this.measures.length, words = 9 + m;
-    const reals = new Float32Array(this.bytes, head.offset, head.cells * words), values = new Float32Array(head.cells * m);
+    const head = this.heads[number],
+      m = this.measures.length,
+      words = 9 + m;
+    const reals = new Float32Array(this.bytes, head.offset, head.cells * words),
+      values = new Float32Array(head.cells * m);
     for (let i = 0; i < head.cells; ++i) values.set(reals.subarray(i * words + 9, (i + 1) * words), i * m);
     return values;
   }
 
   private decode(head: FrameHead): Frame {
-    const m = this.measures.length, words = 9 + m;
+    const m = this.measures.length,
+      words = 9 + m;
     const numbers = new Uint32Array(this.bytes, head.offset, head.cells * words);
     const reals = new Float32Array(this.bytes, head.offset, head.cells * words);
     const frame = blankFrame(head.time, head.step, head.cells, m);
@@ -183,20 +234,29 @@ export class Run {
       frame.firstVertex[i + 1] = frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]];
     }
     let place = head.offset + 4 * head.cells * words;
-    const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts), areas = new Float32Array(this.bytes, place, 3 * head.contacts);
-    for (let k = 0; k < head.contacts; ++k) frame.contacts.push({ a: pairs[3 * k], b: pairs[3 * k + 1], area: areas[3 * k + 2] });
+    const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts),
+      areas = new Float32Array(this.bytes, place, 3 * head.contacts);
+    for (let k = 0; k < head.contacts; ++k)
+      frame.contacts.push({ a: pairs[3 * k], b: pairs[3 * k + 1], area: areas[3 * k + 2] });
     place += 12 * head.contacts;
     const held = new Uint32Array(this.bytes, place, 2 * head.connections);
     for (let k = 0; k < head.connections; ++k) frame.connections.push([held[2 * k], held[2 * k + 1]]);
     place += 8 * head.connections;
     frame.forces = new Float32Array(this.bytes, place, 3 * this.netForces.length * head.cells);
     place += 4 * frame.forces.length;
-    if (head.vertexForces) frame.vertexForces = new VertexForces(this.bytes, head.offset + head.vertexForces, this.forces.length, frame.firstVertex);
+    if (head.vertexForces)
+      frame.vertexForces = new VertexForces(
+        this.bytes,
+        head.offset + head.vertexForces,
+        this.forces.length,
+        frame.firstVertex,
+      );
     const vertices = frame.firstVertex[head.cells];
     const grid = new Uint16Array(this.bytes, place, 3 * vertices);
     frame.positions = new Float32Array(3 * vertices);
     for (let i = 0; i < head.cells; ++i) {
-      const low = reals.subarray(i * words + 3, i * words + 6), step = reals.subarray(i * words + 6, i * words + 9);
+      const low = reals.subarray(i * words + 3, i * words + 6),
+        step = reals.subarray(i * words + 6, i * words + 9);
       for (let k = 3 * frame.firstVertex[i]; k < 3 * frame.firstVertex[i + 1]; k += 3)
         for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step[axis] * grid[k + axis];
     }
@@ -206,41 +266,50 @@ export class Run {
 
 export interface Data {
   runs: Run[];
-  units: Record<string, [string, number]>; // of measures, time, the scale bar and areas of contact: the unit that people see, and how many of it are one of the scene's
+  /** Shown units of measures, time, the scale bar and contact areas: [name, number of them in a unit of the scene]. */
+  units: Record<string, [string, number]>;
   scale: string[];
   series: string[];
-  clones: Record<string, string>; // by the path of the founder, and of what is above founders
+  clones: Record<string, string>; // by the path of the founder, or of a cell above founders
   forces: { name: string; colour: string; meaning: string }[]; // kinds
 }
 
 function bytesOf(text: string): ArrayBuffer {
-  const binary = atob(text), bytes = new Uint8Array(binary.length);
+  const binary = atob(text),
+    bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
   return bytes.buffer;
 }
 
 const format = 3; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
-/** Null where the page was made by a program of another format. */
+/** Returns the page's data; null if a program with another format made the page. */
 export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
   return {
-    units: json.units, scale: json.scale, series: json.series, clones: json.clones,
+    units: json.units,
+    scale: json.scale,
+    series: json.series,
+    clones: json.clones,
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
-    runs: json.runs.map((run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? ""))),
+    runs: json.runs.map(
+      (run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? "")),
+    ),
   };
 }
 
-export function isWithin(path: string, ancestor: string): boolean { return path.startsWith(ancestor); }
+export function isWithin(path: string, ancestor: string): boolean {
+  return path.startsWith(ancestor);
+}
 
-/** What people see of a measure's value, or of a time: "12.5 µm". */
+/** Returns a measure's value, or a time, with its unit: "12.5 µm". */
 export function shownText(data: Pick<Data, "units">, measure: string, value: number): string {
   const [unit, factor] = data.units[measure] ?? ["", 1];
   return numberText(factor * value) + (unit && Number.isFinite(value) ? ` ${unit}` : "");
 }
 
-/** Four digits are enough to look at. */
+/** Returns a number with four digits. */
 export function numberText(x: number): string {
   if (!Number.isFinite(x)) return "not measured";
   return Number.isInteger(x) && Math.abs(x) < 1e6 ? String(x) : Number(x.toPrecision(4)).toString();

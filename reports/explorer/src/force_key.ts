@@ -1,4 +1,4 @@
-// The key of the arrows of forces: which kinds are shown, in which colours, on which scale, and what an arrow is.
+// The key of force arrows: the kinds shown, their colours, the scale, and the meaning of an arrow.
 import { Vector3 } from "three";
 import { rgbOf } from "./colours";
 import { numberText, type Data } from "./data";
@@ -7,7 +7,7 @@ import type { State } from "./state";
 import { element } from "./tools";
 import type { View } from "./view";
 
-const keyLength = 70; // [pixel] of the key's arrow at most
+const keyLength = 70; // [pixel] max length of the key's arrow
 
 export class ForceKey {
   readonly box = element("div", "bar forces");
@@ -18,11 +18,17 @@ export class ForceKey {
   private readonly text = element("span", "note");
   private perForce = 1; // [length/force]
 
-  constructor(private readonly data: Data, private readonly state: State) {
+  constructor(
+    private readonly data: Data,
+    private readonly state: State,
+  ) {
     this.box.setAttribute("role", "group");
     this.box.setAttribute("aria-label", "Arrows of forces");
     for (const { name, meaning } of kindsOf(data)) {
-      const label = element("label", "chip"), box = element("input"), swatch = element("i"), none = element("span", "note");
+      const label = element("label", "chip"),
+        box = element("input"),
+        swatch = element("i"),
+        none = element("span", "note");
       box.type = "checkbox";
       box.name = `force-${name}`;
       box.addEventListener("change", () => this.choose(name, box.checked));
@@ -41,16 +47,18 @@ export class ForceKey {
     this.state.set({ kinds: names.length === this.chips.size ? "all" : names.join(",") });
   }
 
-  /** Colours that are seen on the page's paper, light or dark: black is not on black. */
+  /** Chooses colours that are visible on the page's paper, light or dark. */
   takePaper(): void {
-    const isDark = Math.max(...rgbOf(getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() || "#ffffff")) < 0.5;
+    const isDark =
+      Math.max(...rgbOf(getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() || "#ffffff")) <
+      0.5;
     for (const { name, colour } of kindsOf(this.data)) {
       this.colours.set(name, isDark && Math.max(...rgbOf(colour)) < 0.25 ? "#e8e8e4" : colour);
       this.chips.get(name)!.swatch.style.background = this.colours.get(name)!;
     }
   }
 
-  /** The arrows of all views, on one scale: the longest force of this time is as long as there is room for. */
+  /** Updates the arrows of all views, on one scale: the longest force of this time fills the room. */
   update(views: View[]): void {
     const { choice } = this.state;
     this.box.hidden = !choice.forces || views.length === 0;
@@ -60,7 +68,9 @@ export class ForceKey {
       return;
     }
     const all = views.map((view) => new ForcesOfRun(view.run, choice, this.colours, view.size, view.centres));
-    const longest = Math.max(...all.map((of) => of.longest)), room = Math.min(...all.map((of) => of.room)), seen = new Set<string>();
+    const longest = Math.max(...all.map((of) => of.longest)),
+      room = Math.min(...all.map((of) => of.room)),
+      seen = new Set<string>();
     this.perForce = longest > 0 ? room / longest : 0;
     views.forEach((view, i) => {
       const arrows = this.perForce > 0 ? all[i].arrows(this.perForce, (at) => view.isThere(new Vector3(...at))) : [];
@@ -68,8 +78,12 @@ export class ForceKey {
       view.arrows.show(arrows, (all[i].ofVertices ? 0.06 : 0.035) * room);
       view.draw();
     });
-    for (const [name, { none }] of this.chips) none.textContent = isWished(choice, name) && !seen.has(name) ? "– none" : "";
-    this.text.textContent = this.meaning(views, all.some((of) => of.ofVertices));
+    for (const [name, { none }] of this.chips)
+      none.textContent = isWished(choice, name) && !seen.has(name) ? "– none" : "";
+    this.text.textContent = this.meaning(
+      views,
+      all.some((of) => of.ofVertices),
+    );
     this.measure(views[0]);
   }
 
@@ -80,15 +94,22 @@ export class ForceKey {
       const view = views.find((v) => cellWithVertexForces(v.run, choice) >= 0)!;
       return `Arrows: the forces on each vertex of ${view.run.byPath.get(choice.selected!)!.label}.`;
     }
-    return "Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up to none; at the last time a selected cell shows them on its vertices.";
+    return (
+      "Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up " +
+      "to none; at the last time a selected cell shows them on its vertices."
+    );
   }
 
-  /** The key's arrow, as long as that force is in this view. */
+  /** Draws the key's arrow in the scale of this view. */
   measure(view: View | undefined): void {
     if (this.box.hidden || !view) return;
-    const perPixel = view.eye.lengthPerPixel() / (this.perForce || 1), most = keyLength * perPixel; // [force]
-    const power = 10 ** Math.floor(Math.log10(most)), force = [5, 2, 1].map((x) => x * power).find((x) => x <= most) ?? power;
-    const shown = this.perForce > 0 && Number.isFinite(force), text = shown ? `${numberText(force)} [force]` : "", width = shown ? `${(force / perPixel).toFixed(1)}px` : "0";
+    const perPixel = view.eye.lengthPerPixel() / (this.perForce || 1),
+      most = keyLength * perPixel; // [force]
+    const power = 10 ** Math.floor(Math.log10(most)),
+      force = [5, 2, 1].map((x) => x * power).find((x) => x <= most) ?? power;
+    const shown = this.perForce > 0 && Number.isFinite(force),
+      text = shown ? `${numberText(force)} [force]` : "",
+      width = shown ? `${(force / perPixel).toFixed(1)}px` : "0";
     if (this.amount.textContent !== text) this.amount.textContent = text;
     if (this.key.style.width !== width) this.key.style.width = width;
     this.key.hidden = !shown;

@@ -1,19 +1,26 @@
-// Points of lines, two for each: edges, shells, normals.
+// Lines for edges, shells and normals, with two points for each.
 import type { Run } from "./data";
 
-/** The vertices at both ends of each edge. */
+/** Returns the vertices at both ends of each edge. */
 export function edgesOf(faces: Uint32Array): Uint32Array {
   const pairs: number[] = [];
   for (let k = 0; k < faces.length; k += 3)
-    for (const [a, b] of [[faces[k], faces[k + 1]], [faces[k + 1], faces[k + 2]], [faces[k + 2], faces[k]]]) if (a < b) pairs.push(a, b);
+    for (const [a, b] of [
+      [faces[k], faces[k + 1]],
+      [faces[k + 1], faces[k + 2]],
+      [faces[k + 2], faces[k]],
+    ])
+      if (a < b) pairs.push(a, b);
   return Uint32Array.from(pairs);
 }
 
-/** The ellipses in which a shell meets the planes of its axes. */
+/** Returns the ellipses in which a shell meets the planes of its axes. */
 function ellipses([a, b, c]: number[]): number[] {
-  const points: number[] = [], n = 96;
+  const points: number[] = [],
+    n = 96;
   const at = (k: number, axis: number): number[] => {
-    const x = Math.cos((2 * Math.PI * k) / n), y = Math.sin((2 * Math.PI * k) / n);
+    const x = Math.cos((2 * Math.PI * k) / n),
+      y = Math.sin((2 * Math.PI * k) / n);
     return axis === 0 ? [0, b * x, c * y] : axis === 1 ? [a * x, 0, c * y] : [a * x, b * y, 0];
   };
   for (let axis = 0; axis < 3; ++axis) for (let k = 0; k < n; ++k) points.push(...at(k, axis), ...at(k + 1, axis));

@@ -1,4 +1,4 @@
-// What is drawn beside the surfaces: edges, outlines of chosen cells, normals, connections, the shell.
+// Lines beside the surfaces: edges, outlines of chosen cells, normals, connections, the shell.
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Color, type Plane } from "three";
 import type { Run } from "./data";
 import { edgesOf, normalLines, shellLines } from "./lines";
@@ -6,7 +6,10 @@ import type { Choice } from "./state";
 import type { Surface } from "./surface";
 
 function lines(colour: number, opacity: number): LineSegments<BufferGeometry, LineBasicMaterial> {
-  const made = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: colour, opacity, transparent: true }));
+  const made = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ color: colour, opacity, transparent: true }),
+  );
   made.frustumCulled = false;
   return made;
 }
@@ -26,16 +29,20 @@ export class Marks {
   private readonly edges: Uint32Array[]; // of the run's meshes
   private frame: Surface["frame"] | null = null;
 
-  constructor(private readonly run: Run, private readonly surface: Surface) {
+  constructor(
+    private readonly run: Run,
+    private readonly surface: Surface,
+  ) {
     this.object.add(this.wires, this.outline, this.normals, this.held, this.shell);
     this.edges = run.meshes.map(edgesOf);
-    this.held.material.depthTest = false; // they run inside of cells
+    this.held.material.depthTest = false; // connections run inside of cells
     replacePoints(this.shell, Float32Array.from(shellLines(run.shell)));
   }
 
-  /** Of the cells at these places in the frame. */
+  /** Returns the edges of the cells at these places in the frame. */
   private edgesOfCells(cells: Iterable<number>): Uint32Array {
-    const { frame } = this.surface, ends: number[] = [];
+    const { frame } = this.surface,
+      ends: number[] = [];
     for (const i of cells) for (const v of this.edges[frame.mesh[i]]) ends.push(v + frame.firstVertex[i]);
     return Uint32Array.from(ends);
   }
@@ -51,10 +58,14 @@ export class Marks {
     for (const of of [this.normals, this.held]) replacePoints(of, new Float32Array(0));
   }
 
-  private takeWires(): void { this.wires.geometry.setIndex(new BufferAttribute(this.edgesOfCells(this.surface.frame.cell.keys()), 1)); }
+  private takeWires(): void {
+    this.wires.geometry.setIndex(new BufferAttribute(this.edgesOfCells(this.surface.frame.cell.keys()), 1));
+  }
 
   update(choice: Choice): void {
-    const { surface } = this, { frame } = surface, isNew = frame !== this.frame;
+    const { surface } = this,
+      { frame } = surface,
+      isNew = frame !== this.frame;
     this.wires.visible = choice.wireframe;
     if (isNew) this.takeShape();
     else if (choice.wireframe && !this.wires.geometry.index) this.takeWires();
@@ -63,11 +74,15 @@ export class Marks {
     this.shell.visible = choice.shell;
     this.normals.visible = choice.normals;
     if (choice.normals && this.normals.geometry.getAttribute("position").count === 0)
-      replacePoints(this.normals, normalLines(frame.positions, surface.geometry.getAttribute("normal").array, 0.08 * this.run.radius));
+      replacePoints(
+        this.normals,
+        normalLines(frame.positions, surface.geometry.getAttribute("normal").array, 0.08 * this.run.radius),
+      );
     this.held.visible = choice.connections;
     if (choice.connections && this.held.geometry.getAttribute("position").count === 0) {
       const points: number[] = [];
-      for (const ends of frame.connections) for (const i of ends) points.push(...surface.centres.subarray(3 * i, 3 * i + 3));
+      for (const ends of frame.connections)
+        for (const i of ends) points.push(...surface.centres.subarray(3 * i, 3 * i + 3));
       replacePoints(this.held, Float32Array.from(points));
     }
   }
@@ -76,7 +91,7 @@ export class Marks {
     for (const of of [this.wires, this.outline, this.normals, this.held]) of.material.clippingPlanes = planes;
   }
 
-  /** Colours that are seen on this paper. */
+  /** Chooses colours that are visible on this paper. */
   takePaper(paper: Color, accent: string): void {
     this.wires.material.color.set(paper.r + paper.g + paper.b < 1 ? 0xffffff : 0x000000);
     this.outline.material.color.set(accent || "#0b62b5");

@@ -1,8 +1,8 @@
-// Which faces are hidden behind solid cells, surely. The picture is cut into squares; a solid cell covers those that its outline
-// does not touch and whose middle one of its faces covers, and hides there what is farther than all of its faces that look at
-// the eye. Faces that are kept may be hidden all the same.
+// Finds faces that are certainly hidden behind solid cells; other faces may be hidden too. The picture is cut into
+// squares. A solid cell covers a square if its outline does not touch the square and one of its faces covers the
+// square's middle. There it hides everything farther than all of its faces that look at the eye.
 
-/** Where the eye stands and looks; `right`, `up` and `forward` are unit vectors. */
+/** The eye's place and direction; `right`, `up` and `forward` are unit vectors. */
 export interface Sight {
   eye: Vec;
   forward: Vec;
@@ -10,17 +10,24 @@ export interface Sight {
   up: Vec;
   width: number; // [pixel]
   height: number;
-  perTangent: number; // [pixel] that a slope of 1 against `forward` makes
+  perTangent: number; // [pixel] of a slope of 1 against `forward`
 }
-export interface Vec { x: number; y: number; z: number }
+export interface Vec {
+  x: number;
+  y: number;
+  z: number;
+}
 
-const side = 4; // [pixel] of a square
+const side = 4; // [pixel] side of a square
 
-/** Of each of the three edges of each face, from its corner k to the next one, the face on the other side; the face itself where there is none. */
+/** Returns the face across each edge of each face, from corner k to the next; the face itself if there is none. */
 export function facesAcross(faces: Uint32Array): Uint32Array {
-  const across = new Uint32Array(faces.length), open = new Map<string, number>();
+  const across = new Uint32Array(faces.length),
+    open = new Map<string, number>();
   for (let k = 0; k < faces.length; ++k) {
-    const a = faces[k], b = faces[k % 3 === 2 ? k - 2 : k + 1], other = open.get(`${b} ${a}`);
+    const a = faces[k],
+      b = faces[k % 3 === 2 ? k - 2 : k + 1],
+      other = open.get(`${b} ${a}`);
     across[k] = Math.floor(k / 3);
     if (other === undefined) open.set(`${a} ${b}`, k);
     else [across[k], across[other]] = [Math.floor(other / 3), Math.floor(k / 3)];
@@ -28,15 +35,21 @@ export function facesAcross(faces: Uint32Array): Uint32Array {
   return across;
 }
 
-/** Cells as DrawList has them; `across` of the faces of each cell, as facesAcross gives it for its mesh. */
-export interface Cells { corners: Uint32Array; firstFace: Uint32Array; positions: Float32Array; across: Uint32Array[] }
+/** The cells of a DrawList; `across`: facesAcross of each cell's mesh. */
+export interface Cells {
+  corners: Uint32Array;
+  firstFace: Uint32Array;
+  positions: Float32Array;
+  across: Uint32Array[];
+}
 
 export class Occlusion {
   private columns = 0;
   private rows = 0;
-  private nearest = new Float32Array(0); // [square] the least depth beyond which all is hidden
-  private covered = new Int32Array(0); // [square] the cell that covers its middle, counted from 1; the outline's squares: minus that
-  private readonly x: Float32Array; // of each vertex, in squares
+  private nearest = new Float32Array(0); // [square] depth beyond which all is hidden
+  /** [square] The cell that covers the square's middle, counted from 1; negative if its outline touches the square. */
+  private covered = new Int32Array(0);
+  private readonly x: Float32Array; // [square] of each vertex
   private readonly y: Float32Array;
   private readonly depth: Float32Array;
 
@@ -47,7 +60,7 @@ export class Occlusion {
     this.depth = new Float32Array(vertices);
   }
 
-  /** `facing`: 1 for each face that looks at the eye. */
+  /** Prepares `hides` for a sight. `facing`: 1 for each face that looks at the eye. */
   look(sight: Sight, seeThrough: Uint8Array, facing: Uint8Array): void {
     this.columns = Math.ceil(sight.width / side);
     this.rows = Math.ceil(sight.height / side);
@@ -62,9 +75,16 @@ export class Occlusion {
   }
 
   private project({ eye, forward: f, right: r, up: u, width, height, perTangent }: Sight): void {
-    const scale = perTangent / side, middleX = width / side / 2, middleY = height / side / 2, { x, y, depth } = this, p = this.cells.positions;
+    const scale = perTangent / side,
+      middleX = width / side / 2,
+      middleY = height / side / 2,
+      { x, y, depth } = this,
+      p = this.cells.positions;
     for (let v = 0, k = 0; v < x.length; ++v, k += 3) {
-      const dx = p[k] - eye.x, dy = p[k + 1] - eye.y, dz = p[k + 2] - eye.z, d = dx * f.x + dy * f.y + dz * f.z;
+      const dx = p[k] - eye.x,
+        dy = p[k + 1] - eye.y,
+        dz = p[k + 2] - eye.z,
+        d = dx * f.x + dy * f.y + dz * f.z;
       depth[v] = d;
       x[v] = middleX + (scale * (dx * r.x + dy * r.y + dz * r.z)) / d;
       y[v] = middleY + (scale * (dx * u.x + dy * u.y + dz * u.z)) / d;
@@ -72,48 +92,85 @@ export class Occlusion {
   }
 
   private cover(cell: number, facing: Uint8Array): void {
-    const { corners, firstFace, across } = this.cells, { x, y, depth, covered, columns, rows, nearest } = this;
-    const first = firstFace[cell], last = firstFace[cell + 1], others = across[cell];
-    let farthest = 0, left = columns, right = -1, low = rows, high = -1;
+    const { corners, firstFace, across } = this.cells,
+      { x, y, depth, covered, columns, rows, nearest } = this;
+    const first = firstFace[cell],
+      last = firstFace[cell + 1],
+      others = across[cell];
+    let farthest = 0,
+      left = columns,
+      right = -1,
+      low = rows,
+      high = -1;
     for (let f = first; f < last; ++f) {
       if (!facing[f]) continue;
       for (let k = 3 * f; k < 3 * f + 3; ++k) {
-        const a = corners[k], b = corners[k === 3 * f + 2 ? k - 2 : k + 1], other = others[k - 3 * first];
-        if (!(depth[a] > 0)) return; // around the eye
+        const a = corners[k],
+          b = corners[k === 3 * f + 2 ? k - 2 : k + 1],
+          other = others[k - 3 * first];
+        if (!(depth[a] > 0)) return; // the cell is around the eye
         farthest = Math.max(farthest, depth[a]);
         if (facing[first + other] && first + other !== f) continue;
-        // An edge of the outline: no square that it may touch is covered whole.
-        const x0 = Math.max(0, Math.floor(Math.min(x[a], x[b]))), x1 = Math.min(columns - 1, Math.floor(Math.max(x[a], x[b])));
-        const y0 = Math.max(0, Math.floor(Math.min(y[a], y[b]))), y1 = Math.min(rows - 1, Math.floor(Math.max(y[a], y[b])));
-        for (let row = y0; row <= y1; ++row) for (let at = row * columns + x0; at <= row * columns + x1; ++at) covered[at] = -cell - 1;
-        (left = Math.min(left, x0)), (right = Math.max(right, x1)), (low = Math.min(low, y0)), (high = Math.max(high, y1));
+        // The edge is part of the outline: squares that it may touch are not covered.
+        const x0 = Math.max(0, Math.floor(Math.min(x[a], x[b]))),
+          x1 = Math.min(columns - 1, Math.floor(Math.max(x[a], x[b])));
+        const y0 = Math.max(0, Math.floor(Math.min(y[a], y[b]))),
+          y1 = Math.min(rows - 1, Math.floor(Math.max(y[a], y[b])));
+        for (let row = y0; row <= y1; ++row)
+          for (let at = row * columns + x0; at <= row * columns + x1; ++at) covered[at] = -cell - 1;
+        left = Math.min(left, x0);
+        right = Math.max(right, x1);
+        low = Math.min(low, y0);
+        high = Math.max(high, y1);
       }
     }
-    for (let f = first; f < last; ++f) if (facing[f]) this.coverMiddles(corners[3 * f], corners[3 * f + 1], corners[3 * f + 2], cell + 1);
+    for (let f = first; f < last; ++f)
+      if (facing[f]) this.coverMiddles(corners[3 * f], corners[3 * f + 1], corners[3 * f + 2], cell + 1);
     for (let row = low; row <= high; ++row)
-      for (let at = row * columns + left; at <= row * columns + right; ++at) if (covered[at] === cell + 1 && farthest < nearest[at]) nearest[at] = farthest;
+      for (let at = row * columns + left; at <= row * columns + right; ++at)
+        if (covered[at] === cell + 1 && farthest < nearest[at]) nearest[at] = farthest;
   }
 
-  /** The squares whose middle lies in a triangle, but for the outline's. */
+  /** Covers the squares whose middle lies in a triangle, except those of the outline. */
   private coverMiddles(a: number, b: number, c: number, by: number): void {
-    const { x, y, columns, rows, covered } = this, ax = x[a], ay = y[a], bx = x[b], by_ = y[b], cx = x[c], cy = y[c];
-    const x0 = Math.max(0, Math.ceil(Math.min(ax, bx, cx) - 0.5)), x1 = Math.min(columns - 1, Math.floor(Math.max(ax, bx, cx) - 0.5));
-    const y0 = Math.max(0, Math.ceil(Math.min(ay, by_, cy) - 0.5)), y1 = Math.min(rows - 1, Math.floor(Math.max(ay, by_, cy) - 0.5));
+    const { x, y, columns, rows, covered } = this,
+      ax = x[a],
+      ay = y[a],
+      bx = x[b],
+      by_ = y[b],
+      cx = x[c],
+      cy = y[c];
+    const x0 = Math.max(0, Math.ceil(Math.min(ax, bx, cx) - 0.5)),
+      x1 = Math.min(columns - 1, Math.floor(Math.max(ax, bx, cx) - 0.5));
+    const y0 = Math.max(0, Math.ceil(Math.min(ay, by_, cy) - 0.5)),
+      y1 = Math.min(rows - 1, Math.floor(Math.max(ay, by_, cy) - 0.5));
     for (let row = y0; row <= y1; ++row)
       for (let column = x0; column <= x1; ++column) {
-        const px = column + 0.5, py = row + 0.5, at = row * columns + column;
+        const px = column + 0.5,
+          py = row + 0.5,
+          at = row * columns + column;
         if (covered[at] === -by) continue;
-        if ((bx - ax) * (py - ay) >= (by_ - ay) * (px - ax) && (cx - bx) * (py - by_) >= (cy - by_) * (px - bx) && (ax - cx) * (py - cy) >= (ay - cy) * (px - cx)) covered[at] = by;
+        if (
+          (bx - ax) * (py - ay) >= (by_ - ay) * (px - ax) &&
+          (cx - bx) * (py - by_) >= (cy - by_) * (px - bx) &&
+          (ax - cx) * (py - cy) >= (ay - cy) * (px - cx)
+        )
+          covered[at] = by;
       }
   }
 
-  /** Whether the face with these vertices is surely hidden, or outside of the picture. */
+  /** Returns true if the face with these vertices is certainly hidden, or outside of the picture. */
   hides(a: number, b: number, c: number): boolean {
-    const { x, y, depth, nearest, columns } = this, from = Math.min(depth[a], depth[b], depth[c]);
+    const { x, y, depth, nearest, columns } = this,
+      from = Math.min(depth[a], depth[b], depth[c]);
     if (!(from > 0)) return false;
-    const left = Math.max(0, Math.floor(Math.min(x[a], x[b], x[c]))), right = Math.min(columns - 1, Math.floor(Math.max(x[a], x[b], x[c])));
-    const low = Math.max(0, Math.floor(Math.min(y[a], y[b], y[c]))), high = Math.min(this.rows - 1, Math.floor(Math.max(y[a], y[b], y[c])));
-    for (let row = low; row <= high; ++row) for (let at = row * columns + left, end = row * columns + right; at <= end; ++at) if (nearest[at] >= from) return false;
+    const left = Math.max(0, Math.floor(Math.min(x[a], x[b], x[c]))),
+      right = Math.min(columns - 1, Math.floor(Math.max(x[a], x[b], x[c])));
+    const low = Math.max(0, Math.floor(Math.min(y[a], y[b], y[c]))),
+      high = Math.min(this.rows - 1, Math.floor(Math.max(y[a], y[b], y[c])));
+    for (let row = low; row <= high; ++row)
+      for (let at = row * columns + left, end = row * columns + right; at <= end; ++at)
+        if (nearest[at] >= from) return false;
     return true;
   }
 }

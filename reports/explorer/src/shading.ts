@@ -1,5 +1,5 @@
-// How cells are lit: from the eye's upper left and from the sky, at each vertex. Without graphics hardware a processor draws every
-// pixel, so as little as can be is left to be done there.
+// Lights cells at each vertex, from the eye's upper left and from the sky. Without graphics hardware a processor draws
+// every pixel, so pixels get as little work as possible.
 import { BackSide, FrontSide, ShaderMaterial } from "three";
 
 const vertexShader = `
@@ -27,10 +27,17 @@ void main() {
 }`;
 
 export function cellMaterial(seeThrough: boolean): ShaderMaterial {
-  return new ShaderMaterial({ vertexShader, fragmentShader, transparent: seeThrough, clipping: true, side: FrontSide, uniforms: { lift: { value: 0 } } });
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    transparent: seeThrough,
+    clipping: true,
+    side: FrontSide,
+    uniforms: { lift: { value: 0 } },
+  });
 }
 
-/** The inside of cells that are cut open: darker, and nearer to the eye than it is, for the cells behind touch it and would show through. */
+/** The inside of cut cells: darker, and moved towards the eye, because touching cells behind would show through. */
 export function insideMaterial(): ShaderMaterial {
   const made = cellMaterial(false);
   made.side = BackSide;
@@ -39,7 +46,7 @@ export function insideMaterial(): ShaderMaterial {
   return made;
 }
 
-/** What draws here: graphics hardware, a processor instead of it, or nothing. */
+/** Returns what draws in this browser: graphics hardware, a processor, or nothing. */
 export function whatDraws(): "hardware" | "software" | "nothing" {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return "nothing";

@@ -1,4 +1,4 @@
-// What the user has chosen, in one place; every part of the explorer looks at it, and the address holds it.
+// The user's choices, which all parts of the explorer read; the address holds them.
 
 export interface Choice {
   time: number;
@@ -11,11 +11,11 @@ export interface Choice {
   normals: boolean;
   connections: boolean;
   forces: boolean;
-  kinds: string; // of forces: "all", or their names with commas
+  kinds: string; // kinds of forces: "all", or names with commas
   shell: boolean;
   opacity: number; // 0.1 to 1
   clip: "" | "x" | "y" | "z";
-  clipAt: number; // -1 to 1, of the farthest point
+  clipAt: number; // -1 to 1, relative to the farthest point
   left: number; // run
   right: number; // run; -1: none
   camera: number[] | null; // eye, target, zoom
@@ -29,14 +29,19 @@ export class State {
   private timer = 0;
   private written = "";
 
-  constructor(private readonly initial: Choice, private readonly most: { runs: number; time: number; isCell: (path: string) => boolean }) {
+  constructor(
+    private readonly initial: Choice,
+    private readonly most: { runs: number; time: number; isCell: (path: string) => boolean },
+  ) {
     this.choice = { ...initial, ...this.fromAddress() };
     addEventListener("hashchange", () => {
       if (location.hash !== this.written) this.set({ ...this.initial, ...this.fromAddress() });
     });
   }
 
-  listen(listener: Listener): void { this.listeners.push(listener); }
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
 
   set(changes: Partial<Choice>): void {
     const changed = new Set<keyof Choice>();
@@ -50,7 +55,7 @@ export class State {
     if (changed.size > 1 || !changed.has("hovered")) this.writeSoon();
   }
 
-  /** Not at every frame: browsers refuse too many changes of the address in a row. */
+  /** Writes the address later, because browsers refuse many changes in a row. */
   private writeSoon(): void {
     if (this.timer) return;
     this.timer = window.setTimeout(() => {
@@ -65,13 +70,17 @@ export class State {
     for (const key of Object.keys(this.initial) as (keyof Choice)[]) {
       const value = this.choice[key];
       if (key === "hovered" || value === this.initial[key] || value === null) continue;
-      const text = Array.isArray(value) ? value.map((x) => Number(x.toPrecision(9))).join(",") : typeof value === "number" ? String(Number(value.toPrecision(8))) : String(value);
+      const text = Array.isArray(value)
+        ? value.map((x) => Number(x.toPrecision(9))).join(",")
+        : typeof value === "number"
+          ? String(Number(value.toPrecision(8)))
+          : String(value);
       parts.push(`${key}=${encodeURIComponent(text)}`);
     }
     return "#" + parts.join("&");
   }
 
-  /** Whatever stands in an address may be anything: what is no such choice is passed over. */
+  /** Reads the choices in the address, and ignores invalid ones. */
   private fromAddress(): Partial<Choice> {
     const found: any = {};
     for (const part of location.hash.slice(1).split("&")) {
@@ -79,21 +88,29 @@ export class State {
       const key = part.slice(0, cut) as keyof Choice;
       if (cut < 1 || !(key in this.initial) || key === "hovered") continue;
       let text: string;
-      try { text = decodeURIComponent(part.slice(cut + 1)); } catch { continue; }
-      const number = Number(text), finite = text !== "" && Number.isFinite(number);
-      if (key === "selected") { if (this.most.isCell(text)) found.selected = text; }
-      else if (key === "camera") {
+      try {
+        text = decodeURIComponent(part.slice(cut + 1));
+      } catch {
+        continue;
+      }
+      const number = Number(text),
+        finite = text !== "" && Number.isFinite(number);
+      if (key === "selected") {
+        if (this.most.isCell(text)) found.selected = text;
+      } else if (key === "camera") {
         const numbers = text.split(",").map(Number);
         if (numbers.length === 7 && numbers.every(Number.isFinite)) found.camera = numbers;
-      } else if (key === "clip") { if (["", "x", "y", "z"].includes(text)) found.clip = text; }
-      else if (key === "colour" || key === "kinds") found[key] = text;
+      } else if (key === "clip") {
+        if (["", "x", "y", "z"].includes(text)) found.clip = text;
+      } else if (key === "colour" || key === "kinds") found[key] = text;
       else if (typeof this.initial[key] === "boolean") found[key] = text === "true";
       else if (finite) {
         if (key === "time") found.time = Math.min(this.most.time, Math.max(0, number));
         if (key === "opacity") found.opacity = Math.min(1, Math.max(0.1, number));
         if (key === "clipAt") found.clipAt = Math.min(1, Math.max(-1, number));
         if (key === "left" && Number.isInteger(number) && number >= 0 && number < this.most.runs) found.left = number;
-        if (key === "right" && Number.isInteger(number) && number >= -1 && number < this.most.runs) found.right = number;
+        if (key === "right" && Number.isInteger(number) && number >= -1 && number < this.most.runs)
+          found.right = number;
       }
     }
     return found;

@@ -1,4 +1,4 @@
-// One organism in three dimensions: a canvas, and what is drawn on it.
+// A canvas that shows one organism in three dimensions.
 import { Color, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { Arrows } from "./arrows";
 import type { Colouring } from "./colours";
@@ -16,7 +16,7 @@ export class View {
   onResize: () => void = () => {};
   onPick: (path: string | null) => void = () => {};
   onHover: (path: string | null, x: number, y: number) => void = () => {};
-  size = 1; // [length] of the farthest point that is ever seen
+  size = 1; // [length] distance of the farthest point at any time
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly surface: Surface;
@@ -26,10 +26,16 @@ export class View {
   private frame = -1;
   private waiting = false;
   private drawn = false;
-  private gone = false; // a frame that is still asked for is not drawn
+  private gone = false; // a pending frame is not drawn any more
 
-  constructor(private readonly parent: HTMLElement, readonly run: Run, private readonly state: State, private readonly colouring: Colouring) {
-    const by = whatDraws(), software = by === "software";
+  constructor(
+    private readonly parent: HTMLElement,
+    readonly run: Run,
+    private readonly state: State,
+    private readonly colouring: Colouring,
+  ) {
+    const by = whatDraws(),
+      software = by === "software";
     if (by === "nothing") throw new Error("there is no WebGL");
     this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "low-power" });
     this.renderer.setPixelRatio(software ? 1 : Math.min(2, devicePixelRatio));
@@ -37,7 +43,10 @@ export class View {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
     parent.append(this.canvas);
-    this.eye = new Eye(this.canvas, () => { this.draw(); this.onCamera(this); });
+    this.eye = new Eye(this.canvas, () => {
+      this.draw();
+      this.onCamera(this);
+    });
     this.surface = new Surface(software);
     this.marks = new Marks(run, this.surface);
     this.scene.add(this.surface.object, this.marks.object, this.arrows.object);
@@ -45,7 +54,9 @@ export class View {
     this.look(standpoints.iso);
     this.takePaper();
     this.listen();
-    new ResizeObserver(() => { if (!this.gone) this.resize(); }).observe(parent);
+    new ResizeObserver(() => {
+      if (!this.gone) this.resize();
+    }).observe(parent);
     this.resize();
   }
 
@@ -54,15 +65,20 @@ export class View {
     let squares = 0;
     for (const number of [0, run.times.length - 1]) {
       const { positions } = run.frame(number);
-      for (let k = 0; k < positions.length; k += 3) squares = Math.max(squares, positions[k] ** 2 + positions[k + 1] ** 2 + positions[k + 2] ** 2);
+      for (let k = 0; k < positions.length; k += 3)
+        squares = Math.max(squares, positions[k] ** 2 + positions[k + 1] ** 2 + positions[k + 2] ** 2);
     }
     return Math.max(Math.sqrt(squares) || 1, ...(run.shell?.axes ?? []));
   }
 
-  look(direction: readonly number[]): void { this.eye.look(direction, this.size); }
+  look(direction: readonly number[]): void {
+    this.eye.look(direction, this.size);
+  }
 
-  /** From where another view, or the address, looks. */
-  putAt(place: readonly number[]): void { if (this.eye.putAt(place)) this.draw(); }
+  /** Moves the camera to a place of another view or of the address. */
+  putAt(place: readonly number[]): void {
+    if (this.eye.putAt(place)) this.draw();
+  }
 
   private resize(): void {
     const { clientWidth: w, clientHeight: h } = this.parent;
@@ -73,18 +89,23 @@ export class View {
     this.draw();
   }
 
-  /** Of the cells that are shown: [3 i] the middle of each. */
-  get centres(): ArrayLike<number> { return this.surface.centres; }
+  /** The middles of the shown cells, [3 i]. */
+  get centres(): ArrayLike<number> {
+    return this.surface.centres;
+  }
 
-  /** Whether a point is not cut away. */
-  isThere(point: Vector3): boolean { return this.state.choice.clip === "" || this.plane.distanceToPoint(point) >= 0; }
+  /** Returns true if a point is not cut away. */
+  isThere(point: Vector3): boolean {
+    return this.state.choice.clip === "" || this.plane.distanceToPoint(point) >= 0;
+  }
 
-  /** What lies under a place of the canvas; clipped away is not there. */
+  /** Returns the path of the cell under a place of the canvas; null if there is none. */
   private pick(event: { offsetX: number; offsetY: number }): string | null {
-    const { clientWidth: w, clientHeight: h } = this.canvas, ray = new Raycaster();
+    const { clientWidth: w, clientHeight: h } = this.canvas,
+      ray = new Raycaster();
     ray.setFromCamera(new Vector2((2 * event.offsetX) / w - 1, 1 - (2 * event.offsetY) / h), this.eye.camera);
     const i = this.surface.hit(ray, (point) => this.isThere(point));
-    return i < 0 ? null : this.run.cells[this.surface.frame.cell[i]]?.path ?? null;
+    return i < 0 ? null : (this.run.cells[this.surface.frame.cell[i]]?.path ?? null);
   }
 
   private listen(): void {
@@ -103,9 +124,11 @@ export class View {
     this.canvas.addEventListener("pointerleave", () => this.onHover(null, 0, 0));
   }
 
-  /** Shows what the state asks for. */
+  /** Updates the picture from the state. */
   update(): void {
-    const { choice } = this.state, { run, surface } = this, number = run.frameNumber(choice.time);
+    const { choice } = this.state,
+      { run, surface } = this,
+      number = run.frameNumber(choice.time);
     if (number !== this.frame) {
       this.frame = number;
       surface.takeShape(run, run.frame(number));
@@ -115,7 +138,11 @@ export class View {
     this.clip();
     this.marks.update(choice);
     const n = surface.frame.count;
-    this.canvas.setAttribute("aria-label", `${run.title}: ${n} ${n === 1 ? "cell" : "cells"} at time ${Number(surface.frame.time.toPrecision(5))}, in three dimensions`);
+    const time = Number(surface.frame.time.toPrecision(5));
+    this.canvas.setAttribute(
+      "aria-label",
+      `${run.title}: ${n} ${n === 1 ? "cell" : "cells"} at time ${time}, in three dimensions`,
+    );
     this.draw();
   }
 
@@ -130,9 +157,10 @@ export class View {
     this.renderer.localClippingEnabled = clip !== "";
   }
 
-  /** The page's colours, light or dark. */
+  /** Takes the page's colours, light or dark. */
   takePaper(): void {
-    const style = getComputedStyle(document.documentElement), paper = new Color(style.getPropertyValue("--paper").trim() || "#fafaf8");
+    const style = getComputedStyle(document.documentElement),
+      paper = new Color(style.getPropertyValue("--paper").trim() || "#fafaf8");
     this.renderer.setClearColor(paper);
     this.marks.takePaper(paper, style.getPropertyValue("--accent").trim());
     this.draw();
@@ -141,7 +169,10 @@ export class View {
   draw(): void {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => { this.waiting = false; this.drawNow(); });
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.drawNow();
+    });
   }
 
   private drawNow(): void {

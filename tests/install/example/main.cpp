@@ -1,4 +1,4 @@
-// Runs a scene, tells of it at each division, and prints the hash that `morula run` prints.
+// Runs a scene, reports each division, and prints the hash that `morula run` prints.
 //
 //   morula validate SCENARIO.yaml --scene a.scene && example a.scene
 #include <morula/morula.h>

@@ -1,13 +1,15 @@
-// A run that grows while it is looked at, and the explorer of it.
+// A run that grows while the explorer shows it.
 import { blankFrame, Run, type Cell, type Data, type Frame } from "../data";
 import { Explorer } from "../main";
 import { facesAcross } from "../occlusion";
 import type { Measures, Read, Snapshot } from "./talk";
 
-/** Of substances: the scenario's colour of the first that has one, by its name or the longest beginning with a *; grey. */
+/** Returns the colour of the first substance with one, by its name or its longest prefix with a *; else grey. */
 function colourOf(substances: string, colours: Record<string, string>): string {
   for (const name of substances.split(" ")) {
-    const fits = Object.keys(colours).filter((key) => key === name || (key.endsWith("*") && name.startsWith(key.slice(0, -1)))).sort((a, b) => b.length - a.length);
+    const fits = Object.keys(colours)
+      .filter((key) => key === name || (key.endsWith("*") && name.startsWith(key.slice(0, -1))))
+      .sort((a, b) => b.length - a.length);
     if (name && fits.length) return colours[fits[0]];
   }
   return "#9aa0a6";
@@ -15,21 +17,45 @@ function colourOf(substances: string, colours: Record<string, string>): string {
 
 export class LiveRun extends Run {
   private readonly own: Frame[] = [];
-  private readonly meshOf = new Map<number, number>(); // by vertices
+  private readonly meshOf = new Map<number, number>(); // by number of vertices
   private readonly stateOf = new Map<string, number>(); // by substances
   private readonly grown: { cells: Cell[]; times: number[]; end: number };
 
-  constructor(private readonly read: Read, measures: Measures) {
-    super({
-      title: read.name, scenario: read.name, end: read.end ?? 0, states: [], colours: [], legend: Object.entries(read.colours), measures: measures.cell,
-      forces: [], netForces: [], shell: read.shell, radius: read.radius, meshes: [], cells: [], frames: [],
-    }, new ArrayBuffer(0));
+  constructor(
+    private readonly read: Read,
+    measures: Measures,
+  ) {
+    super(
+      {
+        title: read.name,
+        scenario: read.name,
+        end: read.end ?? 0,
+        states: [],
+        colours: [],
+        legend: Object.entries(read.colours),
+        measures: measures.cell,
+        forces: [],
+        netForces: [],
+        shell: read.shell,
+        radius: read.radius,
+        meshes: [],
+        cells: [],
+        frames: [],
+      },
+      new ArrayBuffer(0),
+    );
     this.grown = this as unknown as typeof this.grown;
   }
 
-  get hasBodies(): boolean { return this.read.hasBodies; }
-  frame(number: number): Frame { return this.own[number]; }
-  valuesOf(number: number): Float32Array { return this.own[number].values; }
+  get hasBodies(): boolean {
+    return this.read.hasBodies;
+  }
+  frame(number: number): Frame {
+    return this.own[number];
+  }
+  valuesOf(number: number): Float32Array {
+    return this.own[number].values;
+  }
 
   private state(substances: string): number {
     const known = this.stateOf.get(substances);
@@ -40,7 +66,17 @@ export class LiveRun extends Run {
   }
 
   add({ time, step, lineage, cells = [], contacts = [], vertices, meshes }: Snapshot): void {
-    if (lineage) this.takeCells(lineage.map(([path, name, born, ended, fate, substances]) => [path, name, born, ended, fate, this.state(substances)]));
+    if (lineage)
+      this.takeCells(
+        lineage.map(([path, name, born, ended, fate, substances]) => [
+          path,
+          name,
+          born,
+          ended,
+          fate,
+          this.state(substances),
+        ]),
+      );
     for (const cell of this.cells) if (cell.fate === "alive") cell.ended = time;
     for (const [count, faces] of meshes) {
       this.meshOf.set(count, this.meshes.length);
@@ -48,14 +84,18 @@ export class LiveRun extends Run {
       this.across.push(facesAcross(Uint32Array.from(faces)));
       this.vertexCounts.push(count);
     }
-    const m = this.measures.length, frame = blankFrame(time, step, cells.length, m);
+    const m = this.measures.length,
+      frame = blankFrame(time, step, cells.length, m);
     frame.contacts = contacts.map(([a, b, area]) => ({ a, b, area }));
     frame.positions = vertices;
     cells.forEach(([number, substances, values, count], i) => {
       frame.cell[i] = number;
       frame.state[i] = this.state(substances);
       frame.mesh[i] = this.meshOf.get(count) ?? 0;
-      frame.values.set(values.map((x) => x ?? NaN), i * m);
+      frame.values.set(
+        values.map((x) => x ?? NaN),
+        i * m,
+      );
       frame.firstVertex[i + 1] = frame.firstVertex[i] + count;
     });
     this.own.push(frame);
@@ -65,9 +105,15 @@ export class LiveRun extends Run {
 }
 
 export class LiveExplorer extends Explorer {
-  constructor(root: HTMLElement, data: Data, private readonly run: LiveRun) { super(root, data); }
+  constructor(
+    root: HTMLElement,
+    data: Data,
+    private readonly run: LiveRun,
+  ) {
+    super(root, data);
+  }
 
-  /** What has come since: the tree and the clock anew, the organism at its latest. */
+  /** Shows the run's growth: updates the tree and the clock, and the organism at its last time. */
   grow(): void {
     this.tree.setRun(this.run);
     this.clock.setRuns();
@@ -75,5 +121,7 @@ export class LiveExplorer extends Explorer {
     this.updateAll();
   }
 
-  leave(): void { for (const view of this.views) view.dispose(); }
+  leave(): void {
+    for (const view of this.views) view.dispose();
+  }
 }

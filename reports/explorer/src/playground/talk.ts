@@ -1,12 +1,21 @@
-// What the playground's page and the workers in which the simulator reads and runs tell each other.
+// The messages between the playground's page and the workers in which the simulator reads and runs scenarios.
 
 import type { Data } from "../data";
 
-export interface Written { name: string; text: string; files: [string, string, string][] } // role, path, content
+export interface Written {
+  name: string;
+  text: string;
+  files: [string, string, string][]; // role, path, content
+}
 
-export interface Order { module?: Uint8Array; number: number; written: Written; runs: boolean }
+export interface Order {
+  module?: Uint8Array;
+  number: number;
+  written: Written;
+  runs: boolean;
+}
 
-/** What the strict reader says of a scenario without mistakes (runner/input/browser/module.cpp). */
+/** The strict reader's answer for a scenario without mistakes (runner/input/browser/module.cpp). */
 export interface Read {
   name: string;
   seed: number;
@@ -29,10 +38,14 @@ export interface Snapshot {
   contacts?: [number, number, number][];
   world?: (number | null)[];
   vertices: Float32Array;
-  meshes: [number, number[]][]; // those that are new: vertices, faces
+  meshes: [number, number[]][]; // new meshes: number of vertices, faces
 }
 
-export interface Measures { cell: string[]; world: string[]; units: Data["units"] }
+export interface Measures {
+  cell: string[];
+  world: string[];
+  units: Data["units"];
+}
 
 export type News =
   | { kind: "read"; number: number; read: Read | null; mistakes: string[] }

@@ -1,7 +1,8 @@
-// The program of pages that run again: the explorer, and beside it the simulator.
+// The program of pages that repeat their run: the explorer and the simulator.
 import "../main";
 import { readData } from "../data";
 import { Panel } from "./panel";
 
-const place = document.getElementById("again"), data = place && readData();
+const place = document.getElementById("again"),
+  data = place && readData();
 if (place && data) new Panel(place, data.runs[0]);

@@ -1,4 +1,4 @@
-// The simulator as a WebAssembly module (core/wasm/module.cpp): how it is made, and how texts go in and out.
+// The simulator as a WebAssembly module (core/wasm/module.cpp): creates it, and passes texts in and out.
 
 export interface Simulator {
   memory: WebAssembly.Memory;
@@ -19,29 +19,42 @@ export interface Simulator {
   vertexNumbers(): number;
 }
 
-/** What the module asks of a system: it has no files, no clock and no chance. */
+/** Returns the system functions that the module imports: no files, no clock and no random numbers. */
 function surroundings(memory: () => WebAssembly.Memory): WebAssembly.Imports {
   const refused = () => 8; // a bad descriptor
-  const none = (count: number, size: number) => { // variables of an environment
+  const none = (count: number, size: number) => {
+    // There are no environment variables.
     for (const at of [count, size]) new DataView(memory().buffer).setUint32(at, 0, true);
     return 0;
   };
   const wasi: Record<string, Function> = {
-    proc_exit(code: number) { throw new Error(`the simulator ended with ${code}`); },
-    fd_write(_file: number, _texts: number, _count: number, written: number) { new DataView(memory().buffer).setUint32(written, 0, true); return 0; },
+    proc_exit(code: number) {
+      throw new Error(`the simulator ended with ${code}`);
+    },
+    fd_write(_file: number, _texts: number, _count: number, written: number) {
+      new DataView(memory().buffer).setUint32(written, 0, true);
+      return 0;
+    },
     environ_sizes_get: none,
     environ_get: () => 0,
   };
-  const noFile = () => -44; // ENOENT, of what looks for one
-  const or = <T extends object>(known: T, other: Function) => new Proxy(known, { get: (of, name) => (of as any)[name] ?? other });
-  return { env: or({ emscripten_notify_memory_growth() {} }, noFile), wasi_snapshot_preview1: or(wasi, refused) } as unknown as WebAssembly.Imports;
+  const noFile = () => -44; // ENOENT
+  const or = <T extends object>(known: T, other: Function) =>
+    new Proxy(known, { get: (of, name) => (of as any)[name] ?? other });
+  return {
+    env: or({ emscripten_notify_memory_growth() {} }, noFile),
+    wasi_snapshot_preview1: or(wasi, refused),
+  } as unknown as WebAssembly.Imports;
 }
 
-/** `bytes`: gzipped. */
+/** Creates the module. `bytes`: gzipped. */
 export async function make<Module extends Simulator>(bytes: Uint8Array): Promise<Module> {
   let module: Module;
   const unpacked = new Response(new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip")));
-  const made = await WebAssembly.instantiate(await unpacked.arrayBuffer(), surroundings(() => module.memory));
+  const made = await WebAssembly.instantiate(
+    await unpacked.arrayBuffer(),
+    surroundings(() => module.memory),
+  );
   module = made.instance.exports as unknown as Module;
   module._initialize();
   return module;

@@ -1,10 +1,10 @@
-// What a page and the worker in which the simulator runs tell each other.
+// The messages between a page and the worker in which the simulator runs.
 
 export interface Order {
   module: Uint8Array; // the simulator, gzipped
   scene: string;
-  every: number; // steps from one step hash to the next; 0: none
-  frames: number[]; // steps at which the shape is wanted, rising
+  every: number; // steps between step hashes; 0: none
+  frames: number[]; // steps of requested shapes, rising
 }
 
 export type News =
@@ -16,25 +16,37 @@ export type News =
 
 declare const WORKER: string; // the program of worker.ts (build.mjs)
 
-/** Starts it; `end` stops it wherever it is. Throws where the browser has no such thing or the page's policy forbids it. */
+/** Starts the worker; `end` stops it. Throws if the browser has no workers or the page's policy forbids them. */
 export function start(order: Order, hear: (news: News) => void): { end(): void } {
-  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })), worker = new Worker(address);
-  const end = () => { worker.terminate(); URL.revokeObjectURL(address); };
+  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })),
+    worker = new Worker(address);
+  const end = () => {
+    worker.terminate();
+    URL.revokeObjectURL(address);
+  };
   worker.onmessage = (event: MessageEvent<News>) => {
     if (event.data.kind === "end" || event.data.kind === "failed") end();
     hear(event.data);
   };
-  worker.onerror = (event) => { event.preventDefault(); end(); hear({ kind: "failed", why: event.message || "the worker could not be started" }); };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    end();
+    hear({ kind: "failed", why: event.message || "the worker could not be started" });
+  };
   worker.postMessage(order);
   return { end };
 }
 
-/** Why this browser cannot run the simulator; "" where it can. */
+/** Returns the reason why this browser cannot run the simulator; "" if it can. */
 export function whyNot(): string {
   if (typeof WebAssembly !== "object") return "this browser has no WebAssembly, or it is switched off";
   if (typeof Worker !== "function") return "this browser has no workers";
-  if (typeof DecompressionStream !== "function") return "this browser is too old: it cannot unpack the simulator (DecompressionStream)";
-  // One function whose body is `v128.const 0; drop`.
-  const simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 23, 1, 21, 0, 253, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 26, 11]);
+  if (typeof DecompressionStream !== "function")
+    return "this browser is too old: it cannot unpack the simulator (DecompressionStream)";
+  // The module has one function with the body `v128.const 0; drop`.
+  const simd = new Uint8Array([
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 23, 1, 21, 0, 253, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 26, 11,
+  ]);
   return WebAssembly.validate(simd) ? "" : "this browser's WebAssembly is too old: it has no SIMD";
 }

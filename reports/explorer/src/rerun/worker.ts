@@ -1,21 +1,33 @@
-// The simulator at work, beside the page: makes the world of a scene, steps, and tells of it. Whoever stops it ends the worker.
+// Runs the simulator beside the page: makes the world of a scene, steps, and reports. Ending the worker stops the run.
 import { give, make, said as saidBy, verticesOf, type Simulator } from "./module";
 import type { Order, News } from "./talk";
 
-const port = self as unknown as { onmessage: (event: MessageEvent<Order>) => void; postMessage(news: News, pass?: Transferable[]): void };
+const port = self as unknown as {
+  onmessage: (event: MessageEvent<Order>) => void;
+  postMessage(news: News, pass?: Transferable[]): void;
+};
 
 async function work({ module: bytes, scene, every, frames }: Order): Promise<void> {
-  const module = await make<Simulator>(bytes), said = () => saidBy(module);
-  const demand = (outcome: number) => { if (outcome !== 0) throw new Error(said()); };
+  const module = await make<Simulator>(bytes),
+    said = () => saidBy(module);
+  const demand = (outcome: number) => {
+    if (outcome !== 0) throw new Error(said());
+  };
   give(module, scene);
   demand(module.open());
-  let told = 0, link = 0, frame = 0;
+  let told = 0,
+    link = 0,
+    frame = 0;
   const look = () => {
     const step = module.stepNumber();
     if (frames[frame] === step) {
       ++frame;
-      const vertices = verticesOf(module), cells = new Uint32Array(module.memory.buffer, module.lineageNumbers(), module.cellCount()).slice();
-      port.postMessage({ kind: "frame", step, time: module.timeNow(), cells, vertices }, [cells.buffer, vertices.buffer]);
+      const vertices = verticesOf(module),
+        cells = new Uint32Array(module.memory.buffer, module.lineageNumbers(), module.cellCount()).slice();
+      port.postMessage({ kind: "frame", step, time: module.timeNow(), cells, vertices }, [
+        cells.buffer,
+        vertices.buffer,
+      ]);
     }
     if (every && (step === link || module.isFinished())) {
       link += every;
@@ -29,11 +41,13 @@ async function work({ module: bytes, scene, every, frames }: Order): Promise<voi
   };
   const began = performance.now();
   look();
-  for (let steps = 1; !module.isFinished(); ) {
-    const step = module.stepNumber(), next = Math.min(every ? link : Infinity, frames[frame] ?? Infinity);
+  for (let steps = 1; !module.isFinished();) {
+    const step = module.stepNumber(),
+      next = Math.min(every ? link : Infinity, frames[frame] ?? Infinity);
     const from = performance.now();
     demand(module.run(Math.max(1, Math.min(steps, next - step))));
-    if (performance.now() - from < 40) steps *= 2; else steps = Math.max(1, steps >> 1);
+    if (performance.now() - from < 40) steps *= 2;
+    else steps = Math.max(1, steps >> 1);
     look();
   }
   demand(module.hash());
