@@ -33,7 +33,7 @@ std::string joined(const PlainState& state) {
   return text;
 }
 
-/// A stream of small random numbers, one for each case.
+/// A stream of small random numbers, with one stream for each case.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) { draw_.seed = seed; }

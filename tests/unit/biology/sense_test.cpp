@@ -161,7 +161,7 @@ TEST_CASE("A cell perceives others from afar: the nearest, and what they release
     CHECK(kindOf(kind).of.required);
     CHECK(kindOf(kind).number.required);
   }
-  CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // the bound is not above the least value
+  CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // 0, the least value, may be a threshold
   cell.others = {{&one, 3}, {&other, 0.5}, {&two, 1.5}};
   CHECK(measured(SenseKind::near, cell) == 1.5);
   CHECK(senses(SenseKind::near, cell, about("x", 1.5)));

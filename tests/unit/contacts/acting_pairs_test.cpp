@@ -169,7 +169,7 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
             crowd.lab.setVelocity(slot, v, (i % 20 == 7 ? 300 : 30) * size * way);
           }
         }
-        crowd.evaluateContacts(key % 3 == 0 ? 0 : 1.0 / 30);  // the time since the last snapshot, or unknown
+        crowd.evaluateContacts(key % 3 == 0 ? 0 : 1.0 / 30);  // 1/30 fits the velocities, 0 ignores them
         const Reals chosen = b.acceleration;
         Contacts whole = crowd.contacts;
         buildNeighbourList(whole.list, b, whole.radius, 1);

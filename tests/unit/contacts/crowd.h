@@ -31,7 +31,7 @@ struct Crowd {
     addForces();
   }
 
-  /// Evaluates the forces of contact alone. `sinceLast`: see ContactKernels::takeSnapshot.
+  /// Evaluates the forces of contact alone. `sinceLast`: see takeSnapshot.
   void evaluateContacts(double sinceLast = 0) {
     advanceAndSnapshot(0, sinceLast);
     lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);

@@ -87,7 +87,7 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
     const auto rebuilds = crowd.contacts.rebuilds;
     crowd.lab.setPosition(
         slot, 41,
-        b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin, 0});  // see Rings
+        b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin, 0});  // a surface follows by 0.875
     crowd.evaluateForces();
     CHECK(crowd.contacts.rebuilds == rebuilds + 1);
     CHECK((listsByVertex(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));

@@ -1,4 +1,4 @@
-// The simulator for other programs gives the results of the world inside.
+// The library's simulator, for other programs, gives the results of the world inside.
 #include "catch.h"
 #include "library/morula.h"
 #include "library/scene_format.h"

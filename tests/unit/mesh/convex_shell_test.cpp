@@ -102,7 +102,7 @@ TEST_CASE("A shell of quads is convex as far as the digits of its file tell") {
   for (const int decimals : {4, 5, 6, 9}) {
     CAPTURE(decimals);
     const ConvexShell shell = readConvexShell(sphereOfQuads(decimals), "s.obj");
-    // Each quad is one plane, unless all vertices lie within 1e-9 of both of its triangles as written.
+    // Each quad is one plane, unless the planes of both of its triangles hold all vertices to 1e-9 as written.
     if (decimals < 9) CHECK(shell.planes.size() == 14 * 32 + 2 * 32);
     for (const Point& x : shell.mesh.vertices)
       CHECK(measureReach(shell.planes, x) <= 1 + 1e-9);  // the tolerance of all shells

@@ -53,7 +53,7 @@ TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
 
 TEST_CASE("Small shifts come out to the last digits") {
   const Mesh cube = scenes::cube();
-  // Along an axis four of eight corners leave each cube's face by 1e-9, and the others lie on it.
+  // Along an axis four of eight corners leave each cube's face by 1e-9, and the others stay on its surface.
   const double distance = measureSurfaceDistance(cube, zoo::moved(cube, {1e-9, 0, 0}));
   CHECK(distance > 0.5e-9);
   CHECK(distance < 1.001e-9);

@@ -111,7 +111,7 @@ TEST_CASE("The shell bears the outward force and leaves the rest") {
     Lab held = evaluated({p, mesh, {body}});
     p.shell.reset();
     Lab free = evaluated({p, mesh, {body}});
-    // Half of the vertices are pushed out, half in.
+    // Random forces push about half of the vertices out, and half in.
     for (Lab* lab : {&held, &free}) {
       Bodies& b = lab->bodies;
       for (int v = 0; v < b.vertexCount(); ++v)

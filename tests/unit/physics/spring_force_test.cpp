@@ -101,7 +101,7 @@ TEST_CASE("Damping works along the edge, against the change of its length") {
   Vector onMoving;
   for (int v = 1; v < 4; ++v) {
     const Vector edge = mesh.vertices[v] - mesh.vertices[0], along = edge / norm(edge);
-    const Vector force = 0.5 * dot(body.velocity[0], along) * along;  // k_d Δv, drags along in the direction of motion
+    const Vector force = 0.5 * dot(body.velocity[0], along) * along;  // k_d Δv: vertex v is dragged along
     CHECK(norm(lab.force(0, v) - force) < 1e-14);
     onMoving -= force;
   }

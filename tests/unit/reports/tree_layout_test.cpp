@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-/// Adds a tree in which chance decides whether a cell divides.
+/// Adds a cell and its descendants; chance decides whether a cell divides.
 void grow(std::vector<LineageNode>& nodes, const std::string& path, double born, std::uint64_t seed) {
   const std::uint32_t lot = randomWords({seed, CellPath::parse(path), 0, Purpose::test}, 0)[0];
   const bool divides = path.size() < 7 && lot % 4 != 0;

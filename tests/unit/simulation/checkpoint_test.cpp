@@ -25,7 +25,7 @@ std::vector<Scene> savedScenes() {
   return all;
 }
 
-/// Returns twenty random but fixed steps of a run, or of a short one each of its last steps.
+/// Returns up to twenty steps of a run, random but reproducible.
 std::set<std::uint64_t> chosenSteps(std::uint64_t last) {
   std::set<std::uint64_t> steps;
   for (std::uint32_t i = 0; i < 20; ++i)

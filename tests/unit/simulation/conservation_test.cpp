@@ -55,7 +55,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
     const double size = sizeOfMomenta(world);
     Worst drift;
     for (int i = 0; i < 2000; ++i) {
-      movePhysics(world, world.clock.timeStep);  // explicit Euler is stable with no step that it would choose
+      movePhysics(world, world.clock.timeStep);  // without drag no step of explicit Euler is stable
       drift.see(norm(momentumOf(*world.bodies) - before) / size);
     }
     CAPTURE(static_cast<int>(integrator));

@@ -1,7 +1,7 @@
 // Every statement of a comparison, where its truth is known: thousands of simulated studies with fixed seeds count how
 // often it is made wrongly. A level of 5 % must give 3.5 to 6.5 % from 5 seeds on, and at most 10 % with 3. F tests of
-// more than one degree of freedom may give 3.3 % (factorial.h). Counts of 4000 studies have a standard deviation of
-// 0.35 points.
+// more than one degree of freedom may give as little as 3.3 % (factorial.h). Counts of 4000 studies have a standard
+// deviation of 0.35 points.
 #include <array>
 #include <cmath>
 
