@@ -1,4 +1,4 @@
-// From settings to a report: manufactured rows, and one small scene from end to end.
+// Accuracy reports: manufactured rows, and one small scene from its settings to its report.
 #include "accuracy/accuracy.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// From rows to ratios, text and picture; and one bench from end to end.
+// Bench reports: ratios, text and picture of rows, and one bench from end to end.
 #include <algorithm>
 #include <set>
 

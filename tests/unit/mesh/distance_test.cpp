@@ -37,7 +37,7 @@ TEST_CASE("Distances stand in the order of the vertices they are measured from")
 }
 
 TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and faces") {
-  const Mesh cube = scenes::cube();  // of edge 1.1
+  const Mesh cube = scenes::cube();  // edges of 1.1
   // Far corners are 3.1 from the other cube's near face, near corners 3.1 − 1.1.
   const double expected = std::sqrt((2.0 * 2.0 + 3.1 * 3.1) / 2);
   CHECK(measureSurfaceDistance(cube, zoo::moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));

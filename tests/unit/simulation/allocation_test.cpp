@@ -123,7 +123,7 @@ TEST_CASE("A hundred thousand steps of a crowd that never rests take no more mem
   CHECK(bytesInUse <= early + early / 20);  // a list may still become a little longer than any before
 }
 
-#if !defined(__SANITIZE_THREAD__)  // with it, each loop makes new std::threads
+#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer runs each loop on new std::threads
 TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes from itself") {
   for (int threads : {2, 3}) {
     World world = crowd(crowdedScene(), threads);

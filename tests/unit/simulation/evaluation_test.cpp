@@ -22,7 +22,7 @@ TEST_CASE("Evaluating the forces again changes nothing") {
   Scene automatic = undamped(scenes::thesis());
   automatic.name = "thesis, automatic step";
   automatic.mechanics->physics.timeStep.reset();
-  automatic.stop.time = 2.1;  // its contact law is too stiff for later, shorter steps
+  automatic.stop.time = 2.1;  // the thesis' contact law is too stiff for shorter steps
   for (const Scene& scene :
        {undamped(scenes::packed()), undamped(scenes::thesis()), automatic, undamped(scenes::life())}) {
     World world = makeWorld(scene);

@@ -166,7 +166,7 @@ TEST_CASE("Volume over rest and over the mesh: a body pressed to nine tenths, wi
   const World world = worldOf(scene, {body});
   CHECK(valueOf("volume_over_rest", world, 0) == Approx(0.729 / 0.5).epsilon(1e-12));
   CHECK(valueOf("volume_over_mesh", world, 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
-  scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // it has no contents: its mesh is its rest shape
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // no contents: the mesh is the rest shape
   CHECK(valueOf("volume_over_rest", worldOf(scene, {body}), 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
 }
 
