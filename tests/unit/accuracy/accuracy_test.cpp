@@ -1,4 +1,4 @@
-// From settings to a report: manufactured rows, and one small scene from end to end.
+// Accuracy reports: manufactured rows, and one small scene from its settings to its report.
 #include "accuracy/accuracy.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ AccuracyRow row(const std::string& series, double timeStep, double error, double
   return r;
 }
 
-/// A blown-up cell that swings, with drag that explicit Euler lives on.
+/// A blown-up cell that oscillates, with enough drag for explicit Euler.
 const std::string swinging =
     "morula: 1\nname: swinging\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\n"
     "physics:\n  mesh: {icosphere: 1}\n  membrane: {stiffness: 10, damping: 0.02}\n"
@@ -40,7 +40,7 @@ const SeriesOrder& orderIn(const AccuracyReport& report, const std::string& seri
   return *found;
 }
 
-/// Those that have time steps.
+/// Returns the integrators that have time steps.
 std::vector<Integrator> integratorsOfTime() {
   std::vector<Integrator> integrators;
   for (Integrator integrator : valuesOf<Integrator>())
@@ -90,7 +90,7 @@ TEST_CASE("Orders and speeds follow from rows; what failed, parted or is not res
   CHECK(orders[0].observed->points == 3);
   CHECK_FALSE(orders[2].observed);
 
-  // Error 0.1: slow at h = 0.1/3.9, 1/h s; fast at h = √(0.1/15.9), 2/h s. Error 0.01: fast alone.
+  // Error 0.1: slow takes 1/h s at h = 0.1/3.9, fast 2/h s at h = √(0.1/15.9). Error 0.01: only fast.
   const auto speeds = findSpeeds(rows, "slow");
   REQUIRE(speeds.size() == 3);
   CHECK(speeds[0].cpuSeconds == Approx(39).epsilon(1e-9));
@@ -108,7 +108,7 @@ TEST_CASE("Orders and speeds follow from rows; what failed, parted or is not res
   CHECK(thatHold(report, 1e-12).empty());
   const auto list = thatHold(report, 0.05);
   CHECK(std::ranges::is_sorted(list, {}, &AccuracyRow::cpuSeconds));
-  report.reference.left.error = 0.02;  // counts on top: 0.03975 + 0.02 > 0.05
+  report.reference.left.error = 0.02;  // is added: 0.03975 + 0.02 > 0.05
   CHECK(thatHold(report, 0.05).front()->cpuSeconds == 80);
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("Rivals are as exact as the scene is, between two runs or beyond; Bull
     return r;
   };
   const AccuracyRow own = ours("as it is", 0.01, 8);
-  // Through 1 s at 0.1 and 100 s at 0.001: 10 s at 0.01. A run of 4 s at 0.002 is more exact than asked for.
+  // A line through 1 s at 0.1 and 100 s at 0.001 gives 10 s at 0.01. A run of 4 s at 0.002 is more exact than required.
   std::vector<AccuracyRow> rows{ours("slow", 0.1, 1), ours("slow", 0.001, 100), bullets("b1", 0.1, 30),
                                 bullets("b1", 0.001, 3000), bullets("b2", 0.2, 1)};
   REQUIRE(findRival(own, rows));
@@ -129,12 +129,12 @@ TEST_CASE("Rivals are as exact as the scene is, between two runs or beyond; Bull
   rows.push_back(ours("single", 0.002, 4));
   CHECK(findRival(own, rows)->series == "single");
   CHECK(findRival(own, rows)->speed == Approx(2));
-  rows.back().partedAt = 1;  // other cells: it says nothing
+  rows.back().partedAt = 1;  // a run with other cells does not count
   CHECK(findRival(own, rows)->series == "slow");
   rows.back().partedAt.reset();
 
   const auto speeds = compareSpeeds(rows);
-  REQUIRE(speeds.size() == 3);  // 0.1, 0.01, 0.001
+  REQUIRE(speeds.size() == 3);  // at errors 0.1, 0.01, 0.001
   CHECK(speeds[0].ours == "slow");
   CHECK(speeds[1].error == Approx(0.01));
   CHECK(speeds[1].ours == "single");
@@ -158,7 +158,7 @@ TEST_CASE("The picture shows a run that parts by a hollow point of its series' c
   CHECK(apart > 0);
   CHECK(apart < joined);
   report.rows.pop_back();
-  CHECK(inked() != apart);  // its own place on the sheet, and its ring
+  CHECK(inked() != apart);  // the hollow point has its place on the sheet, and its ring
 }
 
 TEST_CASE("A smooth scene: every integrator has its order, and the reference its witness") {
@@ -166,7 +166,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   options.integrators = integratorsOfTime();
   options.levels = {0};
   options.rounds = 1;
-  options.cheaperModels = false;  // cheaper_model_test.cpp
+  options.cheaperModels = false;  // see cheaper_model_test.cpp
   const AccuracyReport report = measureAccuracy(reader(swinging), options);
   INFO(textOf(describe(report)));
   CHECK(report.reference.agrees);
@@ -184,11 +184,11 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   CHECK(orderIn(report, "symplectic-euler").observed->slope == Approx(1).margin(0.2));
   CHECK(orderIn(report, "thesis-verlet").observed->slope == Approx(1).margin(0.2));
   CHECK(orderIn(report, "xpbd, 4 sub-steps").observed->slope == Approx(1).margin(0.2));
-  // A coarser mesh is another cell: no time step makes up for that.
+  // A coarser mesh is another cell, and no time step makes up for the difference.
   CHECK(std::abs(orderIn(report, "velocity-verlet, icosphere 0").observed->slope) < 0.5);
   for (const AccuracyRow& r : report.rows) {
     if (!r.failure.empty()) {
-      // Longer steps than an integrator bears are told, not dropped.
+      // Time steps that an integrator does not bear are reported, not dropped.
       CHECK_THAT(r.failure, ContainsSubstring("physics.time_step"));
       continue;
     }

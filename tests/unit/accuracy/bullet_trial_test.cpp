@@ -1,4 +1,4 @@
-// What Bullet is tried with beside ours. Runs in Bullet itself: tests/cli/accuracy_test.cpp.
+// Settings of trials in Bullet. Tests of runs in Bullet: tests/cli/accuracy_test.cpp.
 #include "accuracy/bullet_trial.h"
 
 #include <set>
@@ -10,7 +10,7 @@ using namespace morula;
 TEST_CASE("Bullet's margins and iterations are searched where they count") {
   CHECK(bulletChoices(Baseline::b1, false).size() == 1);
   CHECK(bulletChoices(Baseline::b1, true).size() == 16);
-  CHECK(bulletChoices(Baseline::b2, false).size() == 4);  // its links are solved with as many iterations
+  CHECK(bulletChoices(Baseline::b2, false).size() == 4);  // numbers of iterations over B2's links
   CHECK(bulletChoices(Baseline::b3, false).size() == 1);
   std::set<std::string> names;
   for (const BulletSetting& s : bulletChoices(Baseline::b1, true)) names.insert(seriesName(s, true));
@@ -22,10 +22,10 @@ TEST_CASE("Bullet's margins and iterations are searched where they count") {
 TEST_CASE("Bullet's time steps: eight times ours down to the shortest, and the longest stable one too") {
   const std::vector<double> times{1, 2};
   CHECK(bulletTimeSteps(0.125, 0, 2, times) == std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625, 0.03125});
-  CHECK(bulletTimeSteps(0.125, 0.1, 0, times) == std::vector<double>{1, 0.5, 0.25, 0.125});  // shorter than ours
+  CHECK(bulletTimeSteps(0.125, 0.1, 0, times) == std::vector<double>{1, 0.5, 0.25, 0.125});  // 0.1 < 0.125
   const auto steps = bulletTimeSteps(0.125, 1.0 / 6, 0, times);
   REQUIRE(steps.size() == 5);
-  CHECK(steps[3] == static_cast<float>(1.0 / 6));  // as Bullet takes it
+  CHECK(steps[3] == static_cast<float>(1.0 / 6));  // Bullet takes floats
 }
 
 TEST_CASE("A run is beaten by one that is as exact and faster; one without an error is") {

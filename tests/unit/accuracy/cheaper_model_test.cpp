@@ -1,4 +1,4 @@
-// The shape matching that stands in for a shell pulls as the shell does, near rest.
+// Near rest, the shape matching that replaces a shell has the shell's forces.
 #include "catch.h"
 #include "reader.h"
 #include "unit/physics/lab.h"
@@ -7,7 +7,7 @@ using namespace morula;
 
 namespace {
 
-/// ω² of the motion x → (1 + ε e)x: the pull back over ε, of all vertices along it.
+/// Returns ω² of the motion x → (1 + ε e)x: the restoring force along the motion over ε, summed over vertices.
 double squaredFrequency(const PhysicsParameters& p, const Mesh& mesh, const Vector& e) {
   constexpr double small = 1e-6;
   Body body{mesh.vertices, std::vector<Vector>(mesh.vertices.size()), 1, 1, p.pressure.constant};
@@ -27,7 +27,7 @@ double squaredFrequency(const PhysicsParameters& p, const Mesh& mesh, const Vect
   return pull / lab.bodies.vertexMass[0] / inertia / small;
 }
 
-/// A shell whose gas just holds the outside at bay.
+/// Returns a shell whose gas just balances the outside pressure.
 PhysicsParameters restingShell(const Mesh& mesh) {
   PhysicsParameters p;
   p.pressure.constant = p.pressure.outside * measureVolume(mesh.vertices, mesh.faces);
@@ -52,9 +52,9 @@ TEST_CASE("Shape matching in a shell's place breathes and swings as fast") {
     PhysicsParameters matched;
     matched.cell.model = CellModel::shapeMatching;
     matched.shapeMatching = matchShell(shell, mesh);
-    // A slope over a step of 1e-6 is off by about as much.
+    // A slope over a step of 1e-6 has an error of about as much.
     CHECK(squaredFrequency(matched, mesh, {1, 1, 1}) == Approx(squaredFrequency(shell, mesh, {1, 1, 1})).epsilon(1e-5));
-    // An icosphere is as stiff in all directions: of its symmetry no other form of second degree is left.
+    // An icosphere is equally stiff in all directions: its symmetry allows no other form of second degree.
     for (const Vector& e : {Vector{1, -0.5, -0.5}, Vector{-0.5, -0.5, 1}, Vector{1, -1, 0}})
       CHECK(squaredFrequency(matched, mesh, e) == Approx(squaredFrequency(shell, mesh, e)).epsilon(1e-5));
   }

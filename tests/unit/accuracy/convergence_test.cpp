@@ -20,8 +20,8 @@ TEST_CASE("A power law is found to the last digits, whatever its exponent") {
 }
 
 TEST_CASE("The slope's error is the textbook's") {
-  // Logarithms x = 0, 1, 2 and y = 0, 3, 3: slope 1.5, residuals −0.5, 1, −0.5, so s² = 1.5/1 and s/√Sxx =
-  // √0.75.
+  // The logarithms x = 0, 1, 2 and y = 0, 3, 3 have the slope 1.5 and residuals −0.5, 1, −0.5, so s² = 1.5/1 and s/√Sxx
+  // = √0.75.
   const auto law = fitPowerLaw({{1, 1}, {std::exp(1.0), std::exp(3.0)}, {std::exp(2.0), std::exp(3.0)}});
   REQUIRE(law);
   CHECK(law->slope == Approx(1.5).epsilon(1e-12));
@@ -57,7 +57,7 @@ TEST_CASE("An order beyond the method's is not believed, and what does not conve
 }
 
 TEST_CASE("Cost at an error lies on the straight line in logarithms, and nowhere outside") {
-  // error = cost^-2
+  // Here error = cost^-2.
   const std::vector<WorkPoint> series{{1, 1}, {10, 1e-2}, {100, 1e-4}};
   CHECK(*costAtError(series, 1e-3) == Approx(std::pow(10, 1.5)).epsilon(1e-12));
   CHECK(*costAtError(series, 1e-2) == Approx(10).epsilon(1e-12));

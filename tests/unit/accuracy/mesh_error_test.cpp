@@ -1,4 +1,4 @@
-// What meshes say together, from manufactured runs; and which meshes take part.
+// Mesh errors from manufactured runs of several meshes, and the choice of meshes.
 #include "accuracy/mesh_error.h"
 
 #include "catch.h"
@@ -10,8 +10,8 @@ using namespace morula;
 
 namespace {
 
-/// One cube, at time 0 at the origin, and at times 1 and 2 off by that along x; its pressure is off by as
-/// much.
+/// Returns a run of one cube, at the origin at time 0 and off by `off` along x at times 1 and 2. Pressure and contact
+/// area are off by as much.
 Trial run(double off) {
   Trial trial;
   for (int time = 0; time < 3; ++time) {
@@ -28,7 +28,7 @@ Trial run(double off) {
 }  // namespace
 
 TEST_CASE("Three meshes whose errors quarter tell them exactly; two assume it") {
-  // 0.16, 0.04, 0.01 from the truth at 0.
+  // The truth is 0, so errors are 0.16, 0.04 and 0.01.
   const Trial one = run(0.16), two = run(0.04), three = run(0.01);
   const MeshError all = estimateMeshError({{1, &one}, {2, &two}, {3, &three}}, 1, 1);
   CHECK(all.orderIsObserved);
@@ -100,7 +100,7 @@ TEST_CASE("The first division across another plane is found, with how round its 
   CHECK(cut->time == 2);
   CHECK(cut->angle == Approx(53.13).epsilon(1e-3));
   CHECK(cut->extentRatio == 1.001);
-  // The same plane, and the daughters on the other sides of it.
+  // The plane is the same, with the daughters exchanged.
   const auto turned = findDividedElsewhere(std::vector{division("", 1, {-1, 0, 0})}, there);
   REQUIRE(turned);
   CHECK(turned->angle == Approx(180));

@@ -1,5 +1,5 @@
 #pragma once
-// What tests of accuracy share: scenarios given as text, and few settings.
+// Helpers of the accuracy tests: scenarios given as text, and options with few settings.
 #include <string>
 
 #include "accuracy/accuracy.h"
@@ -14,7 +14,7 @@ inline ReadScenario reader(const std::string& text) {
   };
 }
 
-/// The scene's own integrator, precision and law in two time steps, each once.
+/// Returns options that try the scene's own integrator, precision and law in two time steps, each once.
 inline AccuracyOptions fewSettings() {
   return {.otherPrecision = false, .otherLaw = false, .halvings = 1, .rounds = 1};
 }

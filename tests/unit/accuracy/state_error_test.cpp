@@ -1,4 +1,4 @@
-// States whose distance is known.
+// Errors between states of known distance.
 #include "accuracy/state_error.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ TEST_CASE("Centroid, volume and surface are each the worst over the cells, in eg
 }
 
 TEST_CASE("A cell's centroid is that of what it encloses, wherever its vertices lie") {
-  // A half ball: its vertices crowd on the dome; what it encloses has its centroid 3/8 of the radius up.
+  // A half ball has its vertices crowded on the dome; the centroid of its volume lies 3/8 of the radius up.
   Mesh half = makeIcosphere(3);
   for (Point& x : half.vertices) x.z = std::max(x.z, 0.0);
   CHECK(comparedCell({}, half).centroid.z == Approx(0.375).epsilon(0.01));

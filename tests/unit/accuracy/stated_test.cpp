@@ -1,4 +1,4 @@
-// What goldens state of the errors of their scenarios: all shipped ones with bodies do, in one form.
+// Errors that goldens state: every shipped scene with bodies states them, in one form.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// Of scenes with bodies, by name.
+/// Returns the shipped goldens of scenes with bodies, by scenario.
 std::map<std::string, Golden> shippedGoldens() {
   std::map<std::string, Golden> goldens;
   for (const auto& entry : std::filesystem::recursive_directory_iterator("golden")) {
@@ -30,7 +30,7 @@ bool isUnstated(const Golden& golden, const std::string& what) {
 }  // namespace
 
 TEST_CASE("Every shipped scene with bodies states its error, or why it has none") {
-  // Without: morula accuracy SCENARIO --into-golden
+  // If one is missing, run: morula accuracy SCENARIO --into-golden
   const auto goldens = shippedGoldens();
   CHECK(goldens.size() > 80);
   std::set<std::string> without, withoutMesh;
@@ -56,14 +56,14 @@ TEST_CASE("Every shipped scene with bodies states its error, or why it has none"
     for (const char* always : {"position", "surface", "volume"}) CHECK(quantities.contains(always));
     CHECK(quantities.contains("contact_area") == quantities.contains("neighbours"));
   }
-  // A law that depends on the time step, steps that no reference can follow, and a scene that has none.
+  // Reasons: a law that depends on the time step, steps that no reference can follow, and a scene without time steps.
   CHECK(without == std::set<std::string>{"hard/stiff-xpbd", "hard/thesis-law", "policies/shell-64-settled"});
-  // No finer mesh of the same shape.
+  // These have no finer mesh of the same shape.
   CHECK(withoutMesh == std::set<std::string>{"hard/sliver-globe", "hard/sliver-lens", "hard/sliver-rod"});
 }
 
 TEST_CASE("golden/ERRORS.md is current") {
-  // After a change: morula accuracy --stated golden/*/*.golden > golden/ERRORS.md
+  // After a change run: morula accuracy --stated golden/*/*.golden > golden/ERRORS.md
   std::vector<Golden> goldens;
   for (const auto& [name, golden] : shippedGoldens()) goldens.push_back(golden);
   CHECK(readFile("golden/ERRORS.md") == statedErrorsAsMarkdown(goldens));

@@ -1,4 +1,4 @@
-// Claims held against studies whose values are known.
+// Claims compared with studies of known values.
 #include "analysis/claims.h"
 
 #include "base/error.h"
@@ -10,8 +10,8 @@ using namespace morula;
 
 namespace {
 
-/// Clones are 1 under `a`, and around 1.1 under `b`, without a connection 0.02 more in every seed; sphericity is about
-/// the same everywhere.
+/// Returns results in which clone_radius is 1 under `a` and about 1.1 under `b`, without connections 0.02 more in every
+/// seed. The sphericity is about equal everywhere.
 StudyResults results() {
   MadeStudy study;
   study.axes = {{"division", {"a", "b"}}, {"connections", {"none", "both"}}};
@@ -63,7 +63,7 @@ TEST_CASE("A claim holds or not, by what a comparison says of its pair or condit
             "clone_radius: a equivalent to b within 0.05", false},
            {"clone_radius, a: {division: a}, b: {division: b}, says: equivalent, within: 0.2",
             "clone_radius: a equivalent to b within 0.2", true},
-           // At one level of the other axis, and in the mean over it.
+           // Claims at one level of the other axis, and in the mean over that axis.
            {"clone_radius, a: {division: b, connections: none}, b: {division: b, connections: both}, says: higher",
             "clone_radius: none higher than both with division: b", true},
            {"clone_radius, a: {division: a, connections: none}, b: {division: a, connections: both}, says: higher",

@@ -1,4 +1,4 @@
-// Comparisons of studies whose values are known.
+// Comparisons of studies with known values.
 #include <algorithm>
 
 #include "analysis/comparison.h"
@@ -16,7 +16,7 @@ using namespace morula;
 
 namespace {
 
-/// Of seeds 1 to 10, with mean 0 over them.
+/// Returns noise of seeds 1 to 10, with mean 0 over these seeds.
 double noise(int seed, std::uint64_t key) {
   double sum = 0;
   for (std::uint32_t s = 1; s <= 10; ++s) sum += randomNormal({key, {}}, s);
@@ -29,8 +29,8 @@ StudyComparison compared(const MadeStudy& study, const CompareOptions& options =
   return compareStudy(readStudyResults(folder / "study.db"), options);
 }
 
-/// As the question that the project is for: seeds change nothing under `longest`, sisters always touch, clones are
-/// tighter under `longest` by 4.5 %, and what connections do is nothing.
+/// Returns a study like the project's own: seeds change nothing under `longest`, sisters always touch, clones are
+/// tighter under `longest` by 4.5 %, and connections change nothing.
 MadeStudy policies() {
   MadeStudy study;
   study.axes = {{"division", {"longest", "random"}}, {"connections", {"none", "both"}}};
@@ -61,7 +61,7 @@ bool says(const std::vector<std::string>& lines, const std::string& sentence) {
   return std::ranges::find(lines, sentence) != lines.end();
 }
 
-/// A sentence that begins and ends so, with this part between.
+/// Returns true if a sentence has this beginning, part and end.
 bool says(const std::vector<std::string>& lines, const std::string& begin, const std::string& part,
           const std::string& end = "") {
   return std::ranges::any_of(lines, [&](const std::string& line) {
@@ -69,7 +69,7 @@ bool says(const std::vector<std::string>& lines, const std::string& begin, const
   });
 }
 
-/// The sentences of a comparison, which a check that fails shows.
+/// Returns the sentences of a comparison, and shows them if a check fails.
 std::vector<std::string> shownVerdicts(const StudyComparison& c) {
   auto verdicts = verdictsOf(c);
   for (const auto& line : verdicts) UNSCOPED_INFO(line);
@@ -87,9 +87,9 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   CHECK(says(verdicts, "clone_radius: no difference is shown between none (", "", ", n = 10"));
   CHECK(verdicts[0].starts_with("division: decides on clone_radius (η² "));  // the axes come first
   CHECK(
-      verdicts[1].starts_with("connections: no effect is shown on clone_radius (η² "));  // sister_contact tells nothing
+      verdicts[1].starts_with("connections: no effect is shown on clone_radius (η² "));  // sister_contact shows nothing
   CHECK(verdicts.size() == 6);
-  CHECK_THAT(verdicts[4], ContainsSubstring("no difference is shown"));  // behind what is known
+  CHECK_THAT(verdicts[4], ContainsSubstring("no difference is shown"));  // after the sentences about known effects
   CHECK_THAT(verdicts.back(), ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
 }
 
@@ -98,11 +98,11 @@ TEST_CASE("Conditions that differ most come first, and those without values last
   study.axes = {{"where", {"middle", "low", "nothing", "near low", "high"}}};
   study.seeds = 3;
   study.values = [](const std::vector<int>& levels, int seed) -> Values {
-    const double places[] = {5, 0, 0, 0.5, 9.8};  // the two farthest apart: low and high
+    const double places[] = {5, 0, 0, 0.5, 9.8};  // low and high are farthest apart
     if (levels[0] == 2) return {};
     return {{"neighbours", places[levels[0]] + 0.01 * seed}, {"sphericity", 1}};
   };
-  // From low and high the middle is farther than what lies near low.
+  // The middle is farther from low and high than `near low` is.
   CHECK(byDifference(compared(study)) == std::vector<std::size_t>{1, 4, 0, 3, 2});
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("Within: the levels are compared at each level of the other axis, too"
   CHECK(says(verdictsOf(c), "clone_radius: 4.5 % tighter under longest (",
              " with connections: none, every one of 10 pairs: "));
   const auto one = compared(policies(), {.by = {"division"}, .within = true});
-  CHECK(one.pairs.size() == 2);  // the mean over connections alone: they are not among the axes compared
+  CHECK(one.pairs.size() == 2);  // in the mean over connections, which are not compared
 }
 
 TEST_CASE("Failed and missing runs are named, and their partners are left out") {
@@ -168,9 +168,9 @@ TEST_CASE("Failed and missing runs are named, and their partners are left out") 
   CHECK(troubles.size() == 3);
   const std::string text = textOf(describe(c));
   CHECK(text.find("failed  random") < text.find("clone_radius"));
-  CHECK(pairOf(c, "clone_radius", "division").of.size() == 9);  // of seed 7 one connection is left
+  CHECK(pairOf(c, "clone_radius", "division").of.size() == 9);  // seed 7 has one connection left
   CHECK(pairOf(c, "clone_radius", "connections").of.size() ==
-        9);  // of seed 4 and 7 longest alone: one and the same pair
+        9);  // seeds 4 and 7 have longest alone, which is one pair
 }
 
 TEST_CASE("What seeds change on neither side is exact, and is no test") {
@@ -224,8 +224,8 @@ TEST_CASE("Main effects and interaction are those of the design") {
   CHECK_THAT(verdicts[0], ContainsSubstring("partial η² ") && ContainsSubstring(": with b x: 1 ") &&
                               ContainsSubstring(": every two differ; with b y: 1 "));
   CHECK(verdicts[1].starts_with("b: what it does to volume depends on a (interaction, η² "));
-  // Nothing is said of the mean over an axis that it depends on, and every pair of levels stands at each level of the
-  // other.
+  // No sentence is about the mean over an axis on which the effect depends. Every pair of levels is compared at each
+  // level of the other axis.
   for (const auto& line : verdicts) CHECK(!line.starts_with("volume: "));
   CHECK(c.split.size() == 2 * 3 + 3);
   checkCorrectedByHolm(c.split);

@@ -1,5 +1,5 @@
 #pragma once
-// Merged databases of studies that were never run, for tests that know what is in them.
+// Merged databases of studies that were never run, with known contents.
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -17,16 +17,16 @@ struct MadeStudy {
   };
   std::vector<MadeAxis> axes;
   int seeds = 10;
-  /// The values at the end of the run of these levels and this seed. None: there was nothing to measure.
+  /// Returns the values at the end of the run of these levels and this seed; empty if there is nothing to measure.
   std::function<Values(const std::vector<int>& levels, int seed)> values;
-  /// Whether seeds change nothing for these levels. Absent: they always do.
+  /// Returns true if seeds change nothing for these levels. Absent: seeds always matter.
   std::function<bool(const std::vector<int>& levels)> seedless = {};
-  /// "failed", "missing" or "".
+  /// Returns "failed", "missing" or "".
   std::function<std::string(const std::vector<int>& levels, int seed)> trouble = {};
   std::function<int(const std::vector<int>& levels)> cells =
-      {};                           // alive at the end, of a failed run half as many. Absent: not known
-  std::vector<double> times = {1};  // at all but the last the value is the time's share of that at the end
-  /// Further levels that mean the same as others: levels → those whose runs they share. Absent: none.
+      {};                           // number alive at the end, half as many in a failed run. Absent: unknown
+  std::vector<double> times = {1};  // at all but the last, a value is the time's share of the last value
+  /// Returns the levels whose runs these levels share because they mean the same. Absent: none.
   std::function<std::vector<int>(const std::vector<int>& levels)> sameAs = {};
 };
 

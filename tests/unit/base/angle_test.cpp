@@ -1,4 +1,4 @@
-// Angles against the library's, which may differ between machines in the last bit and no more.
+// Angles against the standard library's, which may differ between machines in the last bit.
 #include "base/angle.h"
 
 #include "catch.h"

@@ -1,4 +1,4 @@
-// The oracle of the order is that of std::string: a mother is a prefix of her daughters, and A < B.
+// The oracle is the order of std::string: a mother is a prefix of her daughters, and A < B.
 #include "base/cell_path.h"
 
 #include <algorithm>

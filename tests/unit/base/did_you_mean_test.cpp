@@ -24,7 +24,7 @@ TEST_CASE("equalButForCase") {
   CHECK(equalButForCase("", ""));
   CHECK_FALSE(equalButForCase("divide", "divides"));
   CHECK_FALSE(equalButForCase("divides", "divide"));
-  CHECK_FALSE(equalButForCase("[", "{"));  // differ by the bit that letters of two cases differ by
+  CHECK_FALSE(equalButForCase("[", "{"));  // [ and { differ in the bit that tells upper from lower case
 }
 
 TEST_CASE("closest names what was probably meant, and nothing rather than something far") {
@@ -34,7 +34,7 @@ TEST_CASE("closest names what was probably meant, and nothing rather than someth
   CHECK(closest("stifness", words) == "stiffness");
   CHECK(closest("stiffnesses", words) == "stiffness");
   CHECK(closest("A1", words) == "a1");
-  CHECK(closest("a0", words).empty());  // another number, not a slip of the pen
+  CHECK(closest("a0", words).empty());  // another digit is another name, not a typing error
   CHECK(closest("to", words).empty());
   CHECK(closest("pressure", words).empty());
   CHECK(closest("", words).empty());

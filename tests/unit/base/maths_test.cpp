@@ -106,7 +106,7 @@ TEST_CASE("The exponential function, over its whole range") {
   CHECK(exponential(709.78) == Approx(std::exp(709.78)).epsilon(1e-15));
   CHECK(exponential(709.8) == infinity);
   CHECK(exponential(infinity) == infinity);
-  for (double a = -708.5; a > -745; a -= 0.37)  // subnormal numbers have fewer digits
+  for (double a = -708.5; a > -745; a -= 0.37)  // subnormal results have fewer digits
     REQUIRE(std::abs(exponential(a) - std::exp(a)) <= 2 * std::numeric_limits<double>::denorm_min());
   CHECK(exponential(-746) == 0);
   CHECK(exponential(-infinity) == 0);

@@ -43,7 +43,7 @@ TEST_CASE("A loop on one thread has number 0, also within another loop's thread"
     const int outer = threadNumber();
     parallelFor(3, 1, [&](int) { wrong += threadNumber() != 0; });
     wrong += threadNumber() != outer;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));  // gives other threads time to come
+    std::this_thread::sleep_for(std::chrono::microseconds(200));  // gives other threads time to start
   });
   CHECK(wrong == 0);
   CHECK(threadNumber() == 0);

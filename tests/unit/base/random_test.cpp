@@ -27,7 +27,7 @@ Words philox(Words x, std::uint32_t key0, std::uint32_t key1) {
   return x;
 }
 
-// The draws of 100 000 cells: enough for three digits of a mean.
+// Number of draws, each of its own cell: enough for three digits of a mean.
 constexpr int many = 100'000;
 
 Draw drawOfCell(int i) {
@@ -99,8 +99,8 @@ TEST_CASE("The order of draws does not matter") {
 }
 
 TEST_CASE("A random unit lies in [0, 1), uniformly") {
-  // The mean of n draws has the standard deviation √(1/12 n), that of their squares √(4/45 n); five of them
-  // are met by chance in one of a million seeds, and the seed is fixed.
+  // The mean of n draws has the standard deviation √(1/12 n), the mean of their squares √(4/45 n). One seed in a
+  // million deviates by five of these, and the seed is fixed.
   double sum = 0, squares = 0;
   std::vector<int> tenths(10, 0);
   for (int i = 0; i < many; ++i) {
@@ -143,12 +143,12 @@ TEST_CASE("A random direction is made of the first pair of numbers inside the un
     const double s = u * u + v * v, root = 2 * std::sqrt(1 - s);
     REQUIRE(randomDirection(draw) == Vector{u * root, v * root, 1 - 2 * s});
   }
-  CHECK(rejected > 100);  // 1 − π/4 of them
+  CHECK(rejected > 100);  // expected: a share of 1 − π/4
 }
 
 TEST_CASE("Random directions are uniform on the sphere") {
-  // Of a uniform direction: E x = 0, E x² = 1/3, E xy = 0, with the variances 1/3, 1/5 − 1/9 = 4/45 and 1/15
-  // per draw. Archimedes: each coordinate is uniform in [−1, 1].
+  // A uniform direction has E x = 0, E x² = 1/3, E xy = 0, with the variances 1/3, 1/5 − 1/9 = 4/45 and 1/15 per draw.
+  // Archimedes: each coordinate is uniform in [−1, 1].
   Vector sum;
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
   std::vector<std::array<int, 3>> eighths(8, {0, 0, 0});
@@ -173,7 +173,7 @@ TEST_CASE("Random directions are uniform on the sphere") {
 
 TEST_CASE("Normal deviates have the shares of the bell curve, and none beyond three") {
   constexpr int draws = 100'000;
-  // Φ at the bounds of eight classes, of the distribution cut at ±3.
+  // Bounds of eight classes of the normal distribution cut at ±3.
   const double bounds[] = {-3, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 3};
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
   int count[8] = {};
@@ -189,7 +189,7 @@ TEST_CASE("Normal deviates have the shares of the bell curve, and none beyond th
     const double expected = draws * (below(bounds[k + 1]) - below(bounds[k])) / (below(3) - below(-3));
     chiSquare += (count[k] - expected) * (count[k] - expected) / expected;
   }
-  CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+  CHECK(chiSquare < 24.3);  // 7 degrees of freedom: one seed in a thousand exceeds this
   CHECK(std::sqrt(squares / draws) == Approx(0.98658).epsilon(0.01));
 }
 

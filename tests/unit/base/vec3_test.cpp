@@ -30,8 +30,8 @@ TEST_CASE("Scalar, vector and triple products") {
   CHECK(cross(z, x) == y);
   CHECK(dot(Vector{1, 2, 3}, Vector{4, 5, 6}) == 32);
   CHECK(norm(Vector{2, 3, 6}) == 7);
-  // Small whole numbers are exact, so the identities hold to the bit: the cross product is perpendicular to
-  // both, changes its sign with the order, and [Lagrange] |a × b|² = |a|² |b|² − (a · b)².
+  // Small whole numbers are exact, so the identities hold to the bit: the cross product is perpendicular to both
+  // factors and changes its sign with their order, and [Lagrange] |a × b|² = |a|² |b|² − (a · b)².
   for (int i = 0; i < 1000; ++i) {
     const Vector a{i % 10 - 4.0, i / 10 % 10 - 5.0, i / 100 - 3.0}, b{i * 7 % 11 - 5.0, i * 3 % 13 - 6.0, i % 5 - 2.0};
     const Vector n = cross(a, b);

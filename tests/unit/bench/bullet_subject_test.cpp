@@ -1,4 +1,4 @@
-// What Bullet is timed with, and when, by a Bullet that only keeps count.
+// Settings and order of Bullet's timings, with a substitute for Bullet that only counts.
 #include "bench/bullet_subject.h"
 
 #include <set>
@@ -18,11 +18,11 @@ BulletScene twoCells() {
   return scene;
 }
 
-/// Takes a second for the first step, and then so much as margin and iterations are large. Marks cells by how
-/// many steps they have gone.
+/// A substitute for Bullet. Each of its first three steps takes a second; later steps take longer the larger margin and
+/// iterations are. Cells' masses count their steps.
 struct Pretender {
   std::vector<BulletRequest> heard = {};
-  double brokenMargin = -1;  // whose cells are crushed
+  double brokenMargin = -1;  // with this margin cells are crushed
 
   BulletResult operator()(const BulletRequest& request) {
     heard.push_back(request);
@@ -54,7 +54,7 @@ TEST_CASE("Bullet settles before it is timed, in all its settings, and the faste
       CHECK(request.scene.cells[0].mass == 1);
       continue;
     }
-    CHECK(request.scene.cells[0].mass == 1 + 40);  // from where it has settled
+    CHECK(request.scene.cells[0].mass == 1 + 40);  // settled cells are timed
     settings.emplace(request.scene.margin, request.scene.iterations);
   }
   CHECK(settings.size() == 16);
@@ -68,7 +68,7 @@ TEST_CASE("Bullet settles before it is timed, in all its settings, and the faste
   for (const double s : timings[0].samples) CHECK(s == Approx(2 * 0.0025 + 0.001));  // without the first steps
 
   subject.round();
-  REQUIRE(bullet.heard.size() == 20 + 3);  // only what was the fastest
+  REQUIRE(bullet.heard.size() == 20 + 3);  // only the fastest setting runs again
   for (std::size_t i = 20; i < 23; ++i) CHECK(bullet.heard[i].scene.margin == 2 * 0.0025);
   CHECK(subject.timings()[0].samples.size() == 2 * timings[0].samples.size());
 }

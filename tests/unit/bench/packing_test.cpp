@@ -1,4 +1,4 @@
-// Where packed cells begin, and that they come to fill their shell.
+// Packed cells: their start, and that they fill their shell.
 #include "bench/packed_world.h"
 #include "bench/subject.h"
 #include "catch.h"
@@ -70,7 +70,7 @@ TEST_CASE("What was packed once is found again, bit by bit") {
   CHECK(packings == 1);
   CHECK(same(settledBodies({.cells = 2, .level = 1}, folder.path(), count), first));
   CHECK(packings == 1);
-  // Another friction is the same packing; another mesh is not.
+  // Another friction uses the same packing, another mesh does not.
   CHECK(same(settledBodies({.cells = 2, .level = 1, .friction = 0.3}, folder.path(), count), first));
   CHECK(packings == 1);
   CHECK_FALSE(same(settledBodies({.cells = 2, .level = 2}, folder.path(), count), first));

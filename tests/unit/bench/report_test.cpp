@@ -1,4 +1,4 @@
-// From rows to ratios, text and picture; and one bench from end to end.
+// Bench reports: ratios, text and picture of rows, and one bench from end to end.
 #include <algorithm>
 #include <set>
 
@@ -75,12 +75,12 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
 }
 
 TEST_CASE("Work is counted per vertex: an icosahedron by hand") {
-  // The icosahedron: 12 vertices, 30 edges, rings of five that are walked as six.
+  // The icosahedron has 12 vertices, 30 edges, and rings of five that are walked as six.
   const MeshTemplate mesh = makeTemplate(makeIcosphere(0));
   PhysicsParameters p;
   p.membrane.damping = 0, p.drag = 0;
   const Work still = internalWork(mesh, p);
-  // Edges 2.5 · 12, ring 18 + 33 + 42 + 9, pressure 6.
+  // Operations: edges 2.5 · 12, ring 18 + 33 + 42 + 9, pressure 6.
   CHECK(still.operations == Approx(30 + 102 + 6));
   CHECK(still.roots == 2.5);
   p.membrane.damping = 1, p.drag = 1;

@@ -1,4 +1,4 @@
-// That measuring changes nothing, and that what is counted is the same everywhere.
+// Measuring changes nothing, and counters are equal everywhere.
 #include "bench/subject.h"
 
 #include "base/random.h"
@@ -37,7 +37,7 @@ TEST_CASE("Timing a stage leaves the state as it was") {
         Contacts contacts = subject.contactsToSearch(bestIsa(), method);
         refreshList(contacts, *subject.world().bodies, 1);
         CHECK(contacts.list.pairs > 0);
-        CHECK(contacts.list.pairs < 20 * subject.vertices());  // what is near, where surfaces stand
+        CHECK(contacts.list.pairs < 20 * subject.vertices());  // only near pairs, at the surfaces' positions
       }
     CHECK(stateHash(subject.world()) == before);
     CHECK(subject.world().bodies->acceleration == accelerations);

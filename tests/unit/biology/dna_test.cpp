@@ -19,7 +19,7 @@ std::string complaintAbout(const std::string& text, const std::string& file = "f
   return "";
 }
 
-/// g(product|input input): what was read, written again.
+/// Returns the genes that were read, written as g(product|input input).
 std::vector<std::string> written(const Dna& dna) {
   std::vector<std::string> lines;
   for (const Gene& gene : dna.genes) {
@@ -65,7 +65,7 @@ TEST_CASE("a line with a range is one line for each of its numbers") {
   const std::string ranged =
       "START: s{i} for i in 2..3\nSTART: n0\n"
       "on{n+1} (n{ n + 1 }|n{n}, A) for n in 0..2# one daughter goes on\n"
-      "off(for|n3, s2, s3)\nfor(for|for)\n"  // no word is taken away from substances
+      "off(for|n3, s2, s3)\nfor(for|for)\n"  // `for` may still be a substance
       "d{k}x{k-1}(divide|n{k-1},!x{k}y)for k in 1..3\ny{n}(x{n}y|n3) for n in 1 .. 3\n";
   const std::string plain =
       "START: s2, s3, n0\n"
@@ -135,7 +135,7 @@ TEST_CASE("a binary file is not answered with a complaint for each of its lines"
   CHECK(complaint.ends_with("\nf: … and 951 more like these"));  // 1000 lines and the missing START, less 50
 }
 
-// tests/bad_dna: each file, and beside it what must be said about it, word for word.
+// Each file in tests/bad_dna stands beside its expected messages, word for word.
 TEST_CASE("every bad DNA file gets exactly the expected complaints") {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(MORULA_SOURCE_DIR "/tests/bad_dna")) {

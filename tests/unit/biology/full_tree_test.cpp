@@ -39,7 +39,7 @@ TEST_CASE("a prefix of the final substance tells the founder") {
 
 TEST_CASE("the shipped file is what the generator writes") {
   const std::string shipped = readText(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-1024.dna");
-  CHECK((shipped == makeFullTreeDna(10)));  // in parentheses, lest 120 kB be printed
+  CHECK((shipped == makeFullTreeDna(10)));  // parentheses keep 120 kB from being printed
 }
 
 TEST_CASE("trees of other sizes") {

@@ -13,7 +13,7 @@ LineageEntry entry(const char* path, Fate fate) {
   return e;
 }
 
-// In order of birth: B divided before A did, and AB died.
+// Returns a lineage in order of birth: B divided before A did, and AB died.
 Lineage smallLineage() {
   return {{entry("", Fate::divided), entry("A", Fate::divided), entry("B", Fate::divided), entry("BA", Fate::alive),
            entry("BB", Fate::alive), entry("AA", Fate::alive), entry("AB", Fate::died)}};

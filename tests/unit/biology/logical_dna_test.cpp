@@ -183,7 +183,7 @@ TEST_CASE("equal states have equal ids") {
 }
 
 TEST_CASE("a repressor keeps its gene from being active") {
-  // b and c alternate: each keeps the other away for one cycle.
+  // b and c alternate: each represses the other for one cycle.
   Organism organism("START: a, b\ng1(a|a)\ng2(b|a, !b)\ng3(c|a, !c, b)\n");
   std::vector<std::string> states;
   for (int cycle = 0; cycle < 4; ++cycle) {

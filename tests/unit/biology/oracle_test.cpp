@@ -1,4 +1,4 @@
-// The compiled DNA against the thesis' own words: walk the list of genes, look every input up in the cell's
+// The compiled DNA against the thesis' procedure: a walk over the list of genes that looks up every input in the cell's
 // state.
 #include <algorithm>
 #include <set>
@@ -33,7 +33,7 @@ std::string joined(const PlainState& state) {
   return text;
 }
 
-/// A stream of small numbers; one for each case.
+/// A stream of small random numbers, with one stream for each case.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) { draw_.seed = seed; }
@@ -50,14 +50,14 @@ struct Case {
   std::vector<PlainGene> genes;
 };
 
-/// DNA that may do anything: few substances, so that they meet; most cells go on, some divide, some die.
+/// Returns a random DNA with few substances, so that they meet: most cells go on, some divide, some die.
 Case randomCase(std::uint64_t seed) {
   Dice dice(seed);
   Case c;
   const unsigned substances = 3 + dice.below(10), genes = 4 + dice.below(40);
   const auto name = [](unsigned i) { return std::string("s").append(std::to_string(i)); };
   const auto any = [&] { return name(dice.below(substances)); };
-  for (unsigned i = 0; i < substances; ++i) c.start.insert(name(i));  // so that none is unknown
+  for (unsigned i = 0; i < substances; ++i) c.start.insert(name(i));  // makes every substance known
   std::set<std::pair<std::string, std::set<std::string>>> written;
   c.text = "START: ";
   for (const std::string& s : c.start) c.text += (c.text.back() == ' ' ? "" : ", ") + s;
@@ -121,7 +121,7 @@ TEST_CASE("random DNAs do what a plain walk over their genes does") {
     }
     distinct += static_cast<int>(states.size());
   }
-  // The cases are worth the name: all that can happen happened, often.
+  // Everything that can happen must have happened often.
   CHECK(divisions > 1000);
   CHECK(deaths > 100);
   CHECK(distinct > 1000);

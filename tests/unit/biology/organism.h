@@ -1,6 +1,5 @@
 #pragma once
-// A lineage-only organism, as bare as the thesis tells it: all cells run their cycle together, then divide or
-// die.
+// A lineage-only organism as in the thesis: all cells run their cycle together, then divide or die.
 #include <map>
 #include <memory>
 #include <string>
@@ -32,14 +31,14 @@ class Organism {
     cells_ = std::move(next);
   }
 
-  /// Path → substances.
+  /// Returns path → substances.
   std::map<std::string, std::string> cells() const {
     std::map<std::string, std::string> all;
     for (const auto& [path, state] : cells_) all[path.text()] = unit_->describe(state);
     return all;
   }
 
-  /// How many cells hold which substances.
+  /// Returns how many cells hold which substances.
   std::map<std::string, int> census() const {
     std::map<std::string, int> count;
     for (const auto& [path, state] : cells_) ++count[unit_->describe(state)];

@@ -1,4 +1,4 @@
-// What cells perceive, worked out by hand, and what their genes make of it.
+// Perceptions of cells, worked out by hand, and their effect on genes.
 #include "biology/sense.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// A cell of which all is known that a test says.
+/// A cell that knows only what a test gives.
 struct KnownCell final : CellContext, PhysicalUnit {
   const PhysicalUnit* physical() const override { return hasBody ? this : nullptr; }
   std::span<const Neighbour> neighbours() const override { return touching; }
@@ -40,7 +40,7 @@ struct KnownCell final : CellContext, PhysicalUnit {
   bool hasBody = true;
 };
 
-/// Cells of state 1 count.
+/// Returns true for cells of state 1.
 bool counts(const CellContext& cell) { return cell.state == 1; }
 
 double measured(SenseKind kind, const CellContext& cell, SenseParameters sense = {}) {
@@ -139,7 +139,7 @@ TEST_CASE("A cell perceives its sister and those that it is connected to") {
   CHECK(senses(SenseKind::sister, cell, about("x")));
   // An egg has no sister to lose.
   CHECK_FALSE(senses(SenseKind::sister, KnownCell{}, gone));
-  // Whose sister lives is known without bodies; what is about bodies is not sensed then.
+  // Senses of a sister's life work without bodies; senses of bodies are off.
   KnownCell without = cell;
   without.hasBody = false;
   CHECK(senses(SenseKind::sister, without, about("x")));
@@ -157,11 +157,11 @@ TEST_CASE("A cell perceives others from afar: the nearest, and what they release
   one.state = two.state = 1, other.state = 0;
   CHECK(measured(SenseKind::near, cell) == std::numeric_limits<double>::infinity());
   CHECK(measured(SenseKind::diffusion, cell, about("x", 2)) == 0);
-  for (const SenseKind kind : {SenseKind::near, SenseKind::diffusion}) {  // they mean nothing without
+  for (const SenseKind kind : {SenseKind::near, SenseKind::diffusion}) {  // both kinds need a pattern and a number
     CHECK(kindOf(kind).of.required);
     CHECK(kindOf(kind).number.required);
   }
-  CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // what it may be held against is not above what it can be
+  CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // 0, the least value, may be a threshold
   cell.others = {{&one, 3}, {&other, 0.5}, {&two, 1.5}};
   CHECK(measured(SenseKind::near, cell) == 1.5);
   CHECK(senses(SenseKind::near, cell, about("x", 1.5)));
@@ -173,7 +173,7 @@ TEST_CASE("A cell perceives others from afar: the nearest, and what they release
 }
 
 TEST_CASE("What is released solves the equation of diffusion and decay around a point") {
-  // c'' + 2 c'/r = c/range²: by differences of the second order.
+  // Differences of second order test c'' + 2 c'/r = c/range².
   KnownCell one, cell;
   one.state = 1;
   const auto c = [&](double r) {
@@ -225,7 +225,7 @@ TEST_CASE("Genes run on what is sensed now, not on what was; the next state show
   CHECK(run(0.8) == "a flat pressed");
   CHECK(run(0.8) == "a flat pressed");
   CHECK(run(1) == "a round");
-  // Both daughters inherit what their mother sensed, and forget it with their own first cycle.
+  // Both daughters inherit their mother's senses and forget them with their own first cycle.
   run(0.8);
   cell.state = unit->daughterState(cell.state, true);
   CHECK(unit->describe(cell.state) == "B a flat pressed");
@@ -297,8 +297,8 @@ TEST_CASE("A newborn's first cycle is as long as what she becomes says; later on
   CHECK(length("egg") == 8);
   CHECK(length("A egg") == 3.5);
   CHECK(length("B egg") == 4);
-  CHECK(length("B P1") == 3);  // the shorter of two that fit
-  CHECK(length("AB") == 2);    // no newborn
+  CHECK(length("B P1") == 3);  // the shorter of two lengths that fit
+  CHECK(length("AB") == 2);    // not a newborn
   CHECK(length("A AB") == 3.5);
   CHECK(length("A x") == 2);
   CHECK(length("A P1 egg") == 3.5);
@@ -322,5 +322,5 @@ TEST_CASE("A cell that would divide waits for its size, or for what it is to gai
   CHECK(waits(DivisionSize::Rule::adder, 0.26));
   CHECK_FALSE(waits(DivisionSize::Rule::adder, 0.25));
   cell.time = 0.99;
-  CHECK(waits(DivisionSize::Rule::sizer, 0.1));  // it is not yet time
+  CHECK(waits(DivisionSize::Rule::sizer, 0.1));  // the cell's time has not come
 }

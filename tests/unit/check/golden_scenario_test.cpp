@@ -1,4 +1,4 @@
-// A golden's scenario from its own parameters, and what is shown of it beside a run that differs.
+// A golden's scenario from its own parameters, and pictures of it beside a run that differs.
 #include "check/golden_scenario.h"
 
 #include "catch.h"
@@ -58,7 +58,7 @@ TEST_CASE("a golden's scenario is made of its parameters, whatever has been chan
       {"physics:", "variation: {share: 0.1}\nseed: 7\nphysics:"},
       {"physics:", "connections: {make: at-division}\nphysics:"},
       {"physics:", "cells: [{at: [-2, 0, 0]}, {at: [2, 0, 0], scale: 0.5}]\nphysics:"},
-      {"  g2(b0|a0,A)", "  g2(c0|a0,A)"}};  // short enough to be recorded as it is
+      {"  g2(b0|a0,A)", "  g2(c0|a0,A)"}};  // short enough to be recorded in full
   for (const auto& [what, by] : changes) {
     const std::string other = replaced(small, what, by);
     INFO(other);
@@ -68,7 +68,7 @@ TEST_CASE("a golden's scenario is made of its parameters, whatever has been chan
     REQUIRE(back);
     CHECK(there->meaning == scenarioOf(other).meaning);
     CHECK(back->meaning == scenarioOf(small).meaning);
-    for (const auto& [what2, by2] : {changes[0], changes[5]}) {  // and back from two changes at once
+    for (const auto& [what2, by2] : {changes[0], changes[5]}) {  // undoes two changes at once
       if (other.find(what2) == other.npos) continue;
       const auto both = found(replaced(other, what2, by2), small);
       REQUIRE(both);
@@ -113,7 +113,7 @@ TEST_CASE("golden, now and difference: from the same state, from the golden's nu
   CHECK(exact.images.one != exact.images.other);
   CHECK(exact.sheet().width() > 3 * 700);
   CHECK_THAT(exact.notes.at(0), ContainsSubstring("bit for bit"));
-  // The first picture is the golden's run, as its own comparison shows it.
+  // The first picture shows the golden's run, as the golden's own comparison shows it.
   const BesideGolden back = drawBesideGolden(before, ranBefore.world, goldenOf(now), {}, true);
   CHECK(back.source == Source::none);  // no bits, no values
   CHECK_THAT(back.notes.at(0), ContainsSubstring("cannot be shown"));
@@ -123,7 +123,7 @@ TEST_CASE("golden, now and difference: from the same state, from the golden's nu
   CHECK_THAT(same.notes.at(0), ContainsSubstring("bit for bit"));
   CHECK(same.images.distance.pixels.empty());
 
-  Golden other = golden;  // as another build would have it
+  Golden other = golden;  // as from another build
   for (GoldenItem& item : other.data.items)
     if (auto* bits = std::get_if<GoldenBits>(&item)) bits->hash = {};
   for (const auto& [scenario, run] : {std::pair(&before, &ranBefore), std::pair(&now, &ranNow)}) {

@@ -1,4 +1,4 @@
-// What a scenario's `check` watches.
+// Invariants that a scenario's `check` observes.
 #include "check/invariants.h"
 
 #include <cmath>
@@ -42,10 +42,10 @@ CheckResult with(const Set& set, const World& world) {
 TEST_CASE("Energy: motion by hand, nothing at rest, contents from the integral of their pressure") {
   World world = worldOf(two);
   Bodies& b = *world.bodies;
-  // Contents without pressure constant weigh P0·V.
+  // Contents without a pressure constant have the energy P0·V.
   CHECK(measureEnergy(b).total() == Approx(0.5 * 9 + b.volume[0] + b.volume[1]));
   CHECK(norm(measureMomentum(b) - Vector{3, 0, 0}) < 1e-12);
-  // dE/dV = P0 − k/V, as the pressure says: by differences.
+  // Differences test dE/dV = P0 − k/V, which follows from the pressure.
   b.pressureConstant[0] = 2;
   const double v = b.volume[0], h = 1e-4 * v;
   const auto energyAt = [&](double volume) {
@@ -53,7 +53,7 @@ TEST_CASE("Energy: motion by hand, nothing at rest, contents from the integral o
     return measureEnergy(b).total();
   };
   CHECK((energyAt(v + h) - energyAt(v - h)) / (2 * h) == Approx(1 - 2 / v).epsilon(1e-6));
-  // At P0·V = k they hold nothing.
+  // At P0·V = k contents have no energy.
   b.velocity.assign(b.velocity.size(), 0);
   b.volume[0] = 2, b.volume[1] = 0;
   CHECK(measureEnergy(b).total() == Approx(0).margin(1e-12));

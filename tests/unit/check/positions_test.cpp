@@ -1,4 +1,4 @@
-// The remarks of a run on a reference whose positions are in another unit, or mirrored.
+// Remarks on a run whose reference has positions in another unit, or mirrored ones.
 #include <fmt/format.h>
 
 #include "catch.h"
@@ -13,7 +13,7 @@ namespace {
 const std::vector<Point> places{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}, {0, 0, 11},
                                 {4, 6, 1}, {9, 2, 3}, {1, 8, 8}, {7, 7, 7}};
 
-/// The remark on eight cells whose reference is `factor` times `places`, along x once more by `mirror`.
+/// Returns the remark on eight cells whose reference is `places` times `factor`, and times `mirror` along x.
 std::string remark(double factor, double mirror, const std::string& measures = "position_rmsd, position_shape_rmsd") {
   std::string cells, positions;
   for (std::size_t i = 0; i < places.size(); ++i) {

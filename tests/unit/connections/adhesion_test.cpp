@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<CellPath> paths{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
 
-/// Three limp cells, moving, with the given connections' forces on them.
+/// Three limp, moving cells with the forces of the given connections.
 struct Scene {
   Lab lab;
   Connections connections;
@@ -37,9 +37,9 @@ TEST_CASE("Each of two connected cells is drawn to the other with k_c, however f
     CHECK(norm(s.lab.forceOn(1) + 0.2 * way) < 1e-13);
     CHECK(norm(s.lab.forceOn(2)) == 0);
     CHECK(measureConnectionEnergy(s.connections, paths, s.lab.bodies) == Approx(0.2 * distance));
-    // Spread evenly: it moves the cell without pulling it out of shape.
+    // The force is spread evenly: it moves the cell without deforming it.
     for (int v = 0; v < s.lab.bodies.vertexCount(); ++v) CHECK(s.lab.force(0, v) == s.lab.force(0, 0));
-    // Equal and opposite to the last bit.
+    // Forces are equal and opposite to the last bit.
     CHECK(s.lab.force(1, 0) == -s.lab.force(0, 0));
   }
 }

@@ -1,4 +1,4 @@
-// The list of connections: what is made, what is released, and what stays on record.
+// The list of connections: making, releasing, and the record.
 #include "connections/connections.h"
 
 #include "catch.h"
@@ -37,7 +37,7 @@ TEST_CASE("A released connection stays on record, with time and cause; a new one
   connect(c, cell("A"), cell("B"), 1);
   release(c, cell("B"), cell("A"), 2, ReleaseCause::gene);
   CHECK_FALSE(areConnected(c, cell("A"), cell("B")));
-  release(c, cell("A"), cell("B"), 3, ReleaseCause::died);  // of what does not hold: nothing
+  release(c, cell("A"), cell("B"), 3, ReleaseCause::died);  // releasing an absent connection does nothing
   REQUIRE(c.history.size() == 1);
   CHECK(c.history[0].released == 2);
   CHECK(c.history[0].cause == ReleaseCause::gene);

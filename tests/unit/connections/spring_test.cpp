@@ -1,4 +1,4 @@
-// Connections that are springs, and how many a cell may have.
+// Connections as springs, and the max number of connections of a cell.
 #include "catch.h"
 #include "connections/connections.h"
 #include "unit/physics/lab.h"
@@ -14,7 +14,7 @@ struct Spring {
   double energy;
 };
 
-/// A spring between two round cells, the second one of `size`, so far apart. `volume`: of either, now.
+/// Returns a spring between two round cells, the second one of `size`; each now has the volume `volume`.
 Spring stretched(const ConnectionSpring& spring, const Vector& between, double size, double volume = 1) {
   const Mesh ball = makeIcosphere(2);
   Body one = shakenBody(ball, 0, 0), other = one;
@@ -36,7 +36,7 @@ Spring stretched(const ConnectionSpring& spring, const Vector& between, double s
 
 TEST_CASE("A spring pulls cells that are farther apart than at rest, and pushes nearer ones") {
   const Vector way = Vector{2, -1, 2} / 3.0;
-  // Radii 1 and 0.5, rest 1.2: at rest at 1.8. Stiffness 3.
+  // Radii 1 and 0.5 with rest 1.2 give the rest length 1.8; the stiffness is 3.
   for (const auto& [distance, force] : {std::pair{1.8, 0.0}, {2.8, 3.0}, {1.3, -1.5}}) {
     const auto [a, b] = stretched({3, 1.2}, distance * way, 0.5).forces;
     CAPTURE(distance);
@@ -73,9 +73,9 @@ TEST_CASE("No cell gets more connections than it may have, and room is made by a
   CHECK(partners(c, cell("AA")) == std::vector<CellPath>{cell("BA"), cell("BB")});
   connect(c, cell("BB"), cell("A"), 0);  // both have room
   CHECK(areConnected(c, cell("A"), cell("BB")));
-  connect(c, cell("BA"), cell("BB"), 0);  // one has not
+  connect(c, cell("BA"), cell("BB"), 0);  // BB has no room
   CHECK_FALSE(areConnected(c, cell("BA"), cell("BB")));
-  connect(c, cell("AA"), cell("BB"), 0);  // holds already
+  connect(c, cell("AA"), cell("BB"), 0);  // the connection holds already
   CHECK(c.history.size() == 3);
   release(c, cell("AA"), cell("BA"), 1, ReleaseCause::age);
   connect(c, cell("AA"), cell("A"), 2);

@@ -1,4 +1,4 @@
-// Pairs that are left out of slices add nothing, as long as the choice holds.
+// Pairs left out of slices contribute nothing, as long as the choice of pairs holds.
 #include "contacts/acting_pairs.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::vector<SnapshotRow> rowsOf(const Crowd& crowd) {
   return rows;
 }
 
-/// The neighbours of each vertex that stand in slices.
+/// Returns the neighbours of each vertex that stand in slices.
 std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
   const auto far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<VertexNumber>> chosen(c.rows.size());
@@ -32,15 +32,15 @@ std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
   return chosen;
 }
 
-/// Numbers in slices, with those of the far row.
+/// Returns how many numbers the slices hold, including the far row's.
 std::size_t entriesOf(const Contacts& c) {
   std::size_t entries = 0;
   for (const AlignedVector<std::int32_t>& indices : indicesOf(c.list)) entries += indices.size();
   return entries;
 }
 
-/// Chooses with this margin, in smallest influence radii R, and so far ahead: gaps that change by ċ = (M/1.4)²/R per
-/// evaluation ask for 1.4 √(R ċ) and for √(R/ċ) evaluations.
+/// Chooses pairs with a margin of `share` smallest influence radii R and the given horizon. Gaps that change by ċ =
+/// (M/1.4)²/R per evaluation ask for 1.4 √(R ċ) and for √(R/ċ) evaluations.
 void choose(Crowd& crowd, double share, double horizon) {
   ActingPairs& acting = crowd.contacts.acting;
   const double radius = crowd.contacts.list.skin / crowd.contacts.skinShare, perRadius = share / 1.4;
@@ -50,12 +50,12 @@ void choose(Crowd& crowd, double share, double horizon) {
   choosePairs(crowd.contacts, crowd.lab.bodies, 1);
 }
 
-/// Whether pairs of single vertices were chosen anew by the last evaluation.
+/// Returns true if the last evaluation chose pairs of single vertices anew.
 bool hasRenewed(const ActingPairs& acting) {
   return acting.age > 1 && std::ranges::any_of(acting.blocks, [](const auto& block) { return block.endedCount > 0; });
 }
 
-/// The worst that motion within a pair's margin M may do to it: how far its gap is from acting then, in the margin.
+/// The worst motion of a pair within its margin M: returns the smallest gap left before the pair acts, in units of M.
 struct WorstMotion {
   const Contacts& c;
   double ofStraying, ofTurning, ofSpeeding;  // how M is shared between 2νδ, R η and 2ντw
@@ -72,7 +72,7 @@ struct WorstMotion {
     const double curvature = 0.5 * (double(i.inverseRadiusSquared) + double(j.inverseRadiusSquared));
     const double horizon = c.acting.horizon, nearest = std::clamp(-dot(a, u) / (dot(u, u) + 1e-300), 0.0, horizon);
     double worst = INFINITY;
-    // At any time, nearer, against the normals, or across; turned against the distance or against the speed.
+    // At each time vertices come nearer, against the normals or across, and turn against the distance or the speed.
     for (double time : {0.0, nearest, 0.5 * horizon, horizon}) {
       const Vector then = a + time * u;
       for (const Vector& way : {then, h, cross(cross(then, h), then)})
@@ -113,7 +113,7 @@ TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns an
           for (std::size_t g = 0; g + 1 < rows.size(); ++g) {
             const auto k = static_cast<std::uint32_t>(100 * g + key);
             SnapshotRow& row = rows[g];
-            // Of cells side by side in turn up and down, so that many face each other.
+            // Normals of neighbouring cells point up and down in turn, so that many face each other.
             const Vector way = noiseVector(0, k) + Vector{0, 0, g % 2 == 0 ? 2.0 : -2.0},
                          n = (0.99 * longest / norm(way)) * way, v = speed * noiseVector(1, k);
             row.nx = n.x, row.ny = n.y, row.nz = n.z;
@@ -143,8 +143,7 @@ TEST_CASE("No pair that is left out can act, whatever moves on, strays, turns an
         CAPTURE(name(isa), law.damping, speed, left);
         CHECK(act == 0);
         CHECK(left > 10000);
-        // The margin is not much wider than it needs to be: of what is left, a part is |u₀| by its upper bound, and t²
-        // u₀².
+        // The margin is not much wider than needed. The excess comes from the upper bound on |u₀| and from t² u₀².
         CHECK(closest < 0.45);
       }
 }
@@ -170,7 +169,7 @@ TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that 
             crowd.lab.setVelocity(slot, v, (i % 20 == 7 ? 300 : 30) * size * way);
           }
         }
-        crowd.evaluateContacts(key % 3 == 0 ? 0 : 1.0 / 30);  // as what flies and spins does, or not at all
+        crowd.evaluateContacts(key % 3 == 0 ? 0 : 1.0 / 30);  // 1/30 fits the velocities, 0 ignores them
         const Reals chosen = b.acceleration;
         Contacts whole = crowd.contacts;
         buildNeighbourList(whole.list, b, whole.radius, 1);
@@ -237,7 +236,7 @@ TEST_CASE("Where now one vertex jumps and now another, their pairs alone are cho
   }
   CAPTURE(choices, renewals);
   CHECK(different == 0);
-  CHECK(late == 0);  // a new choice for some does not take the place of one for all
+  CHECK(late == 0);  // new choices for single vertices do not replace the choice for all
   CHECK(choices < 20);
   CHECK(renewals > 150);
 }
@@ -254,8 +253,8 @@ TEST_CASE("Where choices end soon, because all cells jump, all pairs are taken f
     crowd.evaluateContacts(1e-3);
     choices += crowd.contacts.acting.age == 1;
   }
-  CHECK(choices < 40);  // instead of 200
-  CHECK(choices > 5);   // and later they are tried again
+  CHECK(choices < 40);  // of 200 possible
+  CHECK(choices > 5);   // choices are tried again later
 }
 
 TEST_CASE("Choices that searches end soon are no reason to take all pairs") {
@@ -302,7 +301,7 @@ TEST_CASE("Snapshots count by how much they may change gaps of each vertex, and 
             speeds[g] += spedUp;
           }
       }
-      // Upper bounds, at most √(1 + 2 (√2 − 1)²) = 1.159 times as much; and roundings of floats.
+      // The values are upper bounds, at most √(1 + 2 (√2 − 1)²) = 1.159 times too large, up to rounding of floats.
       double least = INFINITY, most = 0;
       for (int slot : b.slots)
         for (int v = 0; v < b.vertexCount(); ++v) {

@@ -1,5 +1,4 @@
-// Adhesion against what it stands for: work per area, whatever the mesh and the cells' sizes. The law's equations:
-// pair_law_test.cpp.
+// Adhesion as work per area, whatever the mesh and the cells' sizes. Tests of the law's equations: pair_law_test.cpp.
 #include <array>
 #include <map>
 #include <numbers>
@@ -22,19 +21,19 @@ ContactParameters sticky(double work, double friction = 0, double radius = 1) {
   return c;
 }
 
-/// [length²] At rest, of each of the cell's vertices in the mean, from the mesh alone.
+/// Returns the mean rest area of a cell's vertices, from the mesh alone. [length²]
 double restArea(const Bodies& b, int slot) {
   return measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces) * b.restScale[slot] * b.restScale[slot] / b.vertexCount();
 }
 
-/// [force·length] Between all cells.
+/// Returns the adhesion energy between all cells. [force·length]
 double adhesionEnergy(const Crowd& crowd) {
   double sum = 0;
   for (const PairSum& p : sumPairs(crowd.contacts, crowd.lab.bodies)) sum += p.adhesion;
   return sum;
 }
 
-/// The same with what overlaps hold: slopes at the border of surfaces that touch.
+/// Returns adhesion energy plus repulsion energy: surfaces that touch overlap where they slope at the border.
 double contactEnergy(const Crowd& crowd) {
   double sum = adhesionEnergy(crowd);
   for (const PairSum& p : sumPairs(crowd.contacts, crowd.lab.bodies)) sum += p.repulsion;
@@ -42,10 +41,10 @@ double contactEnergy(const Crowd& crowd) {
 }
 
 constexpr int across = 28;             // edges of a cushion
-constexpr double halfThickness = 0.6;  // beyond the reach of what lies on its other side
+constexpr double halfThickness = 0.6;  // more than the reach of vertices on the other side
 
-/// Two flat sheets of one lattice, at x = ±halfThickness, sewn together at their border, where faces slope and are as
-/// large as the others.
+/// Returns two flat sheets of one lattice at x = ±halfThickness, sewn together at their border, where faces slope and
+/// are as large as the others.
 Mesh cushion(const Vector& e, const Vector& f) {
   Mesh m;
   const auto along = [&](int i, const Vector& other) {  // from the middle, in steps
@@ -63,7 +62,7 @@ Mesh cushion(const Vector& e, const Vector& f) {
   for (int side : {-1, 1})
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < across; ++j) {
-        // Corners would else have a face of three border vertices on both sides.
+        // With one diagonal only, corners would have a face of three border vertices on both sides.
         const bool other = (i == 0 && j == across - 1) || (i == across - 1 && j == 0);
         const int a = number(side, i, j), b = number(side, i + 1, j), c = number(side, i + 1, j + 1),
                   d = number(side, i, j + 1);
@@ -83,7 +82,7 @@ const std::vector<Lattice> lattices{{"squares", {0, 1, 0}, {0, 0, 1}},
                                     {"triangles", {0, 1, 0}, {0, std::cos(third / 2), std::sin(third / 2)}},
                                     {"stretched", {0, 1, 0}, {0, 0, 0.7}}};
 
-/// The vertex in the middle of the right face.
+/// Returns the vertex in the middle of the right face.
 int middleOf(const Mesh& mesh) {
   const auto nearest = std::ranges::min_element(mesh.vertices, {}, [](const Point& x) {
     return norm(x - Vector{halfThickness, 0, 0});
@@ -91,7 +90,7 @@ int middleOf(const Mesh& mesh) {
   return static_cast<int>(nearest - mesh.vertices.begin());
 }
 
-/// Two cushions, the right one of a size, with a gap and shifted along.
+/// Returns two cushions with a gap, the right one scaled by `size` and shifted.
 Crowd faceToFace(const Mesh& mesh, double work, double gap, double size = 1, const Vector& shift = {}) {
   Body left = shakenBody(mesh, 0, 0), right = left;
   const double depth =
@@ -102,8 +101,8 @@ Crowd faceToFace(const Mesh& mesh, double work, double gap, double size = 1, con
   return {limp(), sticky(work), mesh, {left, right}};
 }
 
-/// [force/length] The energy that the middle of the left one's right face holds per area, in the mean over shifts: how
-/// vertices happen to face each other is left out.
+/// Returns the energy per area that the middle of the left cushion's right face holds, averaged over shifts, since it
+/// is chance how vertices face each other. [force/length]
 double energyPerArea(const Vector& e, const Vector& f, double gap, double size) {
   const Mesh mesh = cushion(e, f);
   constexpr int shifts = 4;
@@ -126,9 +125,9 @@ double energyPerArea(const Vector& e, const Vector& f, double gap, double size) 
   return energy / (vertices * norm(cross(e, f)));
 }
 
-/// [force·length] Of two balls whose surfaces touch in a point, or have a gap, in the mean over turns.
+/// Returns the energy of two balls with a gap between their surfaces, averaged over turns. [force·length]
 double energyOfBalls(const Mesh& ball, double gap, double size = 1, double other = 1) {
-  double surface = 0;  // where it stands, within the corners
+  double surface = 0;  // the surface's radius, within the corners
   const Rings rings(ball);
   const double edge = meanEdge(ball);
   for (std::size_t v = 0; v < ball.vertices.size(); ++v)
@@ -178,7 +177,7 @@ TEST_CASE("The work that parts two surfaces is the energy they held, and goes wi
 }
 
 TEST_CASE("Balls hold what spheres do by Derjaguin") {
-  // [Derjaguin 1934] E(D) = −2πR* ∫ W (1 − g²/A²)⁴ dg from D on, R* = ½ for two balls of radius 1; from 0 on that
+  // [Derjaguin 1934] E(D) = −2πR* ∫ W (1 − g²/A²)⁴ dg from D on, with R* = ½ for two balls of radius 1. From 0 on the
   // integral is 128/315 W A.
   const auto expected = [](double star, double reach) { return -2 * pi * star * 128 / 315 * reach; };
   for (const auto& [level, tolerance] : {std::pair{2, 0.07}, {3, 0.03}, {4, 0.02}}) {
@@ -233,7 +232,7 @@ TEST_CASE("A pair's two strengths in the list are the same to the bit, and those
     works.insert(work);
     const double x = 1 / (c.radius[i] * c.radius[i]), y = 1 / (c.radius[j] * c.radius[j]);
     const double mean = (x + y) / 2 / (attractionReach * attractionReach);
-    // With s of flat meshes face to face, whose normals are as long as G = 6a has them.
+    // The factor s belongs to flat meshes face to face, with normals as long as G = 6a makes them.
     const double g = 6 * restArea(crowd.lab.bodies, 0) / (c.radius[0] * c.radius[0]);
     const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4);
     error.see(std::abs(s - 24 / pi * work * restArea(crowd.lab.bodies, i) * restArea(crowd.lab.bodies, j) * mean /

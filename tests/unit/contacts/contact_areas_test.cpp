@@ -1,4 +1,4 @@
-// Who touches whom, and over which area.
+// Contact areas: which cells touch, and over which area.
 #include <map>
 #include <numbers>
 
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// `outside`: by how much gas is under pressure on both sides, so that it keeps its volume.
+/// Returns the contact areas. `outside`: pressure added on both sides of the membranes, so that gas keeps its volume.
 std::vector<ContactArea> areas(const std::vector<Body>& cells, const Mesh& mesh, double outside = 0) {
   PhysicsParameters p = limp();
   p.pressure.outside = outside;
@@ -33,16 +33,16 @@ TEST_CASE("Two balls cut flat that press each other touch over force over pressu
   for (int level : {2, 3, 4}) {
     const Mesh ball = makeIcosphere(level);
     const double reach = meanEdge(ball);
-    for (double height : {0.8, 0.6, 0.4}) {  // of the plane over the centre
-      // Little more than where pairs on the sharp rim overlap by themselves: that is not what bears the rest.
-      const double overlap = 0.25 * reach + 2 * surfaceDepth * measureSag(ball);  // of the surfaces: 0.25
+    for (double height : {0.8, 0.6, 0.4}) {  // height of the cutting plane over the centre
+      // Slightly more than pairs on the sharp rim overlap by themselves, so that the rim does not bear the rest.
+      const double overlap = 0.25 * reach + 2 * surfaceDepth * measureSag(ball);  // surfaces overlap by 0.25 reach
       Body left = ballAt(ball, {}), right = ballAt(ball, {2 * height, 0, 0});
       for (Point& x : left.position) x.x = std::min(x.x, height);
       for (Point& x : right.position) x.x = std::max(x.x, height) - overlap;
       const Crowd limpOnes = evaluated({limp(), {}, ball, {left, right}});
       const double force = limpOnes.lab.forceOn(1).x, disc = std::numbers::pi * (1 - height * height);
       const double pressure = force / disc, outside = 1e5 * pressure;
-      const auto areaAt = [&](double share) {  // of that pressure
+      const auto areaAt = [&](double share) {  // share of `pressure`
         for (Body* b : {&left, &right})
           b->pressureConstant = (outside + share * pressure) * measureVolume(b->position, ball.faces);
         const auto pairs = areas({left, right}, ball, outside);
@@ -50,11 +50,11 @@ TEST_CASE("Two balls cut flat that press each other touch over force over pressu
         return pairs[0].area;
       };
       CAPTURE(level, height, disc, pressure);
-      // On the rim pairs are tilted and bear aside: of the discs' forces up to 7.2 %, 3.7 % and 2.7 %.
+      // Tilted pairs on the rim bear sideways, up to 7.2 %, 3.7 % and 2.7 % of the discs' forces.
       const double tilted = level == 2 ? 0.08 : level == 3 ? 0.04 : 0.03;
       CHECK(areaAt(1) == Approx(disc).epsilon(tilted));
       CHECK(areaAt(2) == Approx(disc / 2).epsilon(tilted));
-      // However little they resist, it is no more than twice that of the vertices that are pressed.
+      // However small the pressure, the area is at most twice the area of the pressed vertices.
       const double rim = std::sqrt(1 - height * height) + 1.5 * reach;
       CHECK(areaAt(1e-6) < 2 * std::numbers::pi * rim * rim);
       CHECK(areaAt(1e-6) > 1.5 * disc);
@@ -93,9 +93,9 @@ TEST_CASE("Areas do not depend on when the list was built") {
 
 namespace {
 
-/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; where it is
-/// attracted, the mean of that and of its share of W by pressure and 3 W/A; of a pair of cells up to twice what forces
-/// say and at least 0.005 of the smaller one's surface.
+/// Returns the areas by definition. A vertex counts its force over pressure, up to twice its area. Adhesion averages
+/// this with the share of W that it holds, with the weights pressure and 3 W/A. A pair of cells counts at most twice
+/// its pressed area, and nothing below 0.005 of the smaller cell's surface.
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas, pressed;
   ContactParameters still = law;

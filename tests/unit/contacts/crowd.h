@@ -1,5 +1,5 @@
 #pragma once
-// Cells that touch, without world: moved by hand, one evaluation at a time.
+// Cells that touch, without a world: moved by hand, one evaluation at a time.
 #include "contacts/contacts.h"
 #include "unit/physics/lab.h"
 
@@ -25,13 +25,13 @@ struct Crowd {
     lab.endEvaluation(timeStep);
   }
 
-  /// Leaves the forces of contact and bodies in the accelerations' place: lab.force(slot, v).
+  /// Evaluates the forces of contact and bodies; lab.force(slot, v) reads them.
   void evaluateForces() {
     advanceAndSnapshot(0, 0);
     addForces();
   }
 
-  /// The same of contact alone; `sinceLast`: ContactKernels::takeSnapshot.
+  /// Evaluates the forces of contact alone. `sinceLast`: see takeSnapshot.
   void evaluateContacts(double sinceLast = 0) {
     advanceAndSnapshot(0, sinceLast);
     lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
@@ -58,23 +58,23 @@ struct Crowd {
     return block * blockLanes + g % blockLanes;
   }
 
-  double lawTimeStep = 0x1p-9;  // what the thesis' law and friction are told
+  double lawTimeStep = 0x1p-9;  // the time step that the thesis' law and friction use
 };
 
-/// [block] as kernels read them.
+/// Returns the indices of each block as kernels read them. [block]
 inline std::vector<AlignedVector<std::int32_t>> indicesOf(const NeighbourList& list) {
   std::vector<AlignedVector<std::int32_t>> all;
   for (const BlockLists& lists : list.perBlock) all.push_back(lists.indices);
   return all;
 }
 
-/// With the forces of contact and bodies where they are.
+/// Returns the crowd with forces of contact and bodies evaluated at its present positions.
 inline Crowd evaluated(Crowd crowd) {
   crowd.evaluateForces();
   return crowd;
 }
 
-/// Mechanics of which only contact is left: a mesh without stiffness and gas.
+/// Returns mechanics of contact alone: a mesh without stiffness and gas.
 inline PhysicsParameters limp() {
   PhysicsParameters p = softCell();
   p.membrane = {0, 0, 1};
@@ -82,8 +82,8 @@ inline PhysicsParameters limp() {
   return p;
 }
 
-/// Crumpled balls of different sizes, in motion, piled up in cubes of 3 × 3 × 3 with their centres `spacing`
-/// apart: they touch from 2 downwards.
+/// Returns crumpled balls of different sizes, in motion, piled up in cubes of 3 × 3 × 3 with centres `spacing` apart.
+/// Below a spacing of 2 they touch.
 inline std::vector<Body> heap(const Mesh& ball, int count, double spacing, double speed, std::uint32_t key = 0) {
   std::vector<Body> cells;
   for (int i = 0; i < count; ++i) {
@@ -103,9 +103,9 @@ inline VertexNumber numberOf(const Bodies& b, int slot, int v) {
   return (slot / blockLanes * b.vertexCount() + v) * blockLanes + slot % blockLanes;
 }
 
-/// A body of the mesh at rest, turned at random, of a size, at a place.
+/// Returns a body of the mesh at rest, turned at random, with the given size and place.
 inline Body turnedBody(const Mesh& mesh, std::uint32_t key, double size = 1, const Vector& place = {}) {
-  const Vector q = noiseVector(7, key);  // a quaternion with 1/2
+  const Vector q = noiseVector(7, key);  // vector part of a quaternion with scalar part ½
   const double w = 0.5, square = w * w + dot(q, q);
   Body b = shakenBody(mesh, 0, 0);
   b.restScale = size, b.mass = size * size * size;
@@ -114,15 +114,15 @@ inline Body turnedBody(const Mesh& mesh, std::uint32_t key, double size = 1, con
   return b;
 }
 
-/// The mesh's mean edge, from the mesh alone. [length]
+/// Returns the mesh's mean edge, from the mesh alone. [length]
 inline double meanEdge(const Mesh& mesh) {
   double sum = 0;
-  for (const Face& f : mesh.faces)  // each edge twice
+  for (const Face& f : mesh.faces)  // counts each edge twice
     for (int k = 0; k < 3; ++k) sum += norm(mesh.vertices[f[k]] - mesh.vertices[f[(k + 1) % 3]]);
   return sum / (3.0 * static_cast<double>(mesh.faces.size()));
 }
 
-/// One vertex as the laws see it, worked out from the mesh alone: where it stands to others, and its normal.
+/// A vertex as the laws see it, from the mesh alone: its position for other cells and its normal.
 struct SeenVertex {
   int slot, v;
   Point x;
@@ -130,15 +130,15 @@ struct SeenVertex {
   double inverseRadiusSquared;
 };
 
-/// Where other cells see a vertex, by the equations of surface_kernel.h.
+/// Position and normal of a vertex for other cells, by the equations of surface_kernel.h.
 struct SeenSurface {
   Point y;
   Vector n;
 };
 
-/// Which faces and which vertices stand around each vertex.
+/// The faces and the vertices around each vertex.
 struct Rings {
-  std::vector<std::vector<Face>> faces;      // [vertex] turned so that it comes first
+  std::vector<std::vector<Face>> faces;      // [vertex] faces turned so that the vertex comes first
   std::vector<std::vector<int>> neighbours;  // [vertex]
 
   explicit Rings(const Mesh& mesh) : faces(mesh.vertices.size()), neighbours(mesh.vertices.size()) {
@@ -158,11 +158,11 @@ struct Rings {
   }
 };
 
-/// All vertices: of the thesis' law themselves, with unit normals.
+/// Returns all vertices as the law sees them; the thesis' law sees the mesh's vertices with unit normals.
 inline std::vector<SeenVertex> seen(const Bodies& b, const ContactParameters& c) {
   std::vector<SeenVertex> all;
   const Rings rings(b.mesh.mesh);
-  const auto asFloat = [](double a) -> double { return static_cast<float>(a); };  // as rows hold it
+  const auto asFloat = [](double a) -> double { return static_cast<float>(a); };  // rows hold floats
   for (int slot = 0; slot < b.count; ++slot) {
     const Body body = takeBody(b, slot);
     const double radius = c.radius * meanEdge(b.mesh.mesh) * body.restScale;

@@ -1,4 +1,4 @@
-// What takes energy from cells that touch: damping and friction.
+// Dissipation between touching cells: damping and friction.
 #include "catch.h"
 #include "pair_oracle.h"
 
@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// [force·length/time] −Σ F·v of what damping and friction add.
+/// Returns the power −Σ F·v of damping and friction. [force·length/time]
 double dissipated(const ContactParameters& law, const Mesh& mesh, const std::vector<Body>& cells) {
   ContactParameters without = law;
   without.damping = without.friction = 0;
@@ -18,7 +18,7 @@ double dissipated(const ContactParameters& law, const Mesh& mesh, const std::vec
   return power;
 }
 
-/// Two balls that overlap a little, both turned at random, the right one moving.
+/// Returns two balls that overlap a little, both turned at random, the right one moving.
 Crowd rubbing(const ContactParameters& law, const Vector& velocity, std::uint32_t key = 0, double timeStep = 0x1p-30) {
   const Mesh ball = makeIcosphere(3);
   const Body left = turnedBody(ball, key);
@@ -39,7 +39,7 @@ TEST_CASE("Damping and friction take energy from cells in a heap, and never give
     const Mesh ball = makeIcosphere(level);
     for (const ContactParameters& law : {damped, rubs, both})
       for (std::uint32_t key = 0; key < 30; ++key) {
-        // Cells in motion as a whole, turning, and each vertex a little on its own.
+        // Cells move and turn as a whole, and each vertex moves a little on its own.
         auto cells = heap(ball, 9, 1.7, 0.05, key);
         for (std::uint32_t c = 0; c < cells.size(); ++c)
           for (std::size_t v = 0; v < cells[c].position.size(); ++v)
@@ -48,7 +48,7 @@ TEST_CASE("Damping and friction take energy from cells in a heap, and never give
         CAPTURE(level, law.damping, law.friction, key);
         CHECK(dissipated(law, ball, cells) > 0);
         for (Body& cell : cells)
-          for (Vector& u : cell.velocity) u = {0.3, -0.2, 0.1};  // all as one
+          for (Vector& u : cell.velocity) u = {0.3, -0.2, 0.1};  // all cells move together
         CHECK(std::abs(dissipated(law, ball, cells)) < 1e-12);
       }
   }
@@ -60,7 +60,7 @@ TEST_CASE("Damping acts against approach only; cells that are torn apart feel no
   };
   CHECK(pushAt(1) > 1.2 * pushAt(0));
   CHECK(pushAt(0) > 1.2 * pushAt(-1));
-  CHECK(std::abs(pushAt(-1000)) < 0.1 * pushAt(0));  // of the push's own fade with distance
+  CHECK(std::abs(pushAt(-1000)) < 0.1 * pushAt(0));  // the trace comes from the push's fade with distance
 }
 
 TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel none") {
@@ -80,11 +80,11 @@ TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel 
 }
 
 TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
-  constexpr double slipSpeed = 100;  // so high that the bound of a damper (below) decides nowhere
+  constexpr double slipSpeed = 100;  // so high that the damper's bound (next test) never applies
   const auto onRight = [&](double friction, double slip, std::uint32_t key = 0, double timeStep = 0x1p-30) {
     return rubbing({ContactLaw::pair, 40, 0, friction, slipSpeed}, {0, slip, 0}, key, timeStep).lab.forceOn(1);
   };
-  double pressed = 0, rubbed = 0;  // how vertices stand to each other is chance: in the mean
+  double pressed = 0, rubbed = 0;  // sums over turns, since it is chance how vertices face each other
   for (std::uint32_t key = 0; key < 40; ++key) {
     pressed += onRight(0, 1e4, key).x;
     rubbed += onRight(0, 1e4, key).y - onRight(0.3, 1e4, key).y;
@@ -94,10 +94,10 @@ TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   const double without = onRight(0, 1).y, fast = onRight(0.3, 1e4).y - without, faster = onRight(0.3, 5e4).y - without,
                slow = onRight(0.3, 1).y - without;
   CHECK(fast < 0);
-  CHECK(faster == Approx(fast).epsilon(1e-6));       // beyond the slip speed it does not grow
-  CHECK(slow == Approx(fast * 0.01).epsilon(1e-2));  // below it fades linearly
+  CHECK(faster == Approx(fast).epsilon(1e-6));       // beyond the slip speed friction does not grow
+  CHECK(slow == Approx(fast * 0.01).epsilon(1e-2));  // below the slip speed friction fades linearly
   CHECK(onRight(0.3, 2).y - without == Approx(2 * slow).epsilon(1e-5));
-  CHECK(onRight(0.3, 1e6, 0, 0x1p-2).y - without == Approx(fast).epsilon(1e-6));  // whatever the step
+  CHECK(onRight(0.3, 1e6, 0, 0x1p-2).y - without == Approx(fast).epsilon(1e-6));  // with any time step
 }
 
 TEST_CASE("What slips slowly is damped alike at every short time step, and is not reversed by a long one") {
@@ -111,7 +111,7 @@ TEST_CASE("What slips slowly is damped alike at every short time step, and is no
   CHECK(onRight(0.3, 2 * slip, 0x1p-9) - without == Approx(2 * damped).epsilon(1e-5));
   CHECK(onRight(0.6, slip, 0x1p-9) - without == Approx(damped).epsilon(1e-5));  // far within the cone
 
-  const double longStep = 0x1p-2;  // too long for so strong a damper
+  const double longStep = 0x1p-2;  // too long for a damper this strong
   const double gentle = onRight(0.3, slip, longStep) - without;
   CHECK(gentle < 0);
   CHECK(-gentle < 0.5 * -damped);

@@ -10,7 +10,7 @@ TEST_CASE("All instruction sets move touching cells alike, at every step") {
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
   std::vector<ContactParameters> laws{{}, {ContactLaw::pair, 40, 0.05, 0.3}, {ContactLaw::thesis}};
-  for (double friction : {0.0, 0.3}) {  // kernels of their own
+  for (double friction : {0.0, 0.3}) {  // friction has kernels of its own
     laws.push_back({ContactLaw::pair, 40, 0.05, friction, 0.01, 1.5});
     laws.back().adhesion = AdhesionParameters{3, {}};
   }

@@ -1,4 +1,4 @@
-// The neighbour list is what looking at all pairs would find.
+// The neighbour list equals what a test of all pairs finds.
 #include <algorithm>
 #include <map>
 
@@ -11,7 +11,7 @@ namespace {
 
 using ListsByVertex = std::map<VertexNumber, std::vector<VertexNumber>>;
 
-/// All pairs, by brute force.
+/// Returns the lists that a test of all pairs gives.
 ListsByVertex bruteForce(const Bodies& b, const AlignedVector<double>& radius, double skin,
                          const ContactParameters& law = {}) {
   ListsByVertex lists;
@@ -87,7 +87,7 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
     const auto rebuilds = crowd.contacts.rebuilds;
     crowd.lab.setPosition(
         slot, 41,
-        b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin, 0});  // the rest hangs on its ring
+        b.vertex(slot, 41) + Vector{0, 0.501 / 0.875 * crowd.contacts.list.skin, 0});  // a surface follows by 0.875
     crowd.evaluateForces();
     CHECK(crowd.contacts.rebuilds == rebuilds + 1);
     CHECK((listsByVertex(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
@@ -95,7 +95,7 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
 }
 
 TEST_CASE("Random moves, step after step: the list is right each time it is new") {
-  // So weak that contacts do not throw vertices farther than the skin in each step.
+  // Contacts are so weak that they do not throw vertices farther than the skin in a step.
   Crowd crowd(limp(), {ContactLaw::pair, 0.3, 0}, ball, heap(ball, 9, 1.8, 3));
   Bodies& b = crowd.lab.bodies;
   std::uint64_t rebuilds = crowd.contacts.rebuilds;

@@ -1,5 +1,5 @@
-// The pair law against its equations, written out for all pairs; that it is the gradient of an energy, whatever the
-// state; and what it keeps.
+// The pair law against its equations, written out for all pairs. In any state its forces are the gradient of an energy
+// and keep momentum.
 #include "catch.h"
 #include "contacts/pair_energy.h"
 #include "pair_oracle.h"
@@ -30,7 +30,7 @@ const std::vector<Case> cases{{"plain", {}},
 const Mesh ring = zoo::scaled(zoo::torus(7, 5), {0.33, 0.33, 0.33});
 const Mesh box = zoo::box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6});
 
-/// Largest difference of the crowd's forces and others, over the largest of them; and that in `largest`.
+/// Returns the largest difference between the crowd's and expected forces over the largest expected force, `largest`.
 double errorOf(const Crowd& crowd, const std::vector<Vector>& expected, double& largest) {
   Worst error, most;
   const int vertices = crowd.lab.bodies.vertexCount();
@@ -43,7 +43,7 @@ double errorOf(const Crowd& crowd, const std::vector<Vector>& expected, double& 
   return error / most;
 }
 
-/// Of a heap of cells whose vertices are `crumpled` at random, as an icosphere's are in `heap`.
+/// Returns a heap of cells whose vertices are `crumpled` at random, as an icosphere's are in `heap`.
 std::vector<Body> heapOf(const Mesh& mesh, int count, double spacing, double crumpled, std::uint32_t key) {
   std::vector<Body> cells = heap(mesh, count, spacing, 0.5, key);
   for (std::uint32_t c = 0; c < cells.size(); ++c)
@@ -58,7 +58,7 @@ TEST_CASE("Contact forces are those of the equations over all pairs of vertices,
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (int count : {2, 3, 9})
-        for (const double timeStep : {0x1p-9, 0x1p-4}) {  // in the long one friction's bound follows from the step
+        for (const double timeStep : {0x1p-9, 0x1p-4}) {  // with the long step friction's bound follows from the step
           if (timeStep > 0x1p-9 && law.friction == 0) continue;
           Crowd crowd(
               evaluated({limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1)}));
@@ -79,7 +79,7 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
     Mesh mesh;
     double spacing;
     std::uint32_t states;
-    int every;  // so many vertices, one is looked at
+    int every;  // one vertex in this many is tested
   };
   Worst worst;
   std::uint32_t touching = 0;
@@ -89,7 +89,7 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
       const ContactParameters& law = key % 3 == 0 ? plain : key % 3 == 1 ? holding : wide;
       auto cells =
           heapOf(mesh, 2 + static_cast<int>(key % 2), spacing + 0.3 * noise(2, key), key % 7 == 0 ? 0.2 : 0.03, key);
-      const double size = key % 5 == 0 ? 0.6 : 1;  // the first one is much smaller now and then
+      const double size = key % 5 == 0 ? 0.6 : 1;  // sometimes the first cell is much smaller
       for (Point& x : cells[0].position) x = size * x;
       cells[0].restScale *= size;
       const Crowd crowd = evaluated({limp(), law, mesh, cells});
@@ -214,8 +214,8 @@ TEST_CASE(
 TEST_CASE("A ring that folds, its normal turning over through nothing, gives no jump and no large force") {
   for (const auto& [name, law] : cases) {
     Body left = shakenBody(ball, 0, 0), right = left;
-    for (Point& x : right.position) x = Vector{1.9, 0, 0} + Vector{-x.x, -x.y, x.z};  // turned half round
-    // The vertex of the left ball that is nearest to the right one goes through its own cell and out behind.
+    for (Point& x : right.position) x = Vector{1.9, 0, 0} + Vector{-x.x, -x.y, x.z};  // half a turn
+    // The vertex of the left ball that is nearest to the right one, whose ring is turned inside out.
     const auto moving = std::max_element(left.position.begin(), left.position.end(),
                                          [](const Point& a, const Point& b) { return a.x < b.x; }) -
                         left.position.begin();
@@ -225,7 +225,7 @@ TEST_CASE("A ring that folds, its normal turning over through nothing, gives no 
     std::vector<Vector> before;
     Worst jump, largest;
     for (int i = 0; i <= 4000; ++i) {
-      // Its ring shrinks to a point, and comes out at the other side: G passes through 0 at i = 2000.
+      // The ring shrinks to a point and comes out on the other side: G passes through 0 at i = 2000.
       for (int k : around) crowd.lab.setPosition(0, k, start + (1 - i / 2000.0) * (left.position[k] - start));
       crowd.evaluateForces();
       std::vector<Vector> now;
@@ -246,7 +246,7 @@ TEST_CASE("A ring that folds, its normal turning over through nothing, gives no 
 
 TEST_CASE("Vertices at one place, or with parallel normals, do not make a force infinite") {
   const Body one = shakenBody(ball, 0, 0);
-  Body needle = one;  // all but one of its vertices in two points
+  Body needle = one;  // all vertices but one lie in two points
   for (std::size_t v = 1; v < needle.position.size(); ++v)
     needle.position[v] = v < 20 ? Point{0.9, 0, 0} : needle.position[41];
   needle.position[0] = {0.3, 0.5, -0.1};
@@ -256,7 +256,7 @@ TEST_CASE("Vertices at one place, or with parallel normals, do not make a force 
     Crowd folded(limp(), law, ball, {one, one, one});
     for (int slot : {1, 2})
       for (int v = 0; v < folded.lab.bodies.vertexCount(); ++v) folded.lab.setPosition(slot, v, needle.position[v]);
-    folded.evaluateContacts();  // gas of no volume has no pressure
+    folded.evaluateContacts();  // contact alone: gas without volume has no pressure
     CHECK(largestForce(folded.lab) < 1e3);
   }
 }
@@ -289,7 +289,7 @@ TEST_CASE("No pair is stiffer with its distance than hardening and steepness say
   j.x = {}, i.inverseRadiusSquared = j.inverseRadiusSquared = 1;
   Worst share;
   for (std::uint32_t key = 0; key < 4000; ++key) {
-    // Each behind the other, at a distance below 1; normals lean, so that the overlap is any part of it.
+    // Each vertex lies behind the other, at a distance below 1. Leaning normals vary the overlap.
     const Vector away = noiseVector(1, key) / norm(noiseVector(1, key)), aside = noiseVector(2, key);
     i.normal = (1 / norm(away + 0.7 * aside)) * (away + 0.7 * aside);
     j.normal = (-1.0 / norm(away - 0.7 * noiseVector(3, key))) * (away - 0.7 * noiseVector(3, key));

@@ -1,6 +1,6 @@
 #pragma once
-// The pair law from the equations at the heads of pair_law_kernel.h, surface_kernel.h and adhesion.h, for all pairs of
-// vertices and from the mesh alone. What forces on the surface are to vertices is found by differences.
+// The pair law by the equations at the heads of pair_law_kernel.h, surface_kernel.h and adhesion.h, for all pairs of
+// vertices and from the mesh alone. Differences turn forces on surfaces into forces on vertices.
 #include <numbers>
 
 #include "crowd.h"
@@ -20,12 +20,12 @@ struct PairOracle {
     strongestGrip = std::min(0.3 * std::sqrt(law.stiffness * lightest), 0.16 * lightest / timeStep);
   }
 
-  /// [length²] of a vertex, in the mean
+  /// Returns the mean area of a cell's vertices at rest. [length²]
   double restArea(int slot) const {
     const Mesh& mesh = b.mesh.mesh;
     return measureArea(mesh.vertices, mesh.faces) / b.vertexCount() * b.restScale[slot] * b.restScale[slot];
   }
-  /// [energy] T, from the work W.
+  /// Returns T, from the work W. [energy]
   double holds(const SeenVertex& i, const SeenVertex& j) const {
     if (!law.adhesion) return 0;
     const double ai = restArea(i.slot), aj = restArea(j.slot), g = 6 * ai * i.inverseRadiusSquared;
@@ -36,7 +36,7 @@ struct PairOracle {
     return (i.inverseRadiusSquared + j.inverseRadiusSquared) / 2;
   }
 
-  /// What two vertices hold, by overlap and by adhesion. [energy]
+  /// The energy that two vertices hold by overlap and by adhesion. [energy]
   struct Energy {
     double repulsion = 0, adhesion = 0;
     double total() const { return repulsion + adhesion; }
@@ -62,7 +62,7 @@ struct PairOracle {
     return sum;
   }
 
-  /// [1] B of the pairs of so many slots from this one on, the largest.
+  /// Returns the largest B of the pairs of `count` slots from `firstSlot` on. [1]
   double deepest(int firstSlot, int count) const {
     double most = 0;
     for (const SeenVertex& i : all)
@@ -76,7 +76,7 @@ struct PairOracle {
     return most;
   }
 
-  /// [1] S of two vertices, 0 of those that do not overlap or are out of reach.
+  /// Returns S of two vertices, 0 if they do not overlap or are out of reach. [1]
   static double steepnessOf(const SeenVertex& i, const SeenVertex& j) {
     const Vector a = i.x - j.x;
     const double k = kappa(i, j), q = k * dot(a, a), depth = std::max(0.0, -dot(a, j.normal - i.normal) / 2);
@@ -85,7 +85,7 @@ struct PairOracle {
     return t * t * (3 - 2 * t) * k * depth * depth * q * q * q * (1 + 18 * bulk + 1200 * bulk * bulk);
   }
 
-  /// f and q of j on i, with damping and friction.
+  /// Force f and turn q of j on i, with damping and friction.
   struct Push {
     Vector force, turn;
   };
@@ -112,7 +112,7 @@ struct PairOracle {
     return p;
   }
 
-  /// Of all vertices, in the order of `all`.
+  /// Returns the forces on all vertices, in the order of `all`.
   std::vector<Vector> forces() const {
     std::vector<Push> onSurface(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -138,7 +138,7 @@ struct PairOracle {
     return forces;
   }
 
-  /// −∂E/∂x of one vertex, by differences of the pairs that it and its ring have.
+  /// Returns −∂E/∂x of one vertex, by differences of the pairs of the vertex and its ring.
   Vector energyFalls(int slot, int v, double step) const {
     std::vector<Point> x = takeBody(b, slot).position;
     const SeenVertex& first = all[std::size_t(slot) * b.vertexCount()];
@@ -158,7 +158,7 @@ struct PairOracle {
   }
 
  private:
-  /// ∂/∂x of vertex v of the sum of `worth` over all vertices whose surface hangs on it.
+  /// Returns ∂/∂x of vertex v of the sum of `worth` over all vertices whose surface depends on v.
   template <class Worth>
   Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth, const SeenVertex& first) const {
     const double sag = b.sag[first.slot];

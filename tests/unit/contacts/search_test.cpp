@@ -1,4 +1,4 @@
-// All ways to search find the same pairs, and those are the pairs within reach.
+// All search methods find the same pairs: the pairs within reach.
 #include <algorithm>
 #include <limits>
 
@@ -12,7 +12,7 @@ namespace {
 
 const Mesh cube = zoo::box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6});
 
-/// The neighbours of each vertex, by vertex number, as the kernels of the laws will read them.
+/// Returns the neighbours of each vertex, by vertex number, as the kernels of the laws read them.
 using Lists = std::vector<std::vector<VertexNumber>>;
 
 Lists listsOf(const NeighbourList& list, const Bodies& b) {
@@ -21,8 +21,8 @@ Lists listsOf(const NeighbourList& list, const Bodies& b) {
   return lists;
 }
 
-/// All pairs that are closer than their reach for sure, and whether there are others but those at the edge of
-/// it.
+/// Counts faults of lists: pairs within reach that are missing, pairs beyond reach, and disorder. Pairs at the edge of
+/// reach may be listed or not.
 struct Expected {
   const Bodies& b;
   const AlignedVector<double>& radius;
@@ -48,7 +48,7 @@ struct Expected {
   }
 };
 
-/// Searches anew, where the cells are now.
+/// Builds the list anew for the cells' present positions.
 void renew(NeighbourList& list, const Crowd& crowd, int threads = 1) {
   list.skin = crowd.contacts.list.skin;
   list.reference = crowd.lab.bodies.position;
@@ -67,7 +67,7 @@ std::vector<NeighbourList> oneOfEachSearch() {
   return lists;
 }
 
-/// How many of all ways, instruction sets and numbers of threads differ from brute force.
+/// Returns how many combinations of search, instruction set and number of threads differ from brute force.
 int differences(const Crowd& crowd, const Lists& expected) {
   int different = 0;
   for (ContactSearch search : valuesOf<ContactSearch>())
@@ -130,7 +130,7 @@ TEST_CASE("Other meshes: few vertices, many, and one with a hole") {
 
 TEST_CASE("Cells at one place: vertices coincide, and everything is everybody's neighbour") {
   check(std::vector<Body>(9, shakenBody(ball, 0, 0)), ball, 9 * 42 * 8);
-  std::vector<Body> points(9, shakenBody(ball, 0, 0));  // each cell in one point: lists longer than a short sort bears
+  std::vector<Body> points(9, shakenBody(ball, 0, 0));  // each cell in one point: lists are too long for a short sort
   for (Body& b : points)
     for (Point& x : b.position) x = {1, 2, 3};
   check(points, ball, 9 * 42 * 8 * 42);
@@ -175,7 +175,7 @@ TEST_CASE("Vertices that are nowhere, or whose squares overflow, have no neighbo
 }
 
 TEST_CASE("Points at the edges of bins") {
-  // On a lattice of the bins' size, and a rounding or less beside it.
+  // Vertices lie on a lattice of the bins' size, or a rounding or less beside it.
   std::vector<Body> cells(12, shakenBody(ball, 0, 0));
   Crowd probe(limp(), {}, ball, cells);
   const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
@@ -196,7 +196,7 @@ TEST_CASE("Points at the edges of bins") {
 }
 
 TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in any direction") {
-  // Cells in one point each, in a chain: their boxes are points, too, and bins lie as chance will have it.
+  // Each cell is one point in a chain: boxes are points, too, and bins lie at random.
   Crowd crowd(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
   const double reach = crowd.contacts.radius[0] * (1 + 1e-6) + crowd.contacts.list.skin;
   std::vector<NeighbourList> lists = oneOfEachSearch();
@@ -210,7 +210,7 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
                                               : random / norm(random);
       std::vector<Body> cells(9, shakenBody(cube, 0, 0));
       for (int i = 0; i < 9; ++i) {
-        // Bins begin at the outermost cell: the first one stands apart, as chance will have it.
+        // Bins begin at the outermost cell, so the first cell stands apart at random.
         const double along = i == 0 ? -20 - 3 * noise(1, key) : i * (1 + hair);
         for (Point& x : cells[i].position) x = along * reach * direction;
       }

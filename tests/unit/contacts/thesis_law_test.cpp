@@ -1,5 +1,5 @@
-// The thesis' law against its equations, written out for all pairs; and what is wrong with it, so that it
-// stays wrong.
+// The thesis' law against its equations, written out for all pairs. Its known faults are tested, too, so that they
+// stay.
 #include "catch.h"
 #include "crowd.h"
 
@@ -10,8 +10,8 @@ namespace {
 constexpr double dt = 0x1p-9;
 const ContactParameters thesis{ContactLaw::thesis};
 
-/// The penetration vector of a vertex [Nilsson 2008, §4.3.1]: which way and how far it must go. Weighted by
-/// inverse distance, in influence radii.
+/// Returns the penetration vector of a vertex [Nilsson 2008, §4.3.1]: the direction and distance that it must move.
+/// Weights are inverse distances, in influence radii.
 Vector penetration(const SeenVertex& i, const std::vector<SeenVertex>& all) {
   Vector sum;
   double weights = 0;
@@ -31,7 +31,7 @@ Vector penetration(const SeenVertex& i, const std::vector<SeenVertex>& all) {
 
 TEST_CASE("Contact forces are eq. 4.8 over all pairs of vertices, by brute force") {
   PhysicsParameters springs = limp();
-  springs.membrane.stiffness = 5;  // so that f_other is something
+  springs.membrane.stiffness = 5;  // makes f_other differ from 0
   for (const PhysicsParameters& p : {limp(), springs})
     for (int count : {2, 9}) {
       Crowd crowd(p, thesis, ball, heap(ball, count, 1.6, 0.5));

@@ -1,4 +1,4 @@
-// Walls at right angles to the ones before [Sachs 1877].
+// Walls at right angles to the walls before them [Sachs 1877].
 #include "base/error.h"
 #include "base/random.h"
 #include "catch.h"
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// Semi-axes 3, 2 and 1 along x, y and z, and somewhere.
+/// Returns the vertices of an ellipsoid off the origin, with semi-axes 3, 2 and 1 along x, y and z.
 std::vector<Point> brickVertices() { return zoo::moved(zoo::scaled(makeIcosphere(2), {3, 2, 1}), {5, -1, 2}).vertices; }
 
 KnownCell daughter(const std::vector<Point>& vertices, const Vector& motherAxis) {
@@ -37,7 +37,7 @@ TEST_CASE("alternating: of the directions in the mother's plane it is the one of
 TEST_CASE("alternating: whatever the mother's axis and the shape, the new one stands at right angles to it") {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     const Vector axis = randomDirection({seed, {}, 0, Purpose::test});
-    const Body shaken = shakenBody(makeIcosphere(1), seed % 2 ? 0.3 : 0, 0, seed);  // a ball, too
+    const Body shaken = shakenBody(makeIcosphere(1), seed % 2 ? 0.3 : 0, 0, seed);  // a ball for even seeds
     const Cut cut = policy->findCut(daughter(shaken.position, axis));
     CHECK(std::abs(dot(cut.normal, axis)) < 1e-12);
     CHECK(norm(cut.normal) == Approx(1).epsilon(1e-13));
@@ -51,7 +51,7 @@ TEST_CASE("alternating: who turns the cell and its mother's axis turns the plane
   for (Point& x : turned) x = turn(x);
   const Vector before = policy->findCut(daughter(brickVertices(), axis)).normal;
   const Vector after = policy->findCut(daughter(turned, turn(axis))).normal;
-  CHECK(norm(cross(turn(before), after)) < 1e-12);  // the same line; which of its directions is a rule of its own
+  CHECK(norm(cross(turn(before), after)) < 1e-12);  // equal lines; another rule chooses between their directions
 }
 
 TEST_CASE("alternating: a first axis without length is an error") {

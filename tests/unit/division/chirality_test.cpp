@@ -1,4 +1,4 @@
-// Which divisions have chirality: that of their rule, or else that of all.
+// The chirality of a division: from its rule, or else the common one.
 #include "catch.h"
 #include "division/parameters.h"
 
@@ -11,7 +11,7 @@ TEST_CASE("chirality: none, that of all, and that of the first rule that fits") 
   p.rules = {DivisionRule{.of = {"a1", "divide"}, .chirality = Chirality{20, 0.5}}, DivisionRule{.of = {"a1"}},
              DivisionRule{.of = {"a0"}, .chirality = Chirality{-10, 0.75}}};
   CHECK(chiralityOf(p, "a1 divide") == Chirality{20, 0.5});
-  CHECK_FALSE(chiralityOf(p, "a1"));  // its rule has none, and no later one counts
+  CHECK_FALSE(chiralityOf(p, "a1"));  // the first rule that fits has no chirality, and later rules do not count
   CHECK(chiralityOf(p, "a0") == Chirality{-10, 0.75});
   CHECK_FALSE(chiralityOf(p, "a2"));
   CHECK(longestChirality(p) == 0.75);

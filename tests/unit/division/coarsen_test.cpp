@@ -1,4 +1,4 @@
-// What a cell keeps when it takes a coarser mesh.
+// Quantities that a cell keeps when it takes a coarser mesh.
 #include "division/coarsen.h"
 
 #include "catch.h"
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// 642 vertices, and 162 for cells whose mean edge is then at most `longestEdge`.
+/// Returns bodies of 642 vertices; cells whose mean edge is at most `longestEdge` on 162 vertices take 162.
 Bodies bodiesWith(double longestEdge, int level = 3, std::vector<Mesh> coarser = {makeIcosphere(2)}) {
   PhysicsParameters p = softCell();
   p.coarsen = longestEdge;
@@ -25,8 +25,8 @@ Body moving(const std::vector<Point>& shape) {
   return b;
 }
 
-/// Spheres, cells that are stretched, flattened, or pressed between two plates, turned anyhow; and what each
-/// is cut into across its longest extent.
+/// Returns spheres and cells that are stretched, flattened or pressed between two plates in random directions, and the
+/// daughters of each, cut across its longest extent.
 std::vector<Body> bodies() {
   std::vector<Body> all;
   const Mesh ball = makeIcosphere(3);
@@ -100,7 +100,7 @@ TEST_CASE("However a cut slants, volume is kept, and area to 1 %") {
 }
 
 TEST_CASE("A round cell is under equal tension and pressure on either mesh") {
-  // What the springs do to a sphere is Σ f l over 3V: that much pressure they hold.
+  // Springs in a sphere hold the pressure Σ f l over 3V.
   const Bodies b = bodiesWith(1);
   for (double stretch : {1.02, 1.1, 1.5}) {
     const auto held = [&](const Body& body) {

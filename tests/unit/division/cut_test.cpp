@@ -1,4 +1,4 @@
-// The cut: what the daughters get adds up to what the mother had.
+// The cut: the daughters' shares add up to the mother's.
 #include "division/cut.h"
 
 #include "catch.h"
@@ -18,7 +18,7 @@ Body moving(const Mesh& mesh) {
 
 double volumeOf(const Body& b, const Mesh& mesh) { return measureVolume(b.position, mesh.faces); }
 
-/// Star-shaped and convex bodies that a plane through the middle cuts into two pieces.
+/// Returns star-shaped and convex bodies that a plane through the middle cuts into two pieces.
 std::vector<zoo::Animal> convexBodies() {
   return {{"sphere", makeIcosphere(2)},
           {"egg", zoo::scaled(makeIcosphere(2), {27, 15, 11})},
@@ -58,7 +58,7 @@ TEST_CASE("Volumes, masses, gas and momentum add up to the mother's, whatever th
       CHECK(a.mass + b.mass == Approx(3).epsilon(1e-15));
       CHECK(a.pressureConstant + b.pressureConstant == Approx(5).epsilon(1e-15));
       CHECK(norm(momentumOf(a) + momentumOf(b) - momentumOf(mother)) < 1e-15);
-      // By volume, so that pressure and density of both are the same.
+      // Shares go by volume, so that pressure and density of both daughters are equal.
       CHECK(a.mass / volumeOf(a, mesh) == Approx(3 / volume).epsilon(1e-13));
       CHECK(b.pressureConstant / volumeOf(b, mesh) == Approx(5 / volume).epsilon(1e-13));
       CHECK(a.velocity == mother.velocity);
@@ -67,7 +67,7 @@ TEST_CASE("Volumes, masses, gas and momentum add up to the mother's, whatever th
 }
 
 TEST_CASE("A tenth of the volume is enough for a daughter, and less is not") {
-  const Mesh mesh = zoo::box({0, 0, 0}, {6, 1, 10});  // whose volumes are exact
+  const Mesh mesh = zoo::box({0, 0, 0}, {6, 1, 10});  // its volumes are exact
   const Body mother = moving(mesh);
   for (const double sign : {1.0, -1.0}) {
     const auto cutAt = [&](double height) {
@@ -121,8 +121,7 @@ TEST_CASE("No face of a convex body is turned over by a cut that folds nothing")
       if (projectionFolds(moving(mesh), mesh, normal) > 0) continue;
       ++cuts;
       for (const Body* daughter : {&cut.daughters.a, &cut.daughters.b}) {
-        // Seen from inside the daughter all faces look outward, but for those that a needle-thin edge made
-        // flat.
+        // Seen from inside the daughter all faces look outward, except faces that a needle-thin edge made flat.
         Point inside;
         double weight = 0;
         for (const auto& [i, j, k] : mesh.faces) {
@@ -153,7 +152,7 @@ TEST_CASE("Membrane: two halves share `production` times their mother's area ali
     CHECK(a * a + b * b == Approx(production).epsilon(1e-14));
     CHECK(a == Approx(b).epsilon(1e-13));
   }
-  // With the cube root of 2 a half has the lengths of a sphere of half the volume: 2^(−1/3).
+  // With a production of ∛2 a half has the lengths of a sphere of half the volume: 2^(−1/3).
   const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, {1, 0, 0}), std::cbrt(2.0));
   CHECK(cut.daughters.a.restScale == Approx(mother.restScale / std::cbrt(2.0)).epsilon(1e-13));
 }
@@ -170,7 +169,7 @@ TEST_CASE("Unequal daughters get membrane by the area of spheres of their volume
 }
 
 TEST_CASE("A body that would have next to no volume on one side does not divide, and the failure says so") {
-  // A nail: most vertices are in its thin shaft, most of its volume in its head.
+  // A nail has most vertices in its thin shaft and most of its volume in its head.
   const Mesh mesh = makeIcosphere(2);
   Body nail = moving(mesh);
   for (Point& x : nail.position)

@@ -1,18 +1,18 @@
 #pragma once
-// A cut, what it folds over, and what it leaves.
+// Planes, folds and momentum of cuts.
 #include "division/cut.h"
 #include "division/halves.h"
 #include "unit/physics/lab.h"
 
 namespace morula {
 
-/// The plane with this unit normal through the mean of a body's vertices.
+/// Returns the cut with this unit normal through the mean of a body's vertices.
 inline Cut throughMean(const Body& body, const Vector& normal) { return {measureCentroid(body.position), normal}; }
 
-/// [mass·length/time] All vertices of a body have the same mass.
+/// Returns a body's momentum; all its vertices have the same mass. [mass·length/time]
 inline Vector momentumOf(const Body& b) { return b.mass * measureCentroid(b.velocity); }
 
-/// The folded faces on the flat side of a daughter; `b`: of the one on the far side of the normal.
+/// Returns the number of folded faces on a daughter's flat side. `b`: the daughter lies on the far side of the normal.
 inline int foldsOf(const Body& daughter, const Body& mother, const Mesh& mesh, const Vector& normal, bool b) {
   const Point centre = measureCentroid(mother.position);
   std::vector<char> flat(mother.position.size());
@@ -20,7 +20,7 @@ inline int foldsOf(const Body& daughter, const Body& mother, const Mesh& mesh, c
   return countFolds(daughter.position, mesh.faces, flat, b ? normal : -normal);
 }
 
-/// The folds of both sides if nothing is done about them.
+/// Returns the number of folds on both sides if nothing unfolds them.
 inline int projectionFolds(const Body& mother, const Mesh& mesh, const Vector& normal) {
   const Point centre = measureCentroid(mother.position);
   Body projected = mother;

@@ -1,4 +1,4 @@
-// Which daughter is A: the one on the side that the axis points to, for every way to choose an axis.
+// Daughter A lies on the side that the axis points to, for every way to choose an axis.
 #include <array>
 
 #include "base/random.h"
@@ -17,14 +17,14 @@ const Mesh& egg() {
   return mesh;
 }
 
-/// The egg, 1 + stretch times as long along a unit direction, somewhere.
+/// Returns the egg, 1 + stretch times as long along a unit direction, off the origin.
 Body longCell(const Vector& along, double stretch) {
   Body body = shakenBody(egg(), 0, 0);
   for (Point& x : body.position) x += stretch * dot(x, along) * along + Vector{0.3, -0.2, 0.1};
   return body;
 }
 
-/// From daughter B's centre to daughter A's.
+/// Returns the vector from daughter B's centre to daughter A's.
 Vector fromBToA(const Body& mother, const Vector& normal) {
   const CutResult cut = cutBody(mother, egg().faces, {measureCentroid(mother.position), normal}, 1.26);
   REQUIRE(cut.failure.empty());
@@ -59,8 +59,8 @@ TEST_CASE("a random axis points to daughter A") {
   }
 }
 
-// The longest extent is a line; which of its two directions is the axis must be a rule. It is the one with a
-// positive x + 0.55 y + 0.2 z: along coordinate axes their positive direction.
+// The longest extent is a line, and a rule must choose its direction: the axis has a positive x + 0.55 y + 0.2 z. Along
+// coordinate axes this is the positive direction.
 TEST_CASE("across the longest extent daughter A lies on the side of (1, 0.55, 0.2)") {
   for (const Vector& along : directions)
     for (const double sign : {1.0, -1.0}) {

@@ -1,6 +1,6 @@
 #pragma once
-// A cell of which just so much is known as a test says: its shape and its mother's division, what it touches and
-// holds, and where it lies.
+// A cell that knows only what a test gives: its shape, its mother's division, its contacts, its substances and its
+// place.
 #include "biology/physical_unit.h"
 #include "division/policy.h"
 #include "division/record.h"

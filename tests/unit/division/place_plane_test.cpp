@@ -13,7 +13,7 @@ double randomIn(double low, double high, std::uint64_t seed, std::uint32_t numbe
   return low + (high - low) * randomUnit({seed, {}, 1, Purpose::test}, number);
 }
 
-/// A sphere's mesh with its vertices pressed by random planes: convex, and of no symmetry.
+/// Returns a sphere's mesh with vertices pressed by random planes: convex, without symmetry.
 Mesh pressed(std::uint64_t seed) {
   Mesh mesh = zoo::scaled(makeIcosphere(2), {randomIn(0.8, 1.3, seed, 0), 1, randomIn(0.8, 1.3, seed, 1)});
   for (std::uint32_t k = 0; k < 3; ++k) {
@@ -48,8 +48,8 @@ TEST_CASE("A box is cut where its length is shared out") {
 }
 
 TEST_CASE("A pyramid is cut where a smaller one like it has the share") {
-  // Base 2 × 2 at z = 0, tip at z = 3. Projecting the corners of the base leaves the tip's pyramid wider than a
-  // slice would: above height t it has the whole base and 3 − t of height, less what lies below nothing.
+  // Base 2 × 2 at z = 0, tip at z = 3. Projecting the base's corners makes the tip's part wider than a slice: above
+  // height t it is a pyramid on the whole base with height 3 − t.
   const Mesh mesh{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 3}},
                   {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
   for (const double share : {0.2, 0.5, 0.8}) {
@@ -62,7 +62,7 @@ TEST_CASE("Of a ball it is the cap with this share") {
   const Mesh mesh = makeIcosphere(4);
   for (const double share : {0.1, 0.25, 0.5, 0.7}) {
     const Point on = placePlane(mesh.vertices, mesh.faces, {0, 0.6, 0.8}, share);
-    const double h = 1 - dot(on, {0, 0.6, 0.8});  // of the cap: V = π h² (3 − h)/3
+    const double h = 1 - dot(on, {0, 0.6, 0.8});  // height of the cap: V = π h² (3 − h)/3
     CHECK(h * h * (3 - h) / 4 == Approx(share).margin(0.003));
   }
 }
@@ -84,7 +84,7 @@ TEST_CASE("Daughters of convex bodies get the volumes that were asked for, and e
     CHECK(std::abs(shareOf(cut, mesh) - share) < 0.01);
     exact += std::abs(shareOf(cut, mesh) - share) < 1e-9;
     CHECK(measureVolume(a.position, mesh.faces) + measureVolume(b.position, mesh.faces) > 0.95 * whole);
-    // What they will be at rest is as asked to the last digit.
+    // Mass and contents, which decide the volume at rest, have the share to the last digit.
     CHECK(a.mass == Approx(3 * share).epsilon(1e-15));
     CHECK(a.pressureConstant == Approx(share * mother.pressureConstant).epsilon(1e-15));
     CHECK(a.mass + b.mass == 3);

@@ -1,5 +1,5 @@
-// Planes that go by contacts, polarity, the shell, the organism's surface and connections: cells put together by
-// hand, whose directions follow from the arrangement.
+// Planes that depend on contacts, polarity, the shell, the organism's surface and connections. Cells are put together
+// by hand, and expected directions follow from the arrangement.
 #include <algorithm>
 #include <functional>
 
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// A cell with semi-axes 3, 2 and 1 along x, y and z about a point.
+/// Returns an ellipsoid with semi-axes 3, 2 and 1 along x, y and z about a point.
 Mesh brick(const Vector& at = {}) { return zoo::moved(zoo::scaled(makeIcosphere(1), {3, 2, 1}), at); }
 
 KnownCell other(const Point& at, const char* held) {
@@ -35,7 +35,7 @@ Vector normalOf(const PlaneChoice& choice, const CellContext& cell) {
   return cut.normal;
 }
 
-const Vector longest{1, 0, 0};  // of the brick
+const Vector longest{1, 0, 0};  // longest axis of the brick
 
 }  // namespace
 
@@ -44,7 +44,7 @@ TEST_CASE("towards, away-from: the sum of the directions to those that hold it, 
                   stranger = other({-9, 0, 0}, "a1");
   KnownCell cell("A", brick());
   cell.touched = {{&up, 3}, {&right, 4}, {&stranger, 100}};
-  const Vector expected{0, 0.8, 0.6};  // however far they are
+  const Vector expected{0, 0.8, 0.6};  // distances do not matter
   CHECK(norm(normalOf(choose(DivisionPlane::towards, "skin"), cell) - expected) < 1e-14);
   CHECK(norm(normalOf(choose(DivisionPlane::towards, "sk*"), cell) - expected) < 1e-14);
   CHECK(norm(normalOf(choose(DivisionPlane::awayFrom, "skin"), cell) + expected) < 1e-14);
@@ -66,7 +66,7 @@ TEST_CASE("towards, away-from, across: without such a contact, or with contacts 
   for (const DivisionPlane plane : {DivisionPlane::towards, DivisionPlane::awayFrom, DivisionPlane::across}) {
     KnownCell cell("A", brick());
     CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
-    cell.touched = {{&stranger, 1}};  // a substance is its whole name
+    cell.touched = {{&stranger, 1}};  // a substance must match by its whole name
     CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
     cell.touched = {{&up, 2}, {&down, 2 * (1 + 1e-12)}};
     CHECK(norm(normalOf(choose(plane, "skin"), cell) - longest) < 1e-6);
@@ -119,7 +119,7 @@ TEST_CASE("perpendicular: away from the organism's centre, or along the shell's 
   CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - Vector{0.6, 0.8, 0}) < 1e-14);
   cell.middle = {3, 0, 0};
   CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - Vector{0, 1, 0}) < 1e-14);
-  // (3/2², 4/1², 0) = (0.75, 4, 0); the organism's centre does not matter then.
+  // The shell's slope is (3/2², 4/1², 0) = (0.75, 4, 0); with a shell the organism's centre does not matter.
   cell.semiAxes = Vector{2, 1, 1};
   const Vector slope{0.75, 4, 0};
   CHECK(norm(normalOf(choose(DivisionPlane::perpendicular), cell) - slope / norm(slope)) < 1e-14);
@@ -127,7 +127,7 @@ TEST_CASE("perpendicular: away from the organism's centre, or along the shell's 
 
 TEST_CASE("perpendicular in a shell that is a mesh: along the normal of its nearest face, except in the middle") {
   KnownCell cell("A", brick({3, 4, 0})), middle("A", brick({0, 0, 0}));
-  cell.middle = cell.physical()->getShape().centre;  // which does not matter then
+  cell.middle = cell.physical()->getShape().centre;  // does not matter with a shell
   cell.faceNormal = middle.faceNormal = Vector{0, 0.6, -0.8};
   CHECK(normalOf(choose(DivisionPlane::perpendicular), cell) == Vector{0, 0.6, -0.8});
   CHECK(normalOf(choose(DivisionPlane::perpendicular), middle) == normalOf(choose(DivisionPlane::longest), middle));
@@ -159,7 +159,7 @@ TEST_CASE("tension: along the strongest pull, also where pulls to opposite sides
   CHECK(norm(normalOf(choose(DivisionPlane::tension), cell) - Vector{0, 0, 1}) < 1e-14);
 }
 
-// What a plane sees turns, so it turns: all of them in one scene that has no symmetry.
+// Planes turn with everything that they depend on: one scene without symmetry has all of it.
 TEST_CASE("planes turn and are mirrored with what they go by, and the order of neighbours does not matter") {
   const auto turn = [](const Vector& x) { return Vector{-x.y, x.z, -x.x}; };
   const auto mirror = [](const Vector& x) { return Vector{x.x, -x.y, x.z}; };

@@ -1,4 +1,4 @@
-// Where cells divide.
+// Policies that choose a cell's plane of division.
 #include "division/policy.h"
 
 #include <set>
@@ -13,7 +13,7 @@ namespace {
 
 const Mesh needle = zoo::scaled(makeIcosphere(1), {1, 3, 1});
 
-/// In a shell, for planes that need one.
+/// Returns a cell in a shell, for planes that need one.
 KnownCell inShell(const char* name) {
   KnownCell cell(name, needle);
   cell.semiAxes = Vector{1, 3, 2};
@@ -54,7 +54,7 @@ TEST_CASE("A random plane is keyed by seed and path, and by nothing else") {
 TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
   const DivisionParameters p{DivisionPlane::random, {}};
   constexpr int draws = 4096;
-  // Archimedes: the height on a sphere is uniform. Each of eight slices along each axis gets an eighth.
+  // Archimedes: the height on a sphere is uniform, so each of eight slices along each axis gets an eighth.
   int slices[3][8] = {};
   for (int i = 0; i < draws; ++i) {
     KnownCell cell("", makeIcosphere(0).vertices);
@@ -66,7 +66,7 @@ TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
   for (const auto& axis : slices) {
     double chiSquare = 0;
     for (int count : axis) chiSquare += (count - draws / 8.0) * (count - draws / 8.0) / (draws / 8.0);
-    CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+    CHECK(chiSquare < 24.3);  // 7 degrees of freedom: one seed in a thousand exceeds this
   }
 }
 

@@ -1,4 +1,4 @@
-// The longest direction of a cell, also where it has none: rounding must not decide where a cell divides.
+// The longest direction of a cell, also of cells without one: rounding must not decide where a cell divides.
 #include "division/principal_axis.h"
 
 #include "catch.h"
@@ -14,7 +14,7 @@ std::vector<Point> ellipsoid(double a, double b, double c, const Turn& turn) {
   return points;
 }
 
-/// The points in another order, which rounds the sums otherwise.
+/// Returns the points in another order, which rounds sums differently.
 std::vector<Point> shuffled(std::vector<Point> points, std::uint32_t key) {
   for (std::size_t i = points.size(); i > 1; --i) {
     const auto j =
@@ -34,7 +34,7 @@ TEST_CASE("The axis of a needle is the needle's, and of what is a little longer 
     const Vector axis = principalAxis(ellipsoid(3, 1, 1, turn));
     CHECK(norm(axis) == Approx(1).epsilon(1e-14));
     CHECK(angleSine(axis, turn({1, 0, 0})) < 1e-7);
-    CHECK(angleSine(principalAxis(ellipsoid(1.0001, 1, 0.9, turn)), turn({1, 0, 0})) < 1e-6);  // a little is enough
+    CHECK(angleSine(principalAxis(ellipsoid(1.0001, 1, 0.9, turn)), turn({1, 0, 0})) < 1e-6);  // 0.01 % suffices
   }
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("Of a disc it is the direction in the disc nearest to x") {
     const Turn turn(i);
     const Vector axis = principalAxis(shuffled(ellipsoid(1, 1, 0.5, turn), i));
     const Vector x{1, 0, 0}, across = turn({0, 0, 1}), nearest = x - dot(x, across) * across;
-    if (norm(nearest) < 0.51) continue;  // there it is y's turn
+    if (norm(nearest) < 0.51) continue;  // x is nearly normal to the disc, so y decides
     CHECK(angleSine(axis, nearest) < 1e-9);
     CHECK(dot(axis, nearest) > 0);
   }

@@ -1,4 +1,4 @@
-// Division rules: which cell divides how.
+// Division rules: which rule applies to which cell.
 #include "division/rules.h"
 
 #include "base/error.h"
@@ -19,7 +19,7 @@ KnownCell cellWith(const char* path, const char* substances) {
 
 PlaneChoice along(const Vector& axis) { return {DivisionPlane::axis, axis}; }
 
-/// The number of the rule that fits, from 1; 0: none.
+/// Returns the number of the rule that fits, from 1, or 0 if none fits.
 int ruleOf(const DivisionParameters& division, const char* substances) {
   const DivisionRule* rule = ruleFor(division, substances);
   return rule ? static_cast<int>(rule - division.rules.data()) + 1 : 0;
@@ -31,11 +31,11 @@ TEST_CASE("The first rule counts all of whose patterns stand for a substance of 
   const DivisionParameters division{
       .rules = {{.of = {"AB"}}, {.of = {"skin", "P*"}}, {.of = {"P*"}}, {.of = {"AB", "x"}}, {.of = {"*"}}}};
   CHECK(ruleOf(division, "AB") == 1);
-  CHECK(ruleOf(division, "AB divide x") == 1);  // the fourth never comes to its turn
+  CHECK(ruleOf(division, "AB divide x") == 1);  // the fourth rule is never reached
   CHECK(ruleOf(division, "P1 divide skin") == 2);
   CHECK(ruleOf(division, "P divide skin") == 2);
   CHECK(ruleOf(division, "P1 divide") == 3);
-  CHECK(ruleOf(division, "ABa") == 5);  // AB is no beginning
+  CHECK(ruleOf(division, "ABa") == 5);  // without *, AB stands for its own name alone
   CHECK(ruleOf(division, "divide skin") == 5);
   CHECK(ruleOf(division, "") == 0);
   CHECK(ruleOf({}, "AB") == 0);
@@ -49,7 +49,7 @@ TEST_CASE("What a rule does not say is as of other cells") {
   const auto policy = makeDivisionPolicy(division, 1);
   const Cut a = policy->findCut(cellWith("A", "a b")), b = policy->findCut(cellWith("A", "b c"));
   const Cut c = policy->findCut(cellWith("A", "c")), none = policy->findCut(cellWith("A", "d"));
-  CHECK(norm(a.normal - Vector{-0.6, 0, -0.8}) < 1e-15);  // as it is given, never turned round
+  CHECK(norm(a.normal - Vector{-0.6, 0, -0.8}) < 1e-15);  // a given axis is never reversed
   CHECK(a.share == 0.3);
   CHECK(b.normal == Vector{0, 1, 0});
   CHECK(b.share == 0.6);
@@ -74,7 +74,7 @@ TEST_CASE("A tilt is of its rule, or else of the variation; none is none") {
   CHECK(angle(*plain, "c") == 0);
   CHECK(angle(*varied, "a") == angle(*plain, "a"));
   CHECK(angle(*varied, "b") == 0);
-  CHECK(angle(*varied, "c") > angle(*plain, "a"));  // the same draw of the same cell
+  CHECK(angle(*varied, "c") > angle(*plain, "a"));  // both tilts come from one draw
   CHECK(angle(*varied, "c") == Approx(4 * angle(*plain, "a")).epsilon(0.02));
 }
 

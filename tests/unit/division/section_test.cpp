@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// From 0 to the corner (a, b, c).
+/// Returns a box from 0 to the corner (a, b, c).
 Mesh box(double a, double b, double c) { return zoo::box({}, {a, b, c}); }
 
 Mesh moved(Mesh mesh, const Turn& turn, const Vector& shift) {
@@ -20,7 +20,7 @@ Mesh moved(Mesh mesh, const Turn& turn, const Vector& shift) {
   return mesh;
 }
 
-/// [1] The sine of the angle between two lines.
+/// Returns the sine of the angle between two lines. [1]
 double between(const Vector& a, const Vector& b) { return norm(cross(a, b)); }
 
 }  // namespace
@@ -33,9 +33,9 @@ TEST_CASE("section: of a box along its sides, across its diagonal and through it
   CHECK(sectionArea(brick, middle, {0, 1, 0}) == Approx(3).epsilon(1e-14));
   CHECK(sectionArea(brick, middle, {0, 0, -1}) == Approx(2).epsilon(1e-14));
   CHECK(sectionArea(brick, {0.1, 1.9, 2.9}, {0, 0, 1}) == Approx(2).epsilon(1e-14));
-  // A plane that holds two opposite edges of length 3: √(1² + 2²) · 3.
+  // A plane through two opposite edges of length 3 gives √(1² + 2²) · 3.
   CHECK(sectionArea(brick, middle, Vector{2, -1, 0} / std::sqrt(5.0)) == Approx(3 * std::sqrt(5.0)).epsilon(1e-12));
-  // The regular hexagon of a unit cube: sides √½, area 3√3/2 · ½.
+  // The regular hexagon of a unit cube has sides √½ and area 3√3/2 · ½.
   CHECK(sectionArea(box(1, 1, 1), {0.5, 0.5, 0.5}, Vector{1, 1, 1} / std::sqrt(3.0)) ==
         Approx(0.75 * std::sqrt(3.0)).epsilon(1e-14));
   CHECK(sectionArea(brick, {5, 0, 0}, {1, 0, 0}) == 0);
@@ -58,13 +58,13 @@ TEST_CASE("section: the smallest stands across the longest side, wherever that p
     const Turn turn(seed);
     const Vector shift{1, -2, 3};
     const Vector found = smallestSection(moved(zoo::scaled(makeIcosphere(4), {1.5, 1, 0.9}), turn, shift), shift);
-    CHECK(between(found, turn({1, 0, 0})) < 0.02);  // of the ellipsoid; it is one of triangles
+    CHECK(between(found, turn({1, 0, 0})) < 0.02);  // exact for an ellipsoid; this body is of triangles
     CHECK(norm(found) == Approx(1).epsilon(1e-14));
     CHECK(dot(found, {1, 0.55, 0.2}) > 0);
   }
 }
 
-// By another search than the program's: many directions at random, and no refinement.
+// The oracle tries many random directions, without refinement.
 TEST_CASE("section: no other direction has a smaller one") {
   for (std::uint32_t seed = 0; seed < 5; ++seed) {
     const Body lump = shakenBody(makeIcosphere(2), 0.25, 0, seed);

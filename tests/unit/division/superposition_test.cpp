@@ -1,4 +1,4 @@
-// Laying one set of points upon another: by hand, against every other rotation that was tried, never a mirror image.
+// Superposing one set of points on another: by hand, against random rotations, and never with a mirror image.
 #include "division/superposition.h"
 
 #include "catch.h"
@@ -57,7 +57,7 @@ TEST_CASE("No other rotation leaves less") {
     for (std::uint32_t trial = 0; trial < 20000; ++trial)
       least = std::min(least, leftBy(Turn(trial + 7), points, others));
     CHECK(best <= least + 1e-12);
-    CHECK(best > least - 0.05);  // among so many rotations one comes near
+    CHECK(best > least - 0.05);  // one of so many rotations comes near
   }
 }
 

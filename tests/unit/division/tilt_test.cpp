@@ -1,4 +1,4 @@
-// Seeded noise of axes.
+// Random tilts of axes, keyed by a seed.
 #include "division/tilt.h"
 
 #include <numbers>
@@ -39,7 +39,7 @@ TEST_CASE("Tilted axes have unit length and the mean cosine of von Mises and Fis
     const double expected = 1 / std::tanh(kappa) - 1 / kappa;  // mean resultant length
     CHECK(dot(sum, axis) / draws == Approx(expected).margin(4 / std::sqrt(draws * kappa)));
     CHECK(norm(sum) / draws == Approx(expected).margin(4 / std::sqrt(draws * kappa)));
-    // Along each tangent a small tilt is normal with the standard deviation that was asked for.
+    // Along each tangent a small tilt is normal with the given standard deviation.
     if (sd <= 10) CHECK(degrees(std::sqrt(square / draws / 2)) == Approx(sd).epsilon(0.03));
     CHECK(farthest > radians);
   }

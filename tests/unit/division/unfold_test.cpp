@@ -1,4 +1,4 @@
-// What the cut folds over lies flat again, and what it does not fold stays.
+// Faces that a cut folds over are unfolded, and the others stay.
 #include "catch.h"
 #include "cuts.h"
 #include "division/cut.h"
@@ -8,7 +8,7 @@ using namespace morula;
 
 namespace {
 
-/// A cell pressed in on one side, as by a neighbour: not convex, but the picture of a disc.
+/// Returns a cell pressed in on one side, as by a neighbour: it is not convex, but its projection is a disc.
 Mesh dented(double depth) {
   Mesh m = makeIcosphere(2);
   for (Point& v : m.vertices)

@@ -1,4 +1,4 @@
-// One document and one table in every form: the same words and numbers, and no text becomes markup.
+// One document and one table in every form: the words and numbers are equal, and no text becomes markup.
 #include "document/document.h"
 
 #include "catch.h"

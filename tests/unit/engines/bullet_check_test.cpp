@@ -1,4 +1,4 @@
-// The metrics in which a run is held against Bullet's, by shapes whose differences are known.
+// The metrics that compare a run with Bullet's, on shapes with known differences.
 #include "engines/bullet_check.h"
 
 #include <limits>
@@ -17,7 +17,7 @@ const std::string pair =
 
 using Shapes = std::vector<std::vector<Point>>;
 
-/// The only result.
+/// Returns the only result.
 CheckResult compare(const World& world, const Shapes& shapes, const BulletCheck& check) {
   const auto results = compareWithBullet(world, shapes, check);
   REQUIRE(results.size() == 1);

@@ -1,4 +1,4 @@
-// What touches in Bullet: cells, and the shell that Bullet itself has not.
+// Contact in Bullet: between cells, and with the shell, which Bullet itself lacks.
 #include "catch.h"
 #include "engines/bullet_world.h"
 #include "lab.h"
@@ -10,7 +10,7 @@ using namespace morula;
 
 namespace {
 
-/// Two cells side by side in a shell that is too short for them.
+/// Returns two cells side by side in a shell that is too short for them.
 BulletScene pressedPair(bool contact) {
   BulletScene scene = pressurisedCell(2, Baseline::b1, 8);
   scene.contact = contact;
@@ -23,7 +23,7 @@ BulletScene pressedPair(bool contact) {
   return scene;
 }
 
-/// How many vertices of a cell lie inside the other.
+/// Returns how many vertices of a cell lie inside the other.
 int countInside(const BulletScene& scene, const Body& cell, const Body& other) {
   int inside = 0;
   for (const Point& x : cell.position) inside += isInside(x, other.position, scene.mesh.faces);
@@ -46,7 +46,7 @@ TEST_CASE("Cells stop each other, and the shell stops both") {
   const auto cells = run(scene, 800);
   CHECK(countInside(scene, cells[0], cells[1]) == 0);
   CHECK(countInside(scene, cells[1], cells[0]) == 0);
-  // They do touch: together they would be longer than the shell.
+  // The cells touch: apart they would be longer than the shell.
   CHECK(measureBox(cells[0].position).high.x > measureBox(cells[1].position).low.x - 3 * scene.margin);
   Worst vertex, held;
   Bodies bodies = makeBodies(scene.physics, scene.mesh, 1);

@@ -1,4 +1,4 @@
-// From runs to verdicts, and to a table.
+// Engine comparisons: from runs to verdicts and a table.
 #include "engines/engine_comparison.h"
 
 #include <filesystem>
@@ -87,8 +87,8 @@ TEST_CASE("A table has a row for each scenario and a column for each engine; bar
 }
 
 TEST_CASE("Whatever goes wrong with a question ends that question alone") {
-  // A file that is not UTF-8 is no DNA at the other end. An error of an unexpected kind once
-  // ended the program from a worker's thread.
+  // The worker takes no text that is not UTF-8 as DNA. An unexpected kind of error once ended the program from a
+  // worker's thread.
   Scenario scenario = readScenario(
       "morula: 1\nname: odd\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics: {}\n", "odd.yaml", ".");
   scenario.files.push_back({"dna", "odd.dna", "\xff"});
@@ -104,7 +104,7 @@ TEST_CASE("Whatever goes wrong with a question ends that question alone") {
 
 namespace {
 
-/// Stands in for stderr, and takes its time, so that others may write in between.
+/// A slow replacement of stderr, so that others may write in between.
 class SlowConsole : public std::streambuf {
  public:
   SlowConsole() : before_(std::cerr.rdbuf(this)) {}
@@ -134,7 +134,7 @@ class SlowConsole : public std::streambuf {
 }  // namespace
 
 TEST_CASE("What several workers tell at a time stays in lines") {
-  // Text and line end were written one after the other, so that lines ran into each other.
+  // Text and line end were once written one after the other, so that lines ran into each other.
   const Scenario scenario =
       readScenario("morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n", "genes.yaml", ".");
   std::string told;

@@ -1,4 +1,4 @@
-// Where cells come to rest in Bullet.
+// Cells at rest in Bullet.
 #include "catch.h"
 #include "engines/bullet_world.h"
 #include "lab.h"
@@ -13,10 +13,10 @@ Body settle(const BulletScene& scene, int steps) {
   return world->cells()[0];
 }
 
-/// [radii] Where pressurisedCell(3) rests with springs that are all alike, as B3's are.
+/// [radii] Radius at which pressurisedCell(3) rests with equal springs, as B3's are.
 constexpr double restOfEqualSprings = 1.053101148;
 
-/// The radius at which a cell of the law rests, by steps written out here.
+/// Returns the radius at which a cell with this law rests, by stepByHand.
 template <class Law>
 double restRadius(BulletScene scene, const Law& law) {
   const MeshTemplate mesh = makeTemplate(scene.mesh, scene.physics.membrane.springs);
@@ -25,7 +25,7 @@ double restRadius(BulletScene scene, const Law& law) {
   return meanRadius(cell);
 }
 
-/// Each link pulls at ends that the links before it have moved, which stiffens them in proportion to Δt².
+/// Returns the radius extrapolated to Δt = 0: moving ends link by link stiffens links in proportion to Δt².
 double limitOfSmallSteps(BulletScene scene, int steps) {
   const double coarse = meanRadius(settle(scene, steps));
   scene.timeStep /= 2;
@@ -49,7 +49,7 @@ TEST_CASE("B2 rests where Bullet's own springs balance the gas: f = k_s l (l² �
   const double byHand = restRadius(scene, bulletsLaw);
   scene.timeStep = 0x1p-9;
   CHECK(limitOfSmallSteps(scene, 2500) == Approx(byHand).margin(3e-4));
-  // The linear law's radius is out of reach of that tolerance, so this tells the two apart.
+  // The linear law's radius lies outside of the tolerance above, so the test tells the laws apart.
   CHECK(std::abs(byHand - restRadius(scene, linearLaw)) > 6e-4);
 }
 

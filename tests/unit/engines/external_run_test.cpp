@@ -1,4 +1,4 @@
-// A scenario's run in another process, and all that can go wrong with that process.
+// A scenario's run in another process, and all faults of such a process.
 #include "engines/external_run.h"
 
 #include <filesystem>
@@ -24,7 +24,7 @@ const std::string two =
 
 Scenario scenarioOf(const std::string& text) { return readScenario(text, "two.yaml", "."); }
 
-/// The worker's side without a process.
+/// Returns the worker's answer, without a process.
 ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<double>& frameTimes = {}) {
   std::istringstream in(jsonText(toJson(scenario, ExternalQuestion{.engine = engine, .frameTimes = frameTimes})));
   std::ostringstream out;
@@ -33,7 +33,7 @@ ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<dou
   return externalRunFrom(parseJson(said.substr(said.rfind("{\"answer\""))).at("answer"));
 }
 
-/// A program that does not do what it should: a shell script.
+/// Returns the answer of a faulty program, a shell script.
 ExternalRun askScript(const std::string& body, int cpuSeconds = 0) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "worker";
@@ -46,26 +46,26 @@ ExternalRun askScript(const std::string& body, int cpuSeconds = 0) {
 
 TEST_CASE("Ours by another process is ours: steps, results, samples and shapes") {
   const Scenario scenario = scenarioOf(two);
-  const ExternalRun run = serve(scenario, Engine::thesis);  // whatever law stands in the scenario
+  const ExternalRun run = serve(scenario, Engine::thesis);  // whatever the scenario's law
   CHECK(run.end == ExternalRun::End::done);
   CHECK(run.step == 32);
   World ours = makeWorld(scenario.scene);
   while (!finished(ours)) step(ours);
   REQUIRE(run.shapes.size() == 2);
   CHECK(run.shapes[1] == cellVertices(ours, ours.cells.path[1]));  // to the last bit
-  REQUIRE(run.samples.size() == 2);                                // of the start and of the end
+  REQUIRE(run.samples.size() == 2);                                // at the start and at the end
   CHECK(run.samples[1].cells[0].at("volume") == measureCells(ours)[0].at("volume"));
   REQUIRE(run.results.size() == 2);
   CHECK(run.results[0].passed);
   CHECK(run.results[1].check == "energy");
-  CHECK(!run.results[1].passed);  // 2 at the start
+  CHECK(!run.results[1].passed);  // the energy is 2 at the start
 }
 
 TEST_CASE("Shapes are told at the times that are asked for, and the last are those of the end") {
   const Scenario scenario = scenarioOf(two);
   const auto ask = [&](const std::vector<double>& times) { return serve(scenario, Engine::thesis, times).frames; };
   CHECK(ask({}).empty());
-  // Steps take 1/128: the first at or after each time, none twice, and nothing after the end.
+  // Steps take 1/128. A frame is the first step at or after each time; none comes twice, and none after the end.
   const auto frames = ask({0, 0.1, 0.1001, 0.25, 0.5});
   REQUIRE(frames.size() == 3);
   CHECK(frames[0].time == 0);
@@ -89,7 +89,7 @@ TEST_CASE("Bullet moves the same cells, in the time step that is given, stable o
   REQUIRE(run.shapes.size() == 2);
   double x = 0;
   for (const Point& p : run.shapes[0]) x += p.x / static_cast<double>(run.shapes[0].size());
-  CHECK(x == Approx(-1).margin(1e-3));  // it flew freely
+  CHECK(x == Approx(-1).margin(1e-3));  // the cell flew freely
   const auto timeStep = two.find("0.0078125"), stop = two.find("0.25");
   const std::string unstable =
       two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) + "0.125" + two.substr(timeStep + 9);

@@ -1,19 +1,19 @@
 #pragma once
-// Scenes for Bullet of one kind: round cells, all alike.
+// Scenes of one kind for Bullet: round, equal cells.
 
 #include "engines/bullet_scene.h"
 #include "mesh/measures.h"
 
 namespace morula {
 
-// Where Bullet is absent, what it would compute cannot be tested.
+// Ends a test if the program was built without Bullet.
 #define NEEDS_BULLET                               \
   if (!bulletIsAvailable()) {                      \
     WARN("this program was built without Bullet"); \
     return;                                        \
   }
 
-/// A cell of the mesh without outside pressure: R0 = 1, M = 1, k_s = 10, k_p = 8.
+/// Returns a scene of one cell without outside pressure: R0 = 1, M = 1, k_s = 10, k_p = 8.
 inline BulletScene pressurisedCell(int level, Baseline baseline, double drag) {
   BulletScene scene;
   scene.baseline = baseline;
@@ -36,15 +36,15 @@ inline double volume(const BulletScene& scene, const Body& cell) {
   return measureVolume(cell.position, scene.mesh.faces);
 }
 
-/// f = Δl, the thesis' springs.
+/// Returns f = Δl, the law of the thesis' springs.
 inline double linearLaw(double length, double rest) { return length - rest; }
-/// What Bullet's links come to: [btSoftBody.cpp, PSolve_Links].
+/// Returns the effective law of Bullet's links [btSoftBody.cpp, PSolve_Links].
 inline double bulletsLaw(double length, double rest) {
   return length * (length * length - rest * rest) / (length * length + rest * rest);
 }
 
-/// x' = x + Δt v', v' = v + Δt a(x, v), written out for one cell: springs as a sum over edges, pressure as
-/// one over faces. `law`: tension of a spring over its stiffness.
+/// Steps one cell by x' = x + Δt v', v' = v + Δt a(x, v), with springs summed over edges and pressure over faces.
+/// `law`: tension of a spring over its stiffness.
 template <class Law>
 void stepByHand(const BulletScene& scene, const MeshTemplate& mesh, Body& cell, const Law& law) {
   const double m = cell.mass / mesh.vertexCount(), ks = scene.physics.membrane.stiffness,

@@ -1,4 +1,4 @@
-// What the program and its worker tell each other.
+// Messages between the program and its worker.
 
 #include <cmath>
 #include <limits>
@@ -71,7 +71,7 @@ TEST_CASE("A result arrives as it was sent") {
   CHECK(got.stepSeconds == sent.stepSeconds);
   REQUIRE(got.cells.size() == 2);
   CHECK(same(got.cells[1], sent.cells[1]));
-  CHECK(std::isnan(got.cells[0].position[0].x));  // what is no number stays none
+  CHECK(std::isnan(got.cells[0].position[0].x));  // NaN stays NaN
   CHECK(std::isnan(got.cells[0].velocity[0].z));
   REQUIRE((got.reports.size() == 2 && got.reports[0].size() == 1 && got.reports[1].size() == 2));
   CHECK(same(got.reports[0][0], cells[1]));
@@ -88,7 +88,7 @@ TEST_CASE("A broken question is told, wherever it breaks") {
   for (std::size_t length = 0; length + 1 < text.size(); length += 97)
     CHECK_THROWS_AS(serve(text.substr(0, length)), InputError);
   for (const auto& [key, value] : whole.items()) {
-    if (key == "shell") continue;  // there may be none
+    if (key == "shell") continue;  // a scene may have no shell
     CAPTURE(key);
     Json changed = whole;
     changed.erase(key);
@@ -109,7 +109,7 @@ TEST_CASE("The worker answers a request, the same each time") {
     const BulletResult result = bulletResultFrom(parseJson(out.str()).at("answer"));
     CHECK(result.stepSeconds.size() == 5);
     REQUIRE(result.cells.size() == 1);
-    REQUIRE(result.reports.size() == 2);  // on the way, and the end once more
+    REQUIRE(result.reports.size() == 2);  // one on the way, and the end once more
     CHECK_FALSE(same(result.reports[0][0], result.cells[0]));
     CHECK(same(result.reports[1][0], result.cells[0]));
     CHECK(meanRadius(result.cells[0]) > 1);

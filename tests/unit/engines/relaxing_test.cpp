@@ -1,5 +1,5 @@
-// One cell that swings: Bullet's step is that of either Verlet, by how it begins and which velocity forces
-// see, so the two may be held against each other vertex by vertex, and for long.
+// One oscillating cell. Bullet's step equals either Verlet, depending on its start and on the velocity that forces use,
+// so runs agree vertex by vertex for long.
 #include "catch.h"
 #include "engines/bullet_world.h"
 #include "lab.h"
@@ -11,7 +11,7 @@ using namespace morula;
 
 namespace {
 
-/// Elongated and let go. The medium takes its swing, or else differences of one rounding would grow.
+/// Returns a scene of an elongated cell that is let go. Drag keeps differences of one rounding from growing.
 Scene relaxing(double timeStep, double time, Integrator integrator) {
   Scene scene;
   scene.name = "relaxing";
@@ -37,7 +37,7 @@ BulletScene inBullet(const World& world) {
   return scene;
 }
 
-/// [length] The largest distance of two places of one vertex.
+/// Returns the largest distance between two places of one vertex. [length]
 double farthest(const std::vector<Point>& a, const std::vector<Point>& b) {
   Worst apart;
   for (std::size_t v = 0; v < a.size(); ++v) apart.see(norm(a[v] - b[v]));
@@ -61,7 +61,7 @@ TEST_CASE("B1 as the thesis' Verlet is symplectic Euler with our forces") {
     stepByHand(scene, mesh, byHand, linearLaw);
   }
   const Body inBullet = world->cells()[0];
-  CHECK(std::abs(meanRadius(byHand) - 1) > 0.01);  // it did move
+  CHECK(std::abs(meanRadius(byHand) - 1) > 0.01);  // the cell has moved
   CHECK(farthest(inBullet.position, byHand.position) <= 5e-14);
 }
 

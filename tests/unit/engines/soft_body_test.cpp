@@ -1,5 +1,5 @@
-// What Bullet is given to carry along, by its own headers: a tree of faces, which it updates in every step,
-// took half of B1's time where nothing could touch.
+// The parts of Bullet's soft bodies, by Bullet's own headers. A tree of faces, which Bullet updates in every step, took
+// half of B1's time in scenes without contact.
 #ifdef MORULA_TEST_BULLET
 #include "catch.h"
 #include "engines/bullet_body.h"
@@ -28,7 +28,7 @@ TEST_CASE("Bodies carry links, faces and a tree of faces only where something ne
     CHECK(body->m_links.size() == (c.links ? 120 : 0));
     CHECK(body->m_faces.size() == (c.links ? 80 : 0));
     CHECK(body->m_fdbvt.empty() != c.tree);
-    CHECK_FALSE(body->m_bUpdateRtCst);  // or the first step would build a tree itself
+    CHECK_FALSE(body->m_bUpdateRtCst);  // otherwise the first step would build a tree
   }
 }
 #endif

@@ -1,5 +1,5 @@
-// The harness on trial: faults are put into runs, stored results and goldens, and each must be named with its
-// class, step and cell. Of runs, an oracle that walks both side by side says at which step they part.
+// A trial of the harness: faults are put into runs, stored results and goldens, and each must be named with its class,
+// step and cell. For runs, an oracle walks both side by side and finds the step at which they part.
 
 #include "catch.h"
 #include "contacts/contacts.h"
@@ -10,11 +10,10 @@ using namespace morula;
 
 namespace {
 
-/// The step at which faults strike: four cells live, and others are still to be born. No multiple of any
-/// stride.
+/// The step of the faults: four cells live, and others are still to be born. It is no multiple of any stride.
 constexpr std::uint64_t when = 149;
 
-/// Cells that are alive at `when`, so that faults have somebody to strike.
+/// Returns a scene with cells that are alive at `when`, which faults can change.
 Scene lively() {
   Scene s = scenes::life();
   s.cycle.length = 0.375;
@@ -25,12 +24,12 @@ struct RunFault {
   const char *what, *failureClass;
   std::optional<std::string> cell;
   const char* field;
-  Change after, before = {};  // what happens after or before step number `when`
-  std::uint64_t step = when;  // at which it shows; 0: it happens before the first
+  Change after, before = {};  // changes after or before step number `when`
+  std::uint64_t step = when;  // at which the fault shows; 0: it happens before the first
   Scene scene = lively();
 };
 
-const std::optional<std::string> noCell;  // of what is no single cell's
+const std::optional<std::string> noCell;  // for faults of no single cell
 const Change nothing;
 
 void nudge(double& x) { x = std::nextafter(x, 1e300); }
@@ -44,7 +43,7 @@ void change(World& w, std::size_t cell, CellChange what) {
   changePopulation(w, Observation(w), changes);
 }
 
-/// The largest number along x that a cell has in an array: a change of it does not get lost in rounding.
+/// Returns a cell's largest number along x in an array, whose change is not lost in rounding.
 Reals::Reference largest(const Bodies& b, Reals& array, int cell) {
   const int slot = b.slots[cell];
   std::size_t at = b.at(slot, 0);
@@ -53,9 +52,9 @@ Reals::Reference largest(const Bodies& b, Reals& array, int cell) {
   return array[at];
 }
 
-/// All of a cell's contacts are left out of the list.
+/// Removes all of a cell's contacts from the list.
 void dropContacts(World& w, int cell) {
-  w.contacts->list.skin = w.contacts->acting.horizon = w.contacts->acting.margin = 1e9;  // this step makes no new list
+  w.contacts->list.skin = w.contacts->acting.horizon = w.contacts->acting.margin = 1e9;  // prevents a new list
   const auto far = static_cast<std::int32_t>(w.contacts->list.reference.size() / 3);
   const int slot = w.bodies->slots[cell], lane = slot % blockLanes;
   BlockLists& lists = w.contacts->list.perBlock[slot / blockLanes];
@@ -81,7 +80,7 @@ OwnRun faultyRun(const RunFault& fault) {
           advance};
 }
 
-/// Walks both runs side by side, one step at a time.
+/// Returns the first step at which the runs differ: walks both side by side, one step at a time.
 std::uint64_t firstStepThatDiffers(const RunFault& fault) {
   OwnRun clean = runOf(fault.scene, ""), faulty = faultyRun(fault);
   for (std::uint64_t s = 0;; ++s) {
@@ -102,7 +101,7 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
   REQUIRE(there.cells.path.size() >= 3);
   const auto cell = [&](std::size_t i) { return there.cells.path[i].text(); };
   const std::string last = there.cells.path.back().text();
-  std::uint64_t division = 0;  // at which daughters appear, after the fault's step
+  std::uint64_t division = 0;  // step at which daughters appear, after the fault's step
   for (World w = makeWorld(life, {Isa::scalar, 1}); division == 0; step(w))
     for (const LineageEntry& e : w.lineage.entries)
       if (e.bornStep > when && division == 0) division = e.bornStep;
@@ -177,7 +176,7 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
     const std::uint64_t parting = firstStepThatDiffers(fault);
     OwnRun expected = runOf(fault.scene, "expected"), actual = faultyRun(fault);
     Explanation x = explain(expected, actual, 64);
-    if (x.failureClass.empty()) x = explain(expected, actual, 1);  // it has healed: step by step it shows
+    if (x.failureClass.empty()) x = explain(expected, actual, 1);  // the difference has healed, but shows step by step
     CAPTURE(x.text);
     CHECK(x.failureClass == fault.failureClass);
     REQUIRE(x.step);

@@ -1,5 +1,5 @@
 #pragma once
-// Runs of scenes in this process, as they are or changed on the way.
+// Runs of scenes in this process, unchanged or changed on the way.
 #include "explain/run_source.h"
 #include "unit/simulation/worlds.h"
 
@@ -7,7 +7,7 @@ namespace morula {
 
 using Change = std::function<void(World&)>;
 
-/// Steps, and makes the change once step number `when` is done.
+/// Returns a function that steps, and makes the change once step number `when` is done.
 inline Change changingAt(std::uint64_t when, const Change& change) {
   return [=](World& w) {
     step(w);

@@ -1,4 +1,4 @@
-// A stored run beside the same run again: no difference, wherever the last step lies.
+// A stored run and the same run again have no difference, wherever the last step lies.
 #include "catch.h"
 #include "explain/explain.h"
 #include "explain/run_source.h"
@@ -23,7 +23,7 @@ TEST_CASE("of every shipped scenario, a run of steps that are no multiple of tho
       continue;
     }
     const Simulation run = simulate(scenario, Execution{}, {.record = recordingOf(scenario, true)});
-    if (run.end.status != RunStatus::done) continue;  // it is about that
+    if (run.end.status != RunStatus::done) continue;  // the test is about finished runs
     const auto& chain = run.results.chain;
     REQUIRE(chain.size() > 1);
     StoredRunSource stored("stored", chain, run.end.steps, "");

@@ -1,4 +1,4 @@
-// Faults in what is stored: rows lost or edited in a database.
+// Faults in stored results: rows lost or edited in a database.
 
 #include "catch.h"
 #include "explain/explain.h"
@@ -52,7 +52,7 @@ TEST_CASE("Rows that are lost, put in or edited in a database are found, with th
     std::uint64_t step;
   };
   const std::vector<Fault> faults{
-      {"DELETE FROM step_hash WHERE step = 64", 72},  // the first link that no longer follows
+      {"DELETE FROM step_hash WHERE step = 64", 72},  // the first link that does not follow from its predecessor
       {"DELETE FROM step_hash WHERE step = 0", 8},
       {"DELETE FROM cell_hash WHERE step = 64 AND path = (SELECT max(path) FROM cell_hash WHERE step = 64)", 64},
       {"UPDATE cell_hash SET hash = replace(hash, substr(hash, 1, 1), 'e') WHERE step = 80 AND substr(hash, "

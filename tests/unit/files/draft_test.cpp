@@ -1,4 +1,4 @@
-// Files that take their place when they are whole, and what processes that died leave of them.
+// Drafts: files that take their place when they are whole, and remains of processes that died.
 #include "files/draft.h"
 
 #include <fcntl.h>
@@ -30,7 +30,7 @@ TEST_CASE("a draft is nothing to a reader until it takes its place, and then all
 
 namespace {
 
-/// Leaves a draft as a process does that is killed: nothing is cleaned up.
+/// Leaves a draft as a killed process does: nothing is cleaned up.
 void dieWriting(const std::filesystem::path& file) {
   const pid_t child = fork();
   if (child == 0) {
@@ -50,7 +50,7 @@ TEST_CASE("what a dead process has left is removed, and what a living one writes
   writeText(folder / ".morula-mine", "");
   writeText(folder / "theirs.part", "");
   REQUIRE(namesIn(folder.path()).size() == 3);
-  Draft living(folder / "b.txt");  // the first of this process in the folder: it looks for what is left there
+  Draft living(folder / "b.txt");  // this process's first draft in the folder, so it looks for remains
   CHECK(namesIn(folder.path()).size() == 3);
   living.write("not yet");
   CHECK(removeAbandonedDrafts(folder.path()) == 0);

@@ -1,4 +1,4 @@
-// What is read and what may be written over.
+// Reading files, and which files may be overwritten.
 #include <sys/stat.h>
 
 #include "base/error.h"

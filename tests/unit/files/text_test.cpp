@@ -1,4 +1,4 @@
-// What is shown of texts, and which file names come of them.
+// Texts made safe to show, and file names made from texts.
 #include "files/text.h"
 
 #include "base/utf8.h"

@@ -1,4 +1,4 @@
-// Who may write a golden: people, with a reason.
+// Only people may write a golden, and with a reason.
 #include "golden/accept.h"
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-/// The environment variable CI as a test wants it, and afterwards as it was.
+/// Sets the environment variable CI, and restores it afterwards.
 class Ci {
  public:
   explicit Ci(const char* value) {
@@ -48,7 +48,7 @@ TEST_CASE("an accepted golden passes, and says who and why") {
   CHECK(compareGolden(golden, exampleData()).passed());
   CHECK(filesIn(file.parent_path()) == 1);  // no draft is left
 
-  // A second acceptance takes its place.
+  // A second acceptance replaces the golden.
   acceptGolden(file, exampleGolden(), {"A. Tester", "second result"});
   CHECK(readGoldenFile(file).why == "second result");
   CHECK(filesIn(file.parent_path()) == 1);

@@ -1,4 +1,4 @@
-// What continuous integration reads, letter by letter.
+// Reports for continuous integration, letter by letter.
 #include "golden/ci_reports.h"
 
 #include "catch.h"
@@ -82,8 +82,8 @@ TEST_CASE("Of many annotations nine are shown, and how many more there are") {
 
 namespace {
 
-/// One key of a scenario has changed: the scenario differs, and bits and values do because it does. Its end is not
-/// sane, either.
+/// Returns a report in which one key of a scenario has changed, and therefore bits and values. The end is not sane,
+/// either.
 CheckReport changedKey() {
   CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: another hash than accepted"),
               values = failed("values *", "INPUT_CHANGED", "g:9: 1/volume: expected 1, actual 1.5"),
@@ -132,7 +132,7 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
   report.results[1].firstStep = 9;
   const auto causes = causesOf(report);
   REQUIRE(causes.size() == 2);
-  CHECK(causes[0][0]->check == "values");  // tells more than the hash of the end
+  CHECK(causes[0][0]->check == "values");  // values tell more than the end's hash
   CHECK(causes[0].size() == 2);
   CHECK(causes[1][0]->check == "tolerances");
 }

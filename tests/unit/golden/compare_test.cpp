@@ -26,7 +26,7 @@ std::vector<std::string> failedChecks(const CheckReport& report) {
 
 using Checks = std::vector<std::string>;
 
-/// "lineage LINEAGE step 768 cell B: state": the check, its class, where it fails, and in which field.
+/// Returns the check, its class, the place and the field of a failure, as "lineage LINEAGE step 768 cell B: state".
 std::string failedInOneLine(const CheckResult& r) {
   return r.check + ' ' + r.failureClass + (r.firstStep ? " step " + std::to_string(*r.firstStep) : "") +
          (r.cell ? ' ' + cellName(*r.cell) : "") + ": " + r.field;
@@ -62,7 +62,7 @@ TEST_CASE("each injected fault is found and named") {
   struct Fault {
     const char* what;
     std::function<void(GoldenFacts&)> inject;
-    Checks found;  // as failedInOneLine tells them
+    Checks found;  // as failedInOneLine returns them
   };
   static const std::vector<Fault> faults{
       {"another scenario text", [](auto& f) { f.scenarioHash[0] = 'f'; }, {"scenario INPUT_CHANGED: scenario_hash"}},
@@ -195,13 +195,13 @@ TEST_CASE("a measure that joined after a golden was accepted is no part of it; a
   const auto none = [](GoldenFacts&) {};
   CHECK(compareWith(without([](auto& key) { return key.ends_with("/sphericity"); }), none).passed());
   CHECK(compareWith(without([](auto& key) { return key.ends_with("/shell_fill"); }), none).passed());
-  // All of one cell, all of one time, or a measure in one place only.
+  // Parts without which a golden is incomplete: one cell, one time, or a measure in one place only.
   for (const char* part : {"final/A/", "0.5/organism/", "0.5/organism/shell_fill"}) {
     INFO(part);
     const CheckReport report = compareWith(without([&](auto& key) { return key.starts_with(part); }), none);
     CHECK(failedChecks(report) == Checks{"completeness"});
   }
-  // What it does name is held to.
+  // Values that the golden does name are compared.
   const CheckReport report = compareWith(without([](auto& key) { return key.ends_with("/sphericity"); }),
                                          [](GoldenFacts& f) { f.cells[0]["area"] = 7; });
   CHECK(failedChecks(report) == Checks{"values"});
@@ -315,9 +315,9 @@ TEST_CASE("a difference no larger than one unit in the last place grows to is ch
   const auto classOf = [&](double volume) {
     return find(compareWith(golden, [&](GoldenFacts& f) { f.cells[0]["volume"] = volume; }), "values").failureClass;
   };
-  CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where 1e-8 is reached
-  CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than that
-  const auto early = [&](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); };  // at step 128, before all growth
+  CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where chaos reaches 1e-8
+  CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than chaos reaches
+  const auto early = [&](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); };  // at step 128, before any growth
   CHECK(find(compareWith(golden, early), "values").failureClass == "COMPUTATION");
 }
 
@@ -329,7 +329,7 @@ TEST_CASE("a tolerance beyond the chaos horizon is refused") {
   CHECK_THAT(find(report, "tolerances").message,
              ContainsSubstring("from step 700 on one unit in the last place has grown to that: the chaos horizon; add "
                                "until_step 699"));
-  golden.rules = {rule("final/* rel 1e-8 why \"w\"")};  // wider than chaos is
+  golden.rules = {rule("final/* rel 1e-8 why \"w\"")};  // wider than chaos reaches
   CHECK(compareGolden(reread(golden), exampleData()).passed());
   golden.rules = {rule("* rel 1e-9 until_step 699 why \"w\"")};
   CHECK(compareGolden(reread(golden), exampleData()).passed());

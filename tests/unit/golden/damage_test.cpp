@@ -1,4 +1,4 @@
-// Goldens damaged in any way are found out, and are one failed check.
+// Goldens with any damage are noticed and give one failed check.
 #include "catch.h"
 #include "example_facts.h"
 
@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// As `morula check` holds a run against a golden's text.
+/// Compares a run with a golden's text, as `morula check` does.
 CheckReport compareText(const std::string& text, const GoldenData& observed) {
   try {
     return compareGolden(readGolden(text, "x.golden"), observed);

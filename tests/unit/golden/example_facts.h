@@ -56,7 +56,7 @@ inline GoldenFacts exampleFacts() {
   return f;
 }
 
-/// As before further measures joined the table: texts of the example stay as they are.
+/// Returns data without measures that joined the table later, so that texts of the example stay as they are.
 inline GoldenData dataOf(const GoldenFacts& facts) {
   GoldenData data = makeGoldenData(facts);
   const std::string known =
@@ -74,10 +74,10 @@ inline Golden exampleGolden(std::vector<ToleranceRule> rules = {}) {
   return {exampleData(), "A. Tester", "first result", std::move(rules), "example.golden"};
 }
 
-/// The golden as it is after its way through the file.
+/// Returns the golden after it was written and read.
 inline Golden reread(const Golden& golden) { return readGolden(writeGolden(golden), golden.file); }
 
-/// A golden's text with another line in place of this one.
+/// Returns a golden's text with `line` replaced by `other`.
 inline std::string with(std::string text, const std::string& line, const std::string& other) {
   return text.replace(text.find(line), line.size(), other);
 }

@@ -1,5 +1,4 @@
-// The golden's text: the same bytes each time, everything
-// comes back, and a file that was damaged says so and where.
+// The golden's text: its bytes are reproducible, everything comes back, and a damaged file names the place.
 #include "catch.h"
 #include "example_facts.h"
 #include "files/folders.h"
@@ -19,13 +18,13 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-/// Reads the text and expects an error at this line (0: any).
+/// Checks that reading the text fails at this line (0: any).
 void complains(const std::string& text, int line, const std::string& about) {
   const std::string place = line ? "x.golden:" + std::to_string(line) + ": " : "x.golden:";
   CHECK_THROWS_WITH(readGolden(text, "x.golden"), Catch::Matchers::StartsWith(place) && ContainsSubstring(about));
 }
 
-/// The text with one line, found by how it begins, replaced; and that line's number.
+/// Returns the text with the line of this beginning replaced, and the line's number.
 std::pair<std::string, int> edited(const std::string& beginning, const std::string& replacement) {
   std::string text;
   int number = 0, found = 0;

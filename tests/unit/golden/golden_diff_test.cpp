@@ -1,4 +1,4 @@
-// What one golden hands on to the next.
+// Values and rules that one golden hands on to the next.
 #include "golden/golden_diff.h"
 
 #include "catch.h"
@@ -19,9 +19,9 @@ std::string valueOf(const GoldenData& data, const std::string& key) {
 TEST_CASE("values within tolerance stay byte for byte, others are new") {
   const Golden old = exampleGolden({rule("final/A/* rel 1e-9 why \"w\"")});
   GoldenFacts facts = exampleFacts();
-  facts.cells[0]["volume"] = 2 + 1e-12;    // within
-  facts.cells[0]["area"] = 0.4;            // beyond
-  facts.samples[0]["volume"] = 2 + 1e-12;  // under no rule, so exact
+  facts.cells[0]["volume"] = 2 + 1e-12;    // within tolerance
+  facts.cells[0]["area"] = 0.4;            // beyond tolerance
+  facts.samples[0]["volume"] = 2 + 1e-12;  // no rule applies, so exact
   const GoldenData kept = keepValuesWithinTolerance(dataOf(facts), old);
   CHECK(valueOf(kept, "final/A/volume") == "2");
   CHECK(valueOf(kept, "final/A/area") == "0.4");
@@ -60,7 +60,7 @@ TEST_CASE("what became looser is told with the rule that did it") {
   REQUIRE(lines.size() == 1);
   CHECK(lines[0] ==
         "1 value: `tolerance final/A/volume abs 1 why \"x\"`, before `tolerance final/* rel 1e-09 why \"w\"`");
-  CHECK(looser({rule("* ulp 1 why \"w\"")}).size() == 2);  // values on the way were exact, and an ulp of 0 is something
+  CHECK(looser({rule("* ulp 1 why \"w\"")}).size() == 2);  // exact, also on the way, became an ulp
 }
 
 TEST_CASE("a reviewer sees what is gone, new and changed") {

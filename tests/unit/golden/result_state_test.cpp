@@ -1,5 +1,5 @@
-// The list of states: their exit codes are those of the table in golden/README.md, the worst one decides, and limits
-// allow failed and insane results alone.
+// The list of states: exit codes are equal to the table in golden/README.md, the worst state decides, and limits allow
+// failed and insane results alone.
 #include "golden/result_state.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace morula;
 
 namespace {
 
-/// The cells of the README's row for a state, without blanks around them.
+/// Returns the cells of the README's row for a state, without blanks around them.
 std::vector<std::string> rowOf(const std::string& state) {
   const std::string text = readFile(MORULA_SOURCE_DIR "/golden/README.md"), begin = "\n| " + state + " |";
   const auto at = text.find(begin);
@@ -37,7 +37,7 @@ TEST_CASE("golden/README.md has every state with its meaning and its exit codes"
     const std::string code = std::to_string(exitCodeOf(state));
     for (const std::string& column : {cells[3], cells[4]}) CHECK((column.empty() || column == code));
     CHECK_FALSE((cells[3].empty() && cells[4].empty()));
-    // A run that was ended by a signal has the signal's code.
+    // A run ended by a signal has the signal's code.
     if (!cells[2].empty() && state != ResultState::unfinished) CHECK(cells[2] == std::to_string(exitCodeOfRun(state)));
   }
 }

@@ -1,4 +1,4 @@
-// Cases are the boundaries: at the edge of a tolerance, one representable number inside and outside.
+// Boundary cases: at the edge of a tolerance, and one representable number inside and outside.
 #include "golden/tolerance.h"
 
 #include <cmath>
@@ -72,7 +72,7 @@ TEST_CASE("rel, with a scale below which values count as that large") {
   CHECK(t.passes(0, 0.25));  // 0.125 · 2
   CHECK_FALSE(t.passes(0, up(0.25)));
   CHECK(t.share(16, 17) == 0.5);
-  CHECK_FALSE(tolerance("rel 0.125").passes(0, 1e-300));  // without a scale nothing is near 0 but 0
+  CHECK_FALSE(tolerance("rel 0.125").passes(0, 1e-300));  // without a scale only 0 is near 0
   CHECK(tolerance("rel 0.125").passes(0.0, -0.0));
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("patterns") {
   CHECK_FALSE(fitsGlob("", "a"));
   CHECK(fitsGlob("", ""));
   CHECK(fitsGlob("**", "a"));
-  CHECK_FALSE(fitsGlob("a.c", "abc"));  // no regular expressions
+  CHECK_FALSE(fitsGlob("a.c", "abc"));  // patterns are no regular expressions
 }
 
 TEST_CASE("rules are read and written alike") {

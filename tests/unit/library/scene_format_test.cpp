@@ -1,4 +1,4 @@
-// A scene as a text: what is written is read back whole, and nothing else is read.
+// A scene as a text: a written text is read back whole, and nothing else is read.
 #include "library/scene_format.h"
 
 #include <limits>
@@ -23,7 +23,7 @@ std::vector<Scene> scenesOfAllKinds() {
   return {scenes::lineageOnly(scenes::uniqueFour, 3), scenes::packed(), scenes::ellipsoid(), scenes::life(), starting};
 }
 
-/// The same body with the hash that belongs to it.
+/// Returns the body followed by its hash.
 std::string signedText(const std::string& body) { return body + "hash " + Hasher().add(body).digest().text() + "\n"; }
 std::string bodyOf(const std::string& text) { return text.substr(0, text.size() - 38); }
 
@@ -34,7 +34,7 @@ std::string refusalOf(const std::string& text) {
   return "";
 }
 
-/// A line of the body, counted from 1, in place of which something else stands.
+/// Returns the text with a line of its body, counted from 1, replaced, and with a hash that fits.
 std::string withLine(const std::string& text, int number, const std::string& line) {
   std::string body = bodyOf(text);
   std::size_t from = 0;

@@ -1,4 +1,4 @@
-// The simulator as other programs see it gives what the world inside gives.
+// The library's simulator, for other programs, gives the results of the world inside.
 #include "catch.h"
 #include "library/morula.h"
 #include "library/scene_format.h"

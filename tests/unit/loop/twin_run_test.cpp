@@ -1,4 +1,4 @@
-// Chaos, measured: how fast a last place grows.
+// Chaos, measured: how fast a difference in the last place grows.
 #include "loop/twin_run.h"
 
 #include "catch.h"
@@ -12,7 +12,7 @@ TwinRun twins(const Scene& scene) {
   return runTwins(makeWorld(scene, {Isa::scalar, 1}), makeWorld(scene, {Isa::scalar, 1}));
 }
 
-/// One cell that is dragged to rest: an error dies out.
+/// Returns a scene of one cell that drag brings to rest, so that an error dies out.
 Scene calm() {
   Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 4);
   s.mechanics->physics.drag = 5;
@@ -86,5 +86,5 @@ TEST_CASE("In single precision a last place is a float's") {
   const TwinRun run = twins(scene);
   REQUIRE_FALSE(run.growth.empty());
   CHECK(run.growth[0].step <= 1);
-  CHECK(run.growth.size() > 7);  // the first seven decades at once
+  CHECK(run.growth.size() > 7);  // the first seven decades come at once
 }

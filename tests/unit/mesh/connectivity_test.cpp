@@ -1,4 +1,4 @@
-// The oracle of the rings is brute force over all faces.
+// The oracle for rings is brute force over all faces.
 #include "mesh/connectivity.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Convex shells: their planes, and what is none.
+// Convex shells: their planes, and meshes that are refused.
 #include "mesh/convex_shell.h"
 
 #include <cstdio>
@@ -69,7 +69,7 @@ TEST_CASE("What is no shell is refused with the face, its line and the reason") 
 
 namespace {
 
-/// A sphere of quads of radius 2, as modellers write it: so many decimals, and the end of one longitude pushed inwards.
+/// Returns a sphere of quads of radius 2 with rounded decimals; `dent` pushes a vertex on the equator inwards.
 std::string sphereOfQuads(int decimals, double dent = 0) {
   constexpr int around = 32, down = 16;
   std::string text, faces;
@@ -102,10 +102,10 @@ TEST_CASE("A shell of quads is convex as far as the digits of its file tell") {
   for (const int decimals : {4, 5, 6, 9}) {
     CAPTURE(decimals);
     const ConvexShell shell = readConvexShell(sphereOfQuads(decimals), "s.obj");
-    // Each quad is one plane, except where both of its triangles hold all vertices within 1e-9, as written.
+    // Each quad is one plane, unless the planes of both of its triangles hold all vertices to 1e-9 as written.
     if (decimals < 9) CHECK(shell.planes.size() == 14 * 32 + 2 * 32);
     for (const Point& x : shell.mesh.vertices)
-      CHECK(measureReach(shell.planes, x) <= 1 + 1e-9);  // what all shells may be off by
+      CHECK(measureReach(shell.planes, x) <= 1 + 1e-9);  // the tolerance of all shells
   }
   for (const int decimals : {4, 6, 9})
     CHECK_THAT(complaint(sphereOfQuads(decimals, 0.05)),
@@ -117,7 +117,7 @@ TEST_CASE("The rounding of a coordinate follows from the digits of its file") {
   for (const char* number : {"1.234567", "-12.5", "0"}) fixed.note(number);
   CHECK(fixed.roundingOf(1.2) == Approx(5e-7));
   CHECK(fixed.roundingOf(0) == Approx(5e-7));
-  WrittenDigits significant;  // six digits of each number
+  WrittenDigits significant;  // six digits per number
   for (const char* number : {"123.456", "0.00123456", "1e-3"}) significant.note(number);
   CHECK(significant.roundingOf(123.4) == Approx(5e-4));
   CHECK(significant.roundingOf(0.00123) == Approx(5e-9));

@@ -1,4 +1,4 @@
-// Surfaces whose distance is known.
+// Surfaces of known distance.
 #include "mesh/distance.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ TEST_CASE("A surface is nowhere from itself, however its vertices are numbered")
 
 TEST_CASE("Of concentric cubes half the distances are to faces and half to corners") {
   const Mesh inner = scenes::cube(), outer = scenes::scaled(scenes::cube(), 1.1);
-  // Corners of the inner one are 0.055 under three faces; those of the outer one √3 times that from a corner.
+  // Corners of the inner cube are 0.055 under three faces; corners of the outer cube are √3 times as far from a corner.
   CHECK(measureSurfaceDistance(inner, outer) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
   CHECK(measureSurfaceDistance(outer, inner) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
 }
@@ -37,8 +37,8 @@ TEST_CASE("Distances stand in the order of the vertices they are measured from")
 }
 
 TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and faces") {
-  const Mesh cube = scenes::cube();  // of edge 1.1
-  // Its far corners see the other's near face at 3.1 + 1.1, the near ones at 3.1 − 1.1 + 1.1.
+  const Mesh cube = scenes::cube();  // edges of 1.1
+  // Far corners are 3.1 from the other cube's near face, near corners 3.1 − 1.1.
   const double expected = std::sqrt((2.0 * 2.0 + 3.1 * 3.1) / 2);
   CHECK(measureSurfaceDistance(cube, zoo::moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));
 }
@@ -47,13 +47,13 @@ TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
   const Mesh coarse = makeIcosphere(1), fine = makeIcosphere(3);
   const double distance = measureSurfaceDistance(coarse, fine);
   CHECK(distance > 0.01);
-  CHECK(distance < 0.08);  // the coarse one's volume radius is 0.95
+  CHECK(distance < 0.08);  // the coarse ball's volume radius is 0.95
   CHECK(measureSurfaceDistance(makeIcosphere(2), fine) < 0.4 * distance);
 }
 
 TEST_CASE("Small shifts come out to the last digits") {
   const Mesh cube = scenes::cube();
-  // Along an axis: four of eight corners leave each cube's face by 1e-9, and lie above or under it.
+  // Along an axis four of eight corners leave each cube's face by 1e-9, and the others stay on its surface.
   const double distance = measureSurfaceDistance(cube, zoo::moved(cube, {1e-9, 0, 0}));
   CHECK(distance > 0.5e-9);
   CHECK(distance < 1.001e-9);
@@ -66,11 +66,11 @@ TEST_CASE("Of balls that overlap the deepest vertex is as deep as the balls, les
       const double depth = measureDepth(ball, zoo::moved(ball, apart * way));
       const double ofBalls = std::min(apart, 2 - apart);
       CHECK(depth < ofBalls);
-      // The nearest vertex lies up to half an edge, 0.08, off the axis, which is up to 0.02 less.
+      // The nearest vertex lies up to half an edge, 0.08, off the axis, where depth is up to 0.02 less.
       CHECK(depth > ofBalls - 0.03);
     }
   CHECK(measureDepth(ball, zoo::moved(ball, {2.01, 0, 0})) == 0);
-  CHECK(measureDepth(ball, zoo::moved(ball, {1.2, 1.2, 1.2})) == 0);  // their boxes meet, they do not
+  CHECK(measureDepth(ball, zoo::moved(ball, {1.2, 1.2, 1.2})) == 0);  // boxes meet, balls do not
 }
 
 TEST_CASE("Inside is where the surface winds around, not what lies in the box") {

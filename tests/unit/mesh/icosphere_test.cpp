@@ -29,7 +29,7 @@ TEST_CASE("The first vertices of an icosphere are those of the level below") {
 }
 
 TEST_CASE("The icosahedron has the volume and area of the closed forms") {
-  // Circumradius 1: edge a = 4 / √(10 + 2√5), V = 5 (3 + √5) a³ / 12, A = 5 √3 a².
+  // For circumradius 1: edge a = 4 / √(10 + 2√5), V = 5 (3 + √5) a³ / 12, A = 5 √3 a².
   const Mesh m = makeIcosphere(0);
   const double a = 4 / std::sqrt(10 + 2 * std::sqrt(5.0));
   CHECK(measureVolume(m.vertices, m.faces) == Approx(5 * (3 + std::sqrt(5.0)) * a * a * a / 12).epsilon(1e-14));
@@ -47,7 +47,7 @@ TEST_CASE("Icospheres have five edges at the icosahedron's corners and six elsew
 TEST_CASE("The icospheres' triangles stay near equilateral: the springs may take them as equal") {
   for (int level = 0; level <= 4; ++level) {
     const Mesh m = makeIcosphere(level);
-    double shortest = INFINITY, longest = 0, sharpest = -1, bluntest = 1;  // edges, and cosines of corners
+    double shortest = INFINITY, longest = 0, sharpest = -1, bluntest = 1;  // lengths of edges, and cosines of corners
     for (const Face& face : m.faces)
       for (int k = 0; k < 3; ++k) {
         const Point& corner = m.vertices[face[k]];

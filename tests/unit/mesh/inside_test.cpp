@@ -9,13 +9,13 @@ namespace {
 
 bool holds(const Mesh& m, const Point& p) { return isInside(p, m.vertices, m.faces); }
 
-// Uniform in the cube [-1, 1]³.
+// Returns a random point, uniform in the cube [-1, 1]³.
 Point randomPoint(std::uint64_t number) {
   const auto u = [number](std::uint32_t k) { return 2 * randomUnit({number, {}, 0, Purpose::test}, k) - 1; };
   return {u(0), u(1), u(2)};
 }
 
-// The cube [0, 1]³ in six tetrahedra, one per order of the axes on the way from corner to corner.
+// Returns the cube [0, 1]³ in six tetrahedra, one per order of the axes on the way from corner to corner.
 std::vector<Mesh> cubeInSixTetrahedra() {
   std::vector<Mesh> parts;
   for (const auto& [a, b, odd] : {std::tuple{1, 2, 0}, {1, 4, 1}, {2, 1, 1}, {2, 4, 0}, {4, 1, 0}, {4, 2, 1}}) {

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Another way to the volume: each face's shadow on the ground times its mean height, in long double.
+// Returns the volume in another way: each face's shadow on the ground times its mean height, in long double.
 long double volumeByPrisms(const Mesh& m) {
   long double sum = 0;
   for (const auto& [i, j, k] : m.faces) {
@@ -49,7 +49,7 @@ TEST_CASE("The divergence theorem and the sum of prisms agree on every closed me
 TEST_CASE("Where a cell lies does not change its volume") {
   const Mesh egg = zoo::crumpled(makeIcosphere(2), 0.2, 3);
   const double here = zoo::volumeOf(egg);
-  // At 1e6 radii positions have lost six digits, and the volume with them, but not more.
+  // At 1e6 radii positions have lost six digits, and so has the volume, but not more.
   CHECK(std::abs(zoo::volumeOf(zoo::moved(egg, {1e6, -1e6, 1e6})) / here - 1) < 1e-10);
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("Icospheres converge to the sphere with the square of the edge length"
   for (int level = 0; level <= 4; ++level) {
     const Mesh m = makeIcosphere(level);
     const double volumeError = 4 * pi / 3 - zoo::volumeOf(m), areaError = 4 * pi - areaOf(m);
-    if (level > 2) {  // before, the icosahedron's angles show
+    if (level > 2) {  // lower levels still show the icosahedron's angles
       CHECK(volumeBefore / volumeError == Approx(4).epsilon(0.03));
       CHECK(areaBefore / areaError == Approx(4).epsilon(0.03));
     }
@@ -106,7 +106,7 @@ TEST_CASE("Faces turned inward are counted") {
   CHECK(countFacesTurnedInward(m.vertices, m.faces, {2, 0, 0}) > 0);
   for (int f : {3, 77, 200}) std::swap(m.faces[f][0], m.faces[f][1]);
   CHECK(countFacesTurnedInward(m.vertices, m.faces, {0, 0, 0}) == 3);
-  // A point before a face of a cube sees its outer side; in the plane of a face it sees neither.
+  // A face counts for points in front of it and in its plane.
   const Mesh cube = zoo::box({-1, -1, -1}, {1, 1, 1});
   CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {0.99, 0, 0}) == 0);
   CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {1, 0, 0}) == 2);

@@ -1,4 +1,4 @@
-// A shape on a coarser mesh: which vertices it has, and what stays.
+// Shapes restricted to a coarser mesh: their vertices, and conserved quantities.
 #include "mesh/nesting.h"
 
 #include <numeric>

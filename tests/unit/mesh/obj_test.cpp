@@ -14,11 +14,11 @@ std::string complaintAbout(const std::string& text) {
   return "";
 }
 
-// Four corners of a cube, of which no three lie on a line.
+// Four corners of a cube, no three of which lie on a line.
 const std::string corners = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\n";
 const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-// Both say the same shape, to the bit.
+// Returns true if both meshes are equal bit for bit.
 bool same(const Mesh& a, const Mesh& b) { return a.vertices == b.vertices && a.faces == b.faces; }
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("A mesh that is written and read keeps its faces, and its shape but fo
 }
 
 TEST_CASE("A mesh is read with its vertices' mean at the origin and the farthest at distance 1") {
-  const double scale = GENERATE(1.0, 1e-90, 1e99, 1e-320);  // the last two square to infinity and to nothing
+  const double scale = GENERATE(1.0, 1e-90, 1e99, 1e-320);  // squares of the last two overflow and underflow
   const Mesh egg = zoo::moved(zoo::scaled(makeIcosphere(1), {3, 2, 1}), {0.1, 0.2, 0.3});
   const Mesh read = readObj(zoo::objOf(zoo::scaled(egg, {scale, scale, scale})), "egg");
   double farthest = 0;
@@ -82,7 +82,7 @@ TEST_CASE("Polygons are split into fans") {
       "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
       "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
   CHECK(readObj(cube, "cube").faces == zoo::box({-1, -1, -1}, {1, 1, 1}).faces);
-  // A prism over a hexagon.
+  // A prism over a hexagon, with twelve vertices.
   std::string prism;
   for (const char* z : {" 0\n", " 1\n"})
     for (const char* xy : {"2 0", "1 2", "-1 2", "-2 0", "-1 -2", "1 -2"}) prism += std::string("v ") + xy + z;
@@ -199,7 +199,7 @@ TEST_CASE("What is wrong with the surface is said with the line of the face") {
   CHECK(complaintAbout(corners + "f 1 3 2\n\n# turned:\nf 1 4 2\nf 1 4 3\nf 2 3 4\n") ==
         "m.obj:8:1: the edge between vertices 1 and 2: face 1 and face 2 turn opposite ways; list the corners of all "
         "faces counter-clockwise as seen from outside");
-  // Both triangles of a quad carry its number.
+  // Both triangles of a quad have its number.
   CHECK_THAT(complaintAbout("v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
                             "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n"),
              ContainsSubstring("m.obj:9:1: the edge between vertices 2 and 4 belongs to face 1 only"));

@@ -17,13 +17,13 @@ Overlap overlapOf(const std::vector<Mesh>& meshes, int columns) {
   return measureOverlap(views, columns);
 }
 
-// The part of unit spheres with centres at distance d that lies in both.
+// Returns the volume common to unit spheres with centres at distance d.
 double lens(double d) { return pi * (4 + d) * (2 - d) * (2 - d) / 12; }
 
 }  // namespace
 
 TEST_CASE("Boxes on the lines' grid are measured exactly") {
-  // 8 × 8 lines over [0, 8]², one per unit square.
+  // There are 8 × 8 lines over [0, 8]², one per unit square.
   const std::vector<Mesh> boxes = {zoo::box({0, 0, 0}, {4, 4, 4}), zoo::box({2, 2, 1}, {6, 6, 3}),
                                    zoo::box({6, 6, 0}, {8, 8, 9})};
   const Overlap o = overlapOf(boxes, 8);
@@ -52,7 +52,7 @@ TEST_CASE("Boxes that touch share nothing") {
 TEST_CASE("Two spheres overlap by a lens, the better the finer the mesh and the denser the lines") {
   for (double d : {0.5, 1.0, 1.5}) {
     CAPTURE(d);
-    // Along each axis, for the lines have one.
+    // Each axis is tested, for the lines have a direction.
     for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
       double before = 1;
       for (int level = 1; level <= 4; ++level) {
@@ -73,12 +73,12 @@ TEST_CASE("Denser lines find the volume of the mesh itself") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     if (mesh.vertices.size() > 700) continue;
     CAPTURE(name);
-    if (name == "smallest torus") continue;  // more silhouette than volume
+    if (name == "smallest torus") continue;  // the silhouette dominates its volume
     const double exact = zoo::volumeOf(mesh);
     double error = 0;
     for (int columns : {32, 128, 512}) {
       error = std::abs(overlapOf({mesh}, columns).volumes[0] / exact - 1);
-      CHECK(error < 1.0 / columns);  // only lines at the silhouette err
+      CHECK(error < 1.0 / columns);  // only lines at the silhouette have errors
     }
     CHECK(error < 4e-4);
   }
@@ -91,12 +91,12 @@ TEST_CASE("Lines through vertices and edges see each body whole") {
       CAPTURE(name, columns);
       REQUIRE_NOTHROW(overlapOf({mesh, zoo::scaled(mesh, {0.5, 0.5, 0.5}), mesh}, columns));
     }
-  // All lines on lattice points of a body whose vertices are lattice points.
+  // All lines go through lattice points of a body whose vertices are lattice points.
   const Mesh diamond{{{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}},
                      {{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5}, {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}}};
   const Mesh frame = zoo::box({-4.5, -4.5, -9}, {4.5, 4.5, -8});  // 9 lines at −4, −3, …, 4
   const Overlap o = overlapOf({diamond, frame}, 9);
-  // Σ over |x| + |y| < 4 of 2 (4 − |x| − |y|).
+  // Expected: Σ over |x| + |y| < 4 of 2 (4 − |x| − |y|).
   double sum = 0;
   for (int x = -4; x <= 4; ++x)
     for (int y = -4; y <= 4; ++y) sum += 2 * std::max(0, 4 - std::abs(x) - std::abs(y));
@@ -127,7 +127,7 @@ TEST_CASE("Disjoint, nested, identical and inverted bodies") {
 }
 
 TEST_CASE("A lattice of balls: each share is the sum of its lenses") {
-  // 4 × 4 × 4 unit balls at distance 1.8: each has a lens with each of its neighbours, and no three meet.
+  // In 4 × 4 × 4 unit balls at distance 1.8, neighbours overlap in a lens, and no three balls meet.
   std::vector<Mesh> balls;
   std::vector<int> neighbours;
   for (int i = 0; i < 64; ++i) {

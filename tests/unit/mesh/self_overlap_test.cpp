@@ -1,4 +1,4 @@
-// Surfaces that cut through themselves, and those that come close to it, against all pairs of their triangles.
+// Surfaces that cut or nearly cut through themselves, against tests of all pairs of their triangles.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@ double selfOverlapOf(const Mesh& m, int columns = 24) { return measureSelfOverla
 
 bool isStarShaped(const Mesh& m) { return morula::isStarShaped({m.vertices, m.faces}, measureCentroid(m.vertices)); }
 
-/// Turned by three random angles.
+/// Returns the mesh turned by three angles that depend on `key`.
 Mesh turned(Mesh m, std::uint32_t key) {
   for (int axis = 0; axis < 3; ++axis) {
     const double angle = 2.4 * key + 1.7 * axis + 0.3 * key * axis, c = std::cos(angle), s = std::sin(angle);
@@ -27,7 +27,7 @@ Mesh turned(Mesh m, std::uint32_t key) {
   return m;
 }
 
-/// True if the straight line from `from` to `to` passes through the triangle.
+/// Returns true if the straight line from `from` to `to` passes through the triangle.
 bool passesThrough(const Point& from, const Point& to, const Point& a, const Point& b, const Point& c) {
   const Vector way = to - from, normal = cross(b - a, c - a);
   const double before = dot(from - a, normal), after = dot(to - a, normal);
@@ -37,7 +37,7 @@ bool passesThrough(const Point& from, const Point& to, const Point& a, const Poi
          dot(cross(a - c, at - c), normal) > 0;
 }
 
-/// The oracle: true if any two triangles that share no vertex cut each other.
+/// The oracle: returns true if any two triangles without a common vertex cut each other.
 bool cutsItself(const Mesh& m) {
   const auto apart = [](const Face& f, const Face& g) {
     return std::ranges::none_of(f, [&](int v) { return std::ranges::find(g, v) != g.end(); });
@@ -52,7 +52,7 @@ bool cutsItself(const Mesh& m) {
   return false;
 }
 
-/// The parameter between the two at which the shape covers this share of its volume more than once.
+/// Returns the parameter between `low` and `high` at which the shape covers this share of its volume more than once.
 double parameterWith(double share, double low, double high, const std::function<Mesh(double)>& shape) {
   for (int i = 0; i < 12; ++i) {
     const double middle = 0.5 * (low + high);
@@ -104,7 +104,7 @@ TEST_CASE("A surface that covers a two-hundredth of its volume twice, or inside 
 TEST_CASE("All of an inside-out ball is covered inside out, and all of a sphere that is wound twice is covered twice") {
   CHECK(selfOverlapOf(zoo::inverted(makeIcosphere(1))) == 1);
   Mesh twice{{{0.01, 0.02, 1}, {0.01, 0.02, -1}}, {}};
-  constexpr int around = 12;  // of two rounds
+  constexpr int around = 12;  // vertices around, in two rounds
   for (int i = 0; i < around; ++i) {
     const double angle = 0.1 + 2 * std::numbers::pi * 2 * i / around;
     twice.vertices.push_back({std::cos(angle), std::sin(angle), 0});
@@ -129,7 +129,7 @@ TEST_CASE("Folds: all edges of a tetrahedron, none of a box, the rim of a disc")
   const auto foldedShare = [](const Mesh& m) {
     return measureFoldedShare(m.vertices, m.faces, findEdgeFaces(m.faces));
   };
-  CHECK(foldedShare(zoo::tetrahedron()) == 1);  // 109.5°
+  CHECK(foldedShare(zoo::tetrahedron()) == 1);  // edges have 109.5°
   CHECK(foldedShare(zoo::box({0, 0, 0}, {1, 2, 3})) == 0);
   CHECK(foldedShare(makeIcosphere(1)) == 0);
   Mesh disc{{{0, 0, 0.01}, {0, 0, -0.01}}, {}};

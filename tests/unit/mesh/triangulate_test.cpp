@@ -1,4 +1,4 @@
-// Polygons cut into triangles, beside the shoelace formula and brute force.
+// Polygons cut into triangles, against the shoelace formula and brute force.
 #include "mesh/triangulate.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ double shoelace(const Polygon& p) {
 
 double signedArea(const Point& a, const Point& b, const Point& c) { return shoelace({a, b, c}); }
 
-/// True if the point lies in the polygon: a ray along x crosses an odd number of sides.
+/// Returns true if the point lies in the polygon: a ray along x crosses an odd number of sides.
 bool holds(const Polygon& p, double x, double y) {
   bool inside = false;
   for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++)
@@ -34,7 +34,7 @@ bool holds(const Polygon& p, double x, double y) {
   return inside;
 }
 
-/// The triangles turn as the polygon, cover it, and cover nothing beside it.
+/// Checks that the triangles turn as the polygon does, cover it, and cover nothing else.
 void checkCovers(const Polygon& polygon) {
   const Triangulation cut = triangulate(polygon);
   REQUIRE(cut.wrong == "");
@@ -58,7 +58,7 @@ Polygon turned(Polygon p, std::size_t first, bool backwards) {
   return p;
 }
 
-/// A star around the origin with radii by chance: simple, and concave nearly everywhere.
+/// Returns a star around a point with random radii: simple, and concave nearly everywhere.
 Polygon star(std::mt19937& random, int corners) {
   std::uniform_real_distribution<double> radius(0.2, 2);
   Polygon p;

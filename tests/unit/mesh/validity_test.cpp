@@ -1,4 +1,4 @@
-// One broken mesh per way to be broken; the message is part of the behaviour.
+// One broken mesh for each kind of fault; the message is part of the behaviour.
 #include <limits>
 
 #include "catch.h"
@@ -16,7 +16,7 @@ std::string complaintAbout(const Mesh& mesh) {
   return "";
 }
 
-// The second mesh's vertices behind the first's.
+// Returns one mesh with the second mesh's vertices behind the first's.
 Mesh joined(Mesh a, const Mesh& b) {
   const auto shift = static_cast<std::int32_t>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
@@ -24,7 +24,7 @@ Mesh joined(Mesh a, const Mesh& b) {
   return a;
 }
 
-// Vertex `gone` becomes vertex `kept`, and the last vertex takes its number.
+// Returns the mesh with vertex `gone` merged into vertex `kept`; the last vertex takes its number.
 Mesh merged(Mesh m, int kept, int gone) {
   const auto last = static_cast<std::int32_t>(m.vertices.size()) - 1;
   for (Face& f : m.faces)
@@ -102,7 +102,7 @@ TEST_CASE("Two bodies that touch in one vertex have two fans there") {
 TEST_CASE("Two bodies in one mesh are refused") {
   CHECK(complaintAbout(joined(zoo::tetrahedron(), zoo::moved(zoo::tetrahedron(), {9, 9, 9}))) ==
         "m: face 5 is not connected to face 1; a cell is one piece: keep one closed surface per file");
-  // A cavity is a second surface, too.
+  // A cavity is a second surface and is refused.
   CHECK_THAT(complaintAbout(joined(makeIcosphere(1), zoo::inverted(zoo::scaled(makeIcosphere(1), {0.5, 0.5, 0.5})))),
              ContainsSubstring("face 81 is not connected to face 1"));
 }

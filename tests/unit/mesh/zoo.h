@@ -1,5 +1,5 @@
 #pragma once
-// Closed meshes of many kinds, for properties that must hold of all of them.
+// Closed meshes of many kinds, for properties that hold for all of them.
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -14,14 +14,14 @@ namespace morula::zoo {
 struct Animal {
   std::string name;
   Mesh mesh;
-  int handles = 0;  // genus: Euler characteristic 2 − 2 · handles
+  int handles = 0;  // genus: the Euler characteristic is 2 − 2 · handles
 };
 
 inline Mesh tetrahedron() {
   return {{{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-/// A box with its faces split along one diagonal.
+/// Returns a box with its faces split along one diagonal.
 inline Mesh box(const Point& low, const Point& high) {
   Mesh m;
   for (int i = 0; i < 8; ++i)
@@ -34,11 +34,10 @@ inline Mesh box(const Point& low, const Point& high) {
   return m;
 }
 
-/// A ring of `around` × `across` corners with radii 2 (of the ring) and 1 (of the tube), made of rational
-/// points of the circle.
+/// Returns a ring of `around` × `across` corners, with radii 2 (ring) and 1 (tube) and rational points of the circle.
 inline Mesh torus(int around, int across) {
   const auto circle = [](int k, int n) {
-    // Corner k of a closed polygon on the unit circle: halves by symmetry, then the rational parametrisation.
+    // Returns corner k of a closed polygon on the unit circle: halves by symmetry, then the rational parametrisation.
     const double t = 2.0 * k / n, u = t < 1 ? 2 * t - 1 : 2 * (t - 1) - 1, w = 1 + u * u;
     const double c = 2 * u / w, s = (1 - u * u) / w;
     return t < 1 ? std::pair(-c, s) : std::pair(c, -s);
@@ -69,7 +68,7 @@ inline Mesh scaled(Mesh m, const Vector& by) {
   return m;
 }
 
-/// Each vertex moved along its direction from the origin by a random share up to `size`.
+/// Returns the mesh with each vertex moved along its direction from the origin by a random share up to `size`.
 inline Mesh crumpled(Mesh m, double size, std::uint64_t seed) {
   for (std::size_t i = 0; i < m.vertices.size(); ++i) {
     const double u = randomUnit({seed, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i));
@@ -78,8 +77,8 @@ inline Mesh crumpled(Mesh m, double size, std::uint64_t seed) {
   return m;
 }
 
-/// A ball of radius 1 drawn into a sausage along an arc of this angle [rad], whose radius is 1. From about 4.9 on its
-/// ends lie in each other.
+/// Returns a ball of radius 1 drawn into a sausage along an arc of `angle` [rad] and radius 1. From about 4.9 on its
+/// ends overlap.
 inline Mesh bent(Mesh ball, double angle) {
   for (Point& p : ball.vertices) {
     const double along = 0.5 * angle * p.x, r = 1 + 0.35 * p.y;
@@ -88,7 +87,7 @@ inline Mesh bent(Mesh ball, double angle) {
   return ball;
 }
 
-/// A ball of radius 1 that is dented from above. From a depth of about 2 on the dent goes through its bottom.
+/// Returns a ball of radius 1 dented from above. From a depth of about 2 on the dent goes through the bottom.
 inline Mesh dented(Mesh ball, double depth) {
   for (Point& p : ball.vertices)
     if (p.z > 0) p.z -= depth * std::exp(-(p.x * p.x + p.y * p.y) / 0.16);
@@ -113,7 +112,7 @@ inline std::vector<Animal> all() {
   return zoo;
 }
 
-/// As the text of an OBJ file.
+/// Returns the mesh as the text of an OBJ file.
 inline std::string objOf(const Mesh& mesh, const std::string& lineEnd = "\n") {
   const auto shortest = [](double v) -> std::string {
     char text[32];

@@ -1,4 +1,4 @@
-// What is said to be engaged is what the world really has.
+// The parts reported as engaged are the parts that the world has.
 #include "parts/parts.h"
 
 #include <map>
@@ -34,7 +34,7 @@ std::set<std::string> engagedIn(const std::map<std::string, Part>& parts) {
 const std::string genes =
     "morula: 1\nname: some\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 2}\n";
 
-/// The blocks that bit k of `choice` asks for.
+/// Returns a scene with the parts that the bits of `choice` select.
 std::string sceneOf(unsigned choice) {
   std::string text = genes + "physics:\n  mesh: {icosphere: 0}\n";
   text += choice & 1 ? "  drag: 2\n" : "";
@@ -99,7 +99,7 @@ TEST_CASE("Without physics there are genes, and nothing that needs a body") {
   const World world = makeWorld(scenario.scene);
   REQUIRE_FALSE(world.bodies);
   CHECK(engagedIn(byName(scenario, {.pictures = false})) ==
-        std::set<std::string>{"biology", "samples"});  // of the start and of the end
+        std::set<std::string>{"biology", "samples"});  // at the start and at the end
 }
 
 TEST_CASE("Each part names the line that asks for it, or says that it is a default") {
@@ -109,7 +109,7 @@ TEST_CASE("Each part names the line that asks for it, or says that it is a defau
   CHECK(parts["shell"].why == "test.yaml:24:10: physics.shell");
   CHECK(parts["contact"].why == "test.yaml:25:18: physics.contact.law");
   CHECK(parts["contact"].what == "the thesis' law");
-  CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has none, whatever its coefficient
+  CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has no friction, whatever its coefficient
   CHECK(parts["connections"].why == "test.yaml:31:14: connections");
   CHECK(parts["samples"].why == "test.yaml:33:17: record.every");
   CHECK(parts["hashes"].why == "test.yaml:36:8: check");

@@ -1,4 +1,4 @@
-// What is predicted against what then happens.
+// Predictions against the runs themselves.
 #include "parts/prediction.h"
 
 #include <cmath>
@@ -51,7 +51,7 @@ double sumOf(double EraCounts::*count, const std::vector<EraCounts>& eras) {
   return sum;
 }
 
-/// Sixty-four cells in a shell.
+/// Returns a scene of sixty-four cells in a shell.
 Scene crowd() {
   Scene s = scenes::packed();
   s.mechanics->physics.drag = 5;
@@ -92,7 +92,7 @@ TEST_CASE("A life in eras: as many cells as the run has, from birth to the stop"
   CHECK_FALSE(life.whole);
   CHECK(life.maxCells() >= 512);
 
-  // Deaths: against the run itself.
+  // Predicted deaths are compared with the run itself.
   scene = scenes::lineageOnly(scenes::eventful, 8);
   World world = makeWorld(scene);
   life = predictLife(scene);
@@ -126,7 +126,7 @@ TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory t
   const Scene scene = crowd();
   const Counted real = ran(scene);
   REQUIRE(real.world.cells.path.size() == 64);
-  // The trial run comes to eight cells; it is the same on every machine.
+  // The trial run reaches eight cells, on every machine.
   const Predicted f = predict(scene, 1.2e5);
   REQUIRE_FALSE(f.trial.whole);
   CHECK(f.trial.world.bodies->count == 8);
@@ -137,7 +137,7 @@ TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory t
   CHECK(double(m.total()) == Approx(double(r.total())).epsilon(0.1));
   CHECK(m.bodies == Approx(double(r.bodies)).epsilon(0.01));
   CHECK(m.snapshots == Approx(double(r.snapshots)).epsilon(0.01));
-  CHECK(m.listPairs == Approx(double(r.listPairs)).epsilon(0.3));  // as the pairs
+  CHECK(m.listPairs == Approx(double(r.listPairs)).epsilon(0.3));  // as precise as pairs
   CHECK(m.cells == Approx(double(r.cells)).epsilon(0.1));
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("Memory is that of the arrays") {
   const std::size_t n = world.bodies->vertexCount();
   CHECK(one.contact() == 0);
   CHECK(one.connections == 0);
-  // One block: x, v and a of eight lanes, and six numbers of each; and where the cell is.
+  // One block holds x, v and a of eight lanes, six numbers for each lane, and the cell's place.
   CHECK(one.bodies == 8 * (3 * 24 * n + 6 * 8) + sizeof(int) + sizeof(BlockPlace));
   world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 3));
   CHECK(measureMemory(world).total() == measureMemory(world).cells);
@@ -173,7 +173,7 @@ TEST_CASE("Time steps of later generations are those that a run takes") {
   CHECK(predictTimeStepLimit(whole, 6) == Approx(whole.timeStepLimit));
   CHECK(predictTimeStepLimit(start, 3) == Approx(start.timeStepLimit));
   CHECK(predictTimeStepLimit(start, 6) == Approx(whole.timeStepLimit).epsilon(0.2));
-  // Of a free round egg, before anything happened: what makeWorld chose.
+  // The limit of a free round egg before any step fits the step that makeWorld chose.
   const TrialRun nothing = tryBeginning(makeWorld(scene), life, 0);
   const double limit = predictTimeStepLimit(nothing, 0), step = nothing.world.clock.timeStep;
   CHECK(step <= limit);
@@ -190,7 +190,7 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     const StepRates rates = measureRates(world);
     CHECK(stateHash(world) == before);
     CHECK(world.contacts->list.pairs == pairs);
-    // Differences of times, which on a busy machine may be nothing; what is told apart by counting is exact.
+    // Rates are differences of times, which may vanish on a busy machine; shares that come from counting are exact.
     PhysicsParameters plain = scene.mechanics->physics;
     plain.membrane.damping = plain.drag = 0;
     const double share = springShare(world.bodies->mesh, plain);
@@ -203,7 +203,7 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     if (p.drag == 0) CHECK(rates.drag == 0);
     if (scene.mechanics->contact->friction == 0) CHECK(rates.frictionOfPair == 0);
     if (!world.connections) CHECK(rates.connections == 0);
-    step(world);  // it goes on as if nothing had been
+    step(world);  // the world continues undisturbed
     World other = makeWorld(scene);
     while (other.clock.step < world.clock.step) step(other);
     CHECK(stateHash(world) == stateHash(other));

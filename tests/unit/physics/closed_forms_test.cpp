@@ -27,8 +27,8 @@ TEST_CASE("A body at rest in itself flies straight on, at its speed, with every 
 }
 
 TEST_CASE("An icosahedron rings and dies away as the linearised sphere says") {
-  // All vertices are alike, so all stays similar: L = λ L0, V = λ³ V0, T = ½ m λ'². With P0 = k_p/V0 it rests
-  // at λ = 1, where E = ½ k_s S (λ − 1)² − k_p ln V + P0 V, S = Σ L0², bends by E'' = k_s S + 9 k_p, and the
+  // All vertices are alike, so the shape stays similar: L = λ L0, V = λ³ V0, T = ½ m λ'². With P0 = k_p/V0 the cell
+  // rests at λ = 1, where E = ½ k_s S (λ − 1)² − k_p ln V + P0 V, S = Σ L0², has the curvature E'' = k_s S + 9 k_p. The
   // damping is k_d S + drag m: λ − 1 ∝ e^(−γt/2) cos(Ωt + φ), ω² = E''/m, γ = damping/m, Ω² = ω² − γ²/4.
   const Mesh mesh = makeIcosphere(0);
   for (Integrator integrator : {Integrator::velocityVerlet, Integrator::rungeKutta4}) {
@@ -57,7 +57,7 @@ TEST_CASE("An icosahedron rings and dies away as the linearised sphere says") {
       if ((now > 0) != (before > 0)) {
         last = time - dt * now / (now - before);
         if (crossings++ == 0) first = last;
-        // Where the radius passes through rest, all energy is speed: |λ'| = ω e^(−γt/2) of the first stretch.
+        // Where the radius passes through rest, all energy is kinetic: |λ'| = ω e^(−γt/2) of the first stretch.
         const double speed = norm(lab.velocity(0, 0)) * std::sqrt(stiffness);
         beyond.see(std::abs(speed / envelopeAt(last) - 1));
       }
@@ -83,9 +83,9 @@ TEST_CASE("A sphere at rest obeys Laplace's law, P = 2σ/R") {
     virial += 10 * (length - b.mesh.restLengths[e]) * length;
   }
   const double volume = b.volume[0], pressure = b.pressure[0];
-  // Of any shape at rest: Σ x·f = 0.
+  // Any shape at rest has Σ x·f = 0.
   CHECK(3 * pressure * volume == Approx(virial).epsilon(1e-9));
-  // The tension of a net of edges is their virial over twice the area; this one is a sphere to 0.3 %.
+  // The tension of a net of edges is their virial over twice the area; this net is a sphere to 0.3 %.
   const double area = measureArea(lab.positions(), b.mesh.mesh.faces);
   const double radius = cubeRoot(3 * volume / (4 * std::numbers::pi));
   CHECK(pressure == Approx(2 * (virial / (2 * area)) / radius).epsilon(3e-3));

@@ -30,7 +30,7 @@ TEST_CASE("A body that only drag acts on slows down exponentially, to second ord
     const Lab lab = stepped({p, mesh, {body}}, steps, 2.0 / steps);
     const double share = lab.velocity(0, 7).x / 3;
     CHECK(norm(lab.velocity(0, 7) - share * Vector{3, -2, 1}) < 1e-12);
-    // It has come as far as velocity over drag rate says.
+    // The body has moved by (1 − 1/e) times its velocity over the drag rate.
     CHECK(lab.bodies.vertex(0, 7).x - mesh.vertices[7].x == Approx(3 * (1 - std::exp(-1.0)) / 0.5).epsilon(0.01));
     return std::abs(share - std::exp(-1.0));
   };

@@ -1,4 +1,4 @@
-// Where a cell comes to rest: springs against gas.
+// The state of rest of a cell: springs against gas.
 #include <numbers>
 
 #include "base/maths.h"
@@ -17,7 +17,7 @@ PhysicsParameters restingCell(double drag) {
   return p;
 }
 
-/// Steps until nothing moves faster than 1e-13.
+/// Steps until no vertex moves faster than 1e-13.
 void settle(Lab& lab, double timeStep) {
   lab.start();
   for (int i = 0; i < 40000; ++i) {
@@ -30,8 +30,8 @@ void settle(Lab& lab, double timeStep) {
 }  // namespace
 
 TEST_CASE("An icosahedron rests where its springs balance its gas: 30 edges, one unknown") {
-  // All stays similar: L = λ L0, V = λ³ V0, and k_s (λ − 1) λ Σ L0² = 3 k_p at the minimum of E = ½ k_s Σ (L
-  // − L0)² − k_p ln V.
+  // The shape stays similar: L = λ L0, V = λ³ V0, and k_s (λ − 1) λ Σ L0² = 3 k_p at the minimum of E = ½ k_s Σ (L −
+  // L0)² − k_p ln V.
   const Mesh mesh = makeIcosphere(0);
   Lab lab(restingCell(2), mesh);
   settle(lab, 0x1p-7);

@@ -32,8 +32,8 @@ TEST_CASE("A cell that grows to twice its contents rests at twice the volume; sh
     for (int i = 0; i < 4000; ++i) lab.step(0x1p-8);
     return lab.bodies.volume[0];
   };
-  // With springs and gas in balance at any size (k_s grows with nothing, lengths with the third root),
-  // tension per length falls by the third root: close to, not exactly, double.
+  // Lengths grow with the third root of the contents and k_s stays, so tension per length falls by the third root. The
+  // volume comes close to double, not exactly.
   const double before = settledVolume();
   const double mass = lab.bodies.mass(0);
   int steps = 0;

@@ -1,4 +1,4 @@
-// Every instruction set computes what one cell at a time would: the same bits, in blocks full or not.
+// Every instruction set computes the bits of one cell at a time, in blocks full or not.
 #include "catch.h"
 #include "lab.h"
 
@@ -62,11 +62,11 @@ TEST_CASE("All instruction sets give one cell's bits at every step") {
     for (const auto& [variantName, parameters] : variants())
       for (int count : {1, 3, 5, 8, 9}) {
         const auto cells = crowd(mesh, count);
-        std::vector<Lab> alone;  // each cell by itself, one at a time
+        std::vector<Lab> alone;  // one lab for each cell
         for (const Body& cell : cells) alone.emplace_back(parameters, mesh, std::vector<Body>{cell}, Isa::scalar);
         std::vector<Lab> together;
         for (Isa isa : availableIsas()) together.emplace_back(parameters, mesh, cells, isa);
-        for (int slot = 0; slot < count; ++slot)  // cells share the room of their shell (physics/sag.h)
+        for (int slot = 0; slot < count; ++slot)  // sag depends on all cells of a shell (physics/sag.h)
           alone[slot].bodies.sag[0] = together[0].bodies.sag[slot];
         for (Lab& lab : alone) lab.start();
         for (Lab& lab : together) lab.start();
@@ -87,7 +87,7 @@ TEST_CASE("All instruction sets give one cell's bits at every step") {
         }
         CAPTURE(meshName, variantName, count);
         CHECK(firstDifference == -1);
-        // Not the equality of two failures: the cells are alive and have moved.
+        // Two failures would be equal, too: the cells must be alive and have moved.
         CHECK(together[0].bodies.volume[0] > 0);
         CHECK_FALSE(takeBody(together[0].bodies, 0).position == cells[0].position);
       }

@@ -1,5 +1,5 @@
 #pragma once
-// A bench for the mechanics alone: a few bodies, moved and asked by hand, without world, biology or contact.
+// A bench for the mechanics alone: a few bodies, moved and evaluated by hand, without world, biology or contact.
 #include <vector>
 
 #include "base/random.h"
@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// The cell of these tests. Their own, so that better defaults for users do not change what they prove.
+/// Returns the cell of the tests: new defaults for users must not change what the tests prove.
 inline PhysicsParameters softCell() {
   PhysicsParameters p;
   p.membrane = {40, 0.05, 1.26, Springs::equal};
@@ -30,14 +30,14 @@ struct Lab {
     setBodies(bodies, cells);
   }
 
-  /// Forces at the positions now: force(slot, v) reads them.
+  /// Evaluates forces at the present positions; force(slot, v) reads them.
   void evaluate() {
     for (int i = 0; i < bodies.blockCount(); ++i) advance(stages, bodies, bodies.block(i, 0), 0);
   }
   void endEvaluation(double timeStep = 0) {
     for (int i = 0; i < bodies.blockCount(); ++i) kick(stages, bodies, bodies.block(i, 0), timeStep);
   }
-  /// Accelerations for the first step.
+  /// Evaluates the accelerations for the first step.
   void start() { step(0); }
   void step(double timeStep) {
     for (int i = 0; i < bodies.blockCount(); ++i) {
@@ -53,7 +53,7 @@ struct Lab {
 
   Vector force(int slot, int v) const { return bodies.read(bodies.acceleration, slot, v); }
   Vector velocity(int slot, int v) const { return bodies.read(bodies.velocity, slot, v); }
-  /// On a cell as a whole.
+  /// Returns the net force on a cell.
   Vector forceOn(int slot) const {
     Vector sum;
     for (int v = 0; v < bodies.vertexCount(slot); ++v) sum += force(slot, v);
@@ -64,20 +64,20 @@ struct Lab {
   void setVelocity(int slot, int v, const Vector& u) { bodies.write(bodies.velocity, slot, v, u); }
 };
 
-/// With the forces of where its bodies are.
+/// Returns the lab with forces evaluated at its present positions.
 inline Lab evaluated(Lab lab) {
   lab.evaluate();
   return lab;
 }
 
-/// After so many steps from the start.
+/// Returns the lab after `steps` steps from the start.
 inline Lab stepped(Lab lab, int steps, double timeStep) {
   lab.start();
   for (int i = 0; i < steps; ++i) lab.step(timeStep);
   return lab;
 }
 
-/// The same every time: a number in [−1, 1), keyed by two numbers.
+/// Returns a reproducible number in [−1, 1), keyed by two numbers.
 inline double noise(std::uint32_t a, std::uint32_t b = 0) {
   return 2 * randomUnit({20080617, {}, b, Purpose::test}, a) - 1;
 }
@@ -85,7 +85,7 @@ inline Vector noiseVector(std::uint32_t a, std::uint32_t b = 0) {
   return {noise(3 * a, b), noise(3 * a + 1, b), noise(3 * a + 2, b)};
 }
 
-/// A rotation at random, by a unit quaternion.
+/// A random rotation by a unit quaternion, keyed by a number.
 struct Turn {
   double w;
   Vector v;
@@ -98,7 +98,7 @@ struct Turn {
   Vector operator()(const Vector& a) const { return a + 2 * cross(v, cross(v, a) + w * a); }
 };
 
-/// A body of the mesh, without gas, with every vertex moved and moving at random.
+/// Returns a body of the mesh without gas, with every vertex displaced and moving at random.
 inline Body shakenBody(const Mesh& mesh, double shift, double speed, std::uint32_t key = 0) {
   Body b{mesh.vertices, std::vector<Vector>(mesh.vertices.size()), 1, 1, 0};
   for (std::uint32_t v = 0; v < b.position.size(); ++v) {
@@ -108,14 +108,14 @@ inline Body shakenBody(const Mesh& mesh, double shift, double speed, std::uint32
   return b;
 }
 
-/// Of the mesh, at rest in itself, round a place.
+/// Returns a body of the mesh at `place`, at rest.
 inline Body ballAt(const Mesh& mesh, const Vector& place, double pressureConstant = 0) {
   Body b = shakenBody(zoo::moved(mesh, place), 0, 0);
   b.pressureConstant = pressureConstant;
   return b;
 }
 
-/// [mass·length/time] Of a cell, and of all, by their vertices.
+/// Return the momentum of a cell or of all cells, from vertices. [mass·length/time]
 inline Vector momentumOf(const Bodies& b, int slot) {
   Vector sum;
   for (int v = 0; v < b.vertexCount(slot); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
@@ -127,7 +127,7 @@ inline Vector momentumOf(const Bodies& b) {
   return sum;
 }
 
-/// The largest of all vertices of all cells. [length/time], [force]
+/// Return the largest speed [length/time] and the largest force [force] of all vertices of all cells.
 inline double fastestVertex(const Bodies& b) {
   Worst speed;
   for (int slot : b.slots)
@@ -141,7 +141,7 @@ inline double largestForce(const Lab& lab) {
   return force;
 }
 
-/// [length] Of the first cell, around the origin.
+/// Returns the mean distance of the first cell's vertices from the origin. [length]
 inline double meanRadius(const Lab& lab) {
   double sum = 0;
   for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += norm(lab.bodies.vertex(0, v));

@@ -1,7 +1,7 @@
-// Manufactured solutions [Roache 2002]: every vertex has a smooth path written down beforehand, and an outer
-// force that is its mass times the path's acceleration, less what the model's equations, written out here, do
-// there. The path is then the exact solution, with damping, drag and large deformations: what a run is off is
-// the error of kernels and integrator, and it falls with the integrator's order.
+// Manufactured solutions [Roache 2002]. Every vertex has a prescribed smooth path and an outer force: mass times the
+// path's acceleration, minus the model's force on the path, written out in this file. The path is then the exact
+// solution, with damping, drag and large deformations. A run's deviation is the error of kernels and integrator, and
+// falls with the integrator's order.
 #include <array>
 #include <functional>
 
@@ -13,13 +13,13 @@ using namespace morula;
 
 namespace {
 
-/// A vertex at one time.
+/// The motion of a vertex at one time.
 struct Motion {
   Vector position, velocity, acceleration;
 };
 
 using Path = std::function<Motion(int vertex, double time)>;
-/// Of the model, on every vertex when all are where their paths are at that time.
+/// The model's forces on all vertices at a time, when every vertex is on its path.
 using Forces = std::function<std::vector<Vector>(double time)>;
 
 struct Manufactured {
@@ -35,7 +35,7 @@ std::vector<Motion> motionsAt(const Manufactured& m, double time) {
   return all;
 }
 
-/// Ends an evaluation at that time, with the outer forces that the path needs then.
+/// Ends an evaluation at `time`, with the outer forces that the path needs.
 void force(Lab& lab, const Manufactured& m, const PhysicsStages& stages, double time, double timeStep) {
   const auto motions = motionsAt(m, time);
   const auto inner = m.forces(time);
@@ -46,7 +46,7 @@ void force(Lab& lab, const Manufactured& m, const PhysicsStages& stages, double 
   kick(stages, lab.bodies, lab.bodies.block(0, 0), timeStep);
 }
 
-/// Root mean square distance from the path at time 1.
+/// Returns the root mean square distance from the path at time 1.
 double errorAfter(const Manufactured& m, Integrator integrator, int steps) {
   PhysicsParameters p = m.physics;
   p.integrator = integrator;
@@ -60,7 +60,7 @@ double errorAfter(const Manufactured& m, Integrator integrator, int steps) {
   force(lab, m, lab.stages, 0, 0);
   const double dt = 1.0 / steps;
   for (int i = 0; i < steps; ++i) {
-    const bool four = !lab.stages.furtherDrifts.empty();  // of Runge–Kutta: two at half the step, two at its end
+    const bool four = !lab.stages.furtherDrifts.empty();  // Runge–Kutta: twice at half the step, twice at its end
     const std::array<double, 4> shares{four ? 0.5 : 1, 0.5, 1, 1};
     for (std::size_t k = 0; k <= lab.stages.furtherDrifts.size(); ++k) {
       const PhysicsStages stages = k == 0 ? lab.stages : furtherStages(lab.stages, k - 1);
@@ -90,7 +90,6 @@ void checkOrder(const Manufactured& m, Integrator integrator, double order, int 
 }
 
 // --- A shell that flies, turns, swells and ripples
-// ---------------------------------------------------------------------
 
 /// c + A X + q with A = 1 + A₁ sin t + A₂ (1 − cos 2t), and each vertex' own ripple q = r sin(3t + φ).
 Motion wander(const Mesh& mesh, int v, double t) {
@@ -135,12 +134,11 @@ Manufactured shell() {
 }
 
 // --- A cell of shape matching that turns and stretches
-// -----------------------------------------------------------------
 
-/// Its map R(θ) D with the turn R about z and D = diag(a, b, 1): R is then the rotation nearest to it, and
-/// its spin that of the whole.
+/// The map R(θ) D of a turning cell, with the turn R about z and D = diag(a, b, 1). R is the rotation nearest to the
+/// map, and R's spin is the cell's.
 struct Turning {
-  double cosine, sine, rate, growth;  // of θ(t) = sin t; θ' and θ''
+  double cosine, sine, rate, growth;  // cos θ, sin θ, θ' and θ'' of θ(t) = sin t
   double a, b, aRate, bRate, aGrowth, bGrowth;
 
   explicit Turning(double t)
@@ -169,8 +167,7 @@ Motion turning(const Mesh& mesh, int v, double t) {
               m.turn({m.aGrowth * q.x, m.bGrowth * q.y, 0}) + 2.0 * flightOf};
 }
 
-/// −k (p − T q) − κ (what is not rigid) − drag v, times the mass, with T = β A/∛det A + (1 − β) R [Müller et
-/// al. 2005].
+/// Mass times −k (p − T q) − κ (non-rigid velocity) − drag v, with T = β A/∛det A + (1 − β) R [Müller et al. 2005].
 std::vector<Vector> shapeForces(const PhysicsParameters& p, const Mesh& mesh, double t) {
   const Turning m(t);
   const ShapeMatchingParameters& s = p.shapeMatching;
@@ -191,7 +188,7 @@ Manufactured matchedShape() {
   p.cell.model = CellModel::shapeMatching;
   p.shapeMatching = {60, 0.6, 1.5};
   p.drag = 0.5;
-  const Mesh mesh = makeIcosphere(1);  // as heavy in all directions, or R would not be the nearest
+  const Mesh mesh = makeIcosphere(1);  // equally heavy in all directions, else R would not be the nearest rotation
   return {p, mesh, [mesh](int v, double t) { return turning(mesh, v, t); },
           [p, mesh](double t) { return shapeForces(p, mesh, t); }};
 }

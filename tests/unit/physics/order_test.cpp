@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// Positions at time 1 of a blown-up cell, uneven and damped, so that nothing cancels.
+/// Returns positions at time 1 of a blown-up cell, uneven and damped, so that no errors cancel.
 std::vector<Point> released(Integrator integrator, int steps, double drag) {
   PhysicsParameters p = softCell();
   p.integrator = integrator;
@@ -17,14 +17,14 @@ std::vector<Point> released(Integrator integrator, int steps, double drag) {
   return stepped({p, mesh}, steps, 1.0 / steps).positions();
 }
 
-/// Root mean square over the vertices.
+/// Returns the root mean square distance over the vertices.
 double distance(const std::vector<Point>& a, const std::vector<Point>& b) {
   double sum = 0;
   for (std::size_t v = 0; v < a.size(); ++v) sum += dot(a[v] - b[v], a[v] - b[v]);
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// log2 of the error's fall from each halving of the step to the next.
+/// Returns log2 of the ratio of errors for each halving of the step.
 std::vector<double> observedOrders(Integrator integrator, double drag, int steps) {
   const auto reference = released(Integrator::rungeKutta4, 1 << 13, drag);
   std::vector<double> orders;
@@ -75,7 +75,7 @@ TEST_CASE("The thesis' Verlet is x' = 2x − x_prev + a Δt²") {
   for (int i = 0; i < 50; ++i) {
     std::vector<Point> next(now.size());
     for (std::size_t v = 0; v < now.size(); ++v)
-      next[v] = 2.0 * now[v] - before[v] + (dt * dt) * lab.force(0, static_cast<int>(v));  // by now an acceleration
+      next[v] = 2.0 * now[v] - before[v] + (dt * dt) * lab.force(0, static_cast<int>(v));  // an acceleration by now
     lab.step(dt);
     before = now;
     now = next;

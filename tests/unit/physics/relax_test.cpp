@@ -1,4 +1,4 @@
-// Relaxation: one call of the kernel, held against the formulas at the head of relax_kernel.h.
+// Relaxation: one call of the kernel against the formulas at the head of relax_kernel.h.
 #include <array>
 
 #include "catch.h"
@@ -26,11 +26,11 @@ TEST_CASE("What rests sets out along its forces, by half of them, and no vertex 
     physicsKernels(Isa::scalar)
         .relaxVelocities(b.mesh.view(), b.block(0, 0),
                          {maxMove.data(), alpha.data(), descents.data(), strain.data(), sum.data()});
-    // Half a step before it went against the forces: v = −½ a, so it stops and begins anew.
+    // Half a step earlier a resting cell had v = −½ a, against the forces: the kernel stops it and starts anew.
     const double share = std::min(1.0, most / (0.5 * largest));
     Worst error;
     for (int v = 0; v < b.vertexCount(0); ++v) error.see(norm(lab.velocity(0, v) - (0.5 * share) * push(v)) / largest);
-    CHECK(error < 1e-14);  // a handful of roundings
+    CHECK(error < 1e-14);  // a few roundings
     CHECK(sum[0] == Approx(squares).epsilon(1e-13));
     CHECK(alpha[0] == 0.25);
     CHECK(descents[0] == 0);

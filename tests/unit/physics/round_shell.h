@@ -1,10 +1,10 @@
 #pragma once
-// What is known in closed form of a sphere or an ellipsoid.
+// Closed forms for shells that are spheres or ellipsoids.
 #include "lab.h"
 
 namespace morula {
 
-/// Spheres and ellipsoids, small and large.
+/// Returns spheres and ellipsoids, small and large.
 inline std::vector<ShellParameters> roundShells(Held holds) {
   return {{{1, 1, 1}, {}, holds}, {{2.5, 2.5, 2.5}, {}, holds}, {{1.25, 1, 0.8}, {}, holds}, {{27, 15, 11}, {}, holds}};
 }
@@ -15,14 +15,14 @@ inline PhysicsParameters inShell(const ShellParameters& shell) {
   return p;
 }
 
-/// The shell as the first cell's vertices feel it: where it holds surfaces, with half-axes longer by their sag.
+/// Returns the shell that the first cell's vertices feel: for held surfaces, half-axes are longer by their sag.
 inline ShellParameters felt(const Bodies& b) {
   ShellParameters shell = *b.parameters.shell;
   for (double& a : shell.semiAxes) a += shell.holds == Held::surface ? b.sag[0] : 0;
   return shell;
 }
 
-/// 1 on the shell.
+/// Returns 1 for a point on the shell, less for a point inside.
 inline double quadric(const Point& x, const ShellParameters& shell) {
   const double* a = shell.semiAxes.data();
   const Vector q{x.x / a[0], x.y / a[1], x.z / a[2]};
@@ -35,8 +35,8 @@ inline Vector outward(const Point& x, const ShellParameters& shell) {
   return g / norm(g);
 }
 
-/// The nearest point of the ellipsoid to a point outside: x_i = p_i a_i²/(a_i² + t) with the t that puts x on
-/// it, by bisection [Eberly 2013].
+/// Returns the nearest point of the ellipsoid to a point outside: x_i = p_i a_i²/(a_i² + t) with the t that puts x on
+/// the ellipsoid, by bisection [Eberly 2013].
 inline Point nearestOnShell(const Point& p, const ShellParameters& shell) {
   const double* a = shell.semiAxes.data();
   const auto at = [&](double t) {

@@ -1,4 +1,4 @@
-// Shape matching: the rotation that it finds, the forces that it makes, and how cells of it ring and explode.
+// Shape matching: the rotation that the kernel finds, its forces, and how cells oscillate and explode.
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <numbers>
@@ -29,7 +29,7 @@ Body mapped(const Mesh& mesh, const Matrix3& map, const Vector& place = {}) {
   return body;
 }
 
-/// Like the one of the paper: of A = U Σ Vᵀ, U Vᵀ with the sign of its determinant taken from the smallest.
+/// Returns the paper's rotation: U Vᵀ for A = U Σ Vᵀ, with the smallest direction reversed if U Vᵀ mirrors.
 Matrix3 rotationBySvd(const Matrix3& a) {
   const Eigen::JacobiSVD<Matrix3> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Matrix3 sign = Matrix3::Identity();
@@ -43,21 +43,21 @@ Matrix3 randomMatrix(std::uint32_t key) {
   return m;
 }
 
-/// Σ q qᵀ
+/// Returns Σ q qᵀ.
 Matrix3 secondMoments(const Mesh& mesh) {
   Matrix3 sum = Matrix3::Zero();
   for (const Point& q : mesh.vertices) sum += toEigen(q) * toEigen(q).transpose();
   return sum;
 }
 
-/// Where a vertex is drawn to, from the centre: x + a/k.
+/// Returns the goal of a vertex relative to the centre: x + a/k.
 Eigen::Vector3d goalOf(const Lab& lab, int slot, int v) {
   const Vector centre = measureCentre(lab.bodies, slot);
   const double k = lab.bodies.parameters.shapeMatching.stiffness * lab.bodies.vertexMass[slot];
   return toEigen(lab.bodies.vertex(slot, v) - centre + lab.force(slot, v) / k);
 }
 
-/// A brick, whose second moments along its axes differ; its centre is the origin.
+/// Returns a brick, whose second moments along its axes differ; its centre is the origin.
 Mesh brick() { return zoo::box({-0.3, -0.5, -0.9}, {0.3, 0.5, 0.9}); }
 
 }  // namespace
@@ -72,7 +72,7 @@ TEST_CASE("Goals are the rest shape under the rotation that a singular value dec
       if (key % 3 == 1) map.col(2) = map.col(0) * 0.3 + map.col(1) * 0.1;  // flat
       const Matrix3 products = map * moments;
       const Eigen::Vector3d s = Eigen::JacobiSVD<Matrix3>(products).singularValues();
-      const double gap = s[1] + (products.determinant() < 0 ? -s[2] : s[2]);  // where it is 0 there is no nearest one
+      const double gap = s[1] + (products.determinant() < 0 ? -s[2] : s[2]);  // at 0 no nearest rotation exists
       if (gap < 1e-3 * s[0]) continue;
       (products.determinant() < 0 ? mirrored : proper)++;
       const Lab lab = evaluated({matched(), mesh, {mapped(mesh, map, {3, -2, 5})}});
@@ -139,7 +139,7 @@ TEST_CASE("Forces sum to zero and to no torque, whatever the shape, β and dampi
           size += norm(lab.force(0, v));
         }
         CHECK(size > 1);
-        CHECK(norm(sum) < 1e-13 * size);  // the centre, at 14 lengths, is rounded
+        CHECK(norm(sum) < 1e-13 * size);  // rounding of the centre, at 14 lengths
         CHECK(norm(torque) < 1e-13 * size);
       }
 }
@@ -227,7 +227,7 @@ TEST_CASE("Up to their limit cells swing, and beyond it they explode, with every
             CHECK(limits.spring == 0);
             continue;
           }
-          // A hundredth beyond the limit a step adds a fiftieth or more of what is off, but of explicit Euler some
+          // A hundredth beyond the limit a deviation grows by a fiftieth or more per step, with explicit Euler by some
           // ten-thousandths.
           CHECK(growth(0.95 * limits.spring, integrator == Integrator::explicitEuler ? 20000 : 2000) < 1.01);
           CHECK_FALSE(growth(1.05 * limits.spring, 20000) < 1.5);

@@ -1,4 +1,4 @@
-// A shell that is a convex mesh holds every vertex, and bears what presses on it.
+// A convex mesh as a shell holds every vertex and bears the forces that press on it.
 #include "base/isa.h"
 #include "catch.h"
 #include "round_shell.h"
@@ -7,7 +7,7 @@ using namespace morula;
 
 namespace {
 
-/// The planes are written by hand: what reads them from a file is tested with meshes.
+/// Returns a shell with the given planes; tests of meshes cover reading planes from a file.
 ShellParameters shellOf(std::vector<ShellPlane> planes) {
   ShellParameters shell;
   shell.mesh = std::make_shared<ConvexShell>(ConvexShell{{}, std::move(planes)});
@@ -18,13 +18,13 @@ ShellParameters cube() {
   return shellOf({{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{0, 0, -1}, 1}});
 }
 
-/// Its edges are acute: 70.5 degrees.
+/// Returns a tetrahedron, whose edges are acute: 70.5 degrees.
 ShellParameters tetrahedron() {
   const double n = 1 / std::sqrt(3.0);
   return shellOf({{{n, n, -n}, 0.7}, {{-n, -n, -n}, 0.7}, {{-n, n, n}, 0.7}, {{n, -n, n}, 0.7}});
 }
 
-/// The planes that touch the unit sphere in the directions of an icosphere's vertices.
+/// Returns the planes that touch the unit sphere in the directions of an icosphere's vertices.
 ShellParameters almostSphere() {
   std::vector<ShellPlane> planes;
   for (const Point& x : makeIcosphere(3).vertices) planes.push_back({x / norm(x), 1});
@@ -74,8 +74,8 @@ TEST_CASE("In a cube a vertex outside comes to its nearest point, and keeps what
   Body body = shakenBody(mesh, 0, 0);
   const auto set = [&](int v, const Point& x, const Vector& u) { body.position[v] = x, body.velocity[v] = u; };
   set(0, {1.5, 0.25, 0.5}, {1, 2, 3});    // out of a face
-  set(1, {1.5, -1.25, 0.5}, {1, -2, 3});  // of an edge
-  set(2, {1.5, 1.25, 2}, {1, 2, 3});      // of a corner
+  set(1, {1.5, -1.25, 0.5}, {1, -2, 3});  // out of an edge
+  set(2, {1.5, 1.25, 2}, {1, 2, 3});      // out of a corner
   set(3, {1.5, 0.25, 0.5}, {-1, 2, 3});   // on its way in
   set(4, {0.5, 0.25, 0.5}, {1, 2, 3});    // inside
   Lab lab(p, mesh, {body});
@@ -90,7 +90,7 @@ TEST_CASE("In a cube a vertex outside comes to its nearest point, and keeps what
   CHECK(lab.velocity(0, 3) == Vector{-1, 2, 3});
   CHECK(lab.bodies.vertex(0, 4) == Point{0.5, 0.25, 0.5});
   CHECK(lab.velocity(0, 4) == Vector{1, 2, 3});
-  // The shell bears what presses on it.
+  // The shell bears the forces that press on it.
   for (int v = 0; v < 5; ++v) lab.bodies.write(lab.bodies.acceleration, 0, v, Vector{1, 2, 3});
   lab.endEvaluation();
   CHECK(lab.force(0, 0).x == 0);
@@ -113,7 +113,7 @@ TEST_CASE("Many planes around a sphere hold a cell as the sphere does: to 0.005 
     p.membrane.damping = 0.5;
     labs.push_back(stepped({p, mesh}, 2048, 0x1p-9));
   }
-  // Half a distance of neighbouring directions, 0.09, from where it touches a plane stands out by 0.09²/2.
+  // Half the distance of neighbouring directions, 0.09, from its point of contact a plane stands out by 0.09²/2.
   for (int v = 0; v < labs[0].bodies.vertexCount(); ++v) {
     CHECK(norm(labs[0].bodies.vertex(0, v)) == Approx(1).epsilon(1e-12));
     CHECK(norm(labs[1].bodies.vertex(0, v)) > 1 - 1e-12);

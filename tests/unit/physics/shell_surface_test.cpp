@@ -1,4 +1,4 @@
-// A shell that holds surfaces: it is felt with half-axes longer by the sag, and cells in it have the volume of what it
+// A shell that holds surfaces acts on vertices with half-axes longer by the sag. Cells in it fill the volume that it
 // holds.
 #include "physics/shell_surface.h"
 
@@ -17,7 +17,7 @@ TEST_CASE(
     const Mesh mesh = zoo::scaled(makeIcosphere(level), {2, 2, 2});
     const double volume = measureVolume(mesh.vertices, mesh.faces);
     CHECK(measureSag(mesh) == Approx(2 - std::cbrt(3 * volume / (4 * std::numbers::pi))).epsilon(1e-12));
-    // By l²/8R, the same to fourth order; a vertex off the sphere by 1e-6 does away with the exact one.
+    // Expected is l²/8R, equal to fourth order. One vertex 1e-6 off the sphere rules out the exact formula for spheres.
     Mesh uneven = mesh;
     uneven.vertices[0] = (1 + 1e-6) * uneven.vertices[0];
     double expected = 0;
@@ -30,7 +30,7 @@ TEST_CASE(
       }
       expected += squares / (c.ringStart[v + 1] - c.ringStart[v]) / 16 / c.vertexCount;
     }
-    CHECK(measureSag(uneven) == Approx(expected).epsilon(0.01));  // normals lean where edges are not alike
+    CHECK(measureSag(uneven) == Approx(expected).epsilon(0.01));  // normals lean where edges differ
     CHECK(measureSag(uneven) == Approx(measureSag(mesh)).epsilon(level == 0 ? 0.11 : 0.05));
   }
 }
@@ -44,7 +44,7 @@ TEST_CASE("A free cell's size is where its pressure holds its springs, and cells
   const Lab free = stepped({p, mesh}, 4096, 0x1p-8);
   const double grown = std::cbrt(free.bodies.volume[0] / measureVolume(mesh.vertices, mesh.faces));
   CHECK(grown > 1.04);
-  // A sphere's closed form for a mesh of edges that are not all alike.
+  // The free scale is a sphere's closed form, on a mesh with different edges.
   CHECK(measureFreeScale(free.bodies, 0) == Approx(grown).epsilon(1e-4));
   CHECK(free.bodies.sag[0] == Approx(grown * measureSag(mesh)).epsilon(1e-4));
   p.shell = {{1.03, 1.03, 1.03}, {}, Held::surface};
@@ -81,7 +81,7 @@ TEST_CASE("What is outside is put on the shell that is felt, almost at its neare
       }
       CHECK(off <= 1e-15);
       CHECK(held <= 1e-15);
-      CHECK(away <= 1e-14 + 0.25 * excess * excess);  // the scaling alone: 0.3 excess
+      CHECK(away <= 1e-14 + 0.25 * excess * excess);  // scaling alone would give 0.3 excess
     }
   }
 }
@@ -104,7 +104,7 @@ TEST_CASE("A vertex shot along the shell that is felt goes round it and keeps it
 
 namespace {
 
-/// A cell of the ball's volume, at rest in a sphere that is 0.03 larger.
+/// Returns the physics of a cell of the ball's volume, at rest in a sphere that is 0.03 larger.
 PhysicsParameters pressed() {
   PhysicsParameters p = inShell({{1.03, 1.03, 1.03}, {}, Held::surface});
   p.membrane = {10, 0.02, 1.26, Springs::equal};
@@ -116,14 +116,14 @@ PhysicsParameters pressed() {
 }  // namespace
 
 TEST_CASE("A cell pressed together by a sphere has the sphere's volume on any mesh") {
-  // k_p/V − P_0 = 8.779 of the ball of radius 1.03; held vertices would give 34.1, 14.9 and 10.3. What is left is that
-  // springs even out the mesh, whose edges are not all alike at rest.
+  // The ball of radius 1.03 has k_p/V − P_0 = 8.779; held vertices would give 34.1, 14.9 and 10.3. The remaining error:
+  // springs even out the mesh, whose rest lengths differ.
   const double exact = 800 / (4 * std::numbers::pi / 3 * 1.03 * 1.03 * 1.03) - 166;
   for (int level : {1, 2, 3}) {
     const Lab lab = stepped({pressed(), scaleToRadius(makeIcosphere(level), 1)}, 2048 >> (level == 1),
                             level == 3 ? 0x1p-9 : 0x1p-8);
     CHECK(std::abs(lab.bodies.pressure[0] / exact - 1) < 1e-3);
-    CHECK(fastestVertex(lab.bodies) < 1e-9);  // rest is rest
+    CHECK(fastestVertex(lab.bodies) < 1e-9);
   }
 }
 

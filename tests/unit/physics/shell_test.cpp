@@ -1,5 +1,5 @@
-// A shell holds every vertex, or every surface below one, lets it slide, and leaves the others alone. What surfaces
-// have of their own: shell_surface_test.cpp.
+// A shell holds every vertex, or every surface below a vertex: held points slide, others are left alone. Tests of held
+// surfaces alone: shell_surface_test.cpp.
 #include "catch.h"
 #include "round_shell.h"
 
@@ -7,14 +7,14 @@ using namespace morula;
 
 namespace {
 
-/// Of vertices and of surfaces.
+/// Returns round shells that hold vertices and round shells that hold surfaces.
 std::vector<ShellParameters> allRoundShells() {
   std::vector<ShellParameters> shells = roundShells(Held::vertices);
   for (const ShellParameters& shell : roundShells(Held::surface)) shells.push_back(shell);
   return shells;
 }
 
-/// The same without springs, so that no force but those of a test's own acts.
+/// Returns physics in the shell without springs, so that only a test's own forces act.
 PhysicsParameters slackIn(const ShellParameters& shell) {
   PhysicsParameters p = inShell(shell);
   p.membrane = {0, 0, 1};
@@ -72,7 +72,7 @@ TEST_CASE("A vertex outside is put on the shell, almost at its nearest point") {
         away.see(norm(x - nearestOnShell(before[v], shell)) / a[0]);
       }
       CHECK(off <= 1e-15);
-      CHECK(away <= 1e-14 + 0.25 * excess * excess);  // the scaling alone: 0.3 excess
+      CHECK(away <= 1e-14 + 0.25 * excess * excess);  // scaling alone would give 0.3 excess
     }
   }
 }
@@ -111,7 +111,7 @@ TEST_CASE("The shell bears the outward force and leaves the rest") {
     Lab held = evaluated({p, mesh, {body}});
     p.shell.reset();
     Lab free = evaluated({p, mesh, {body}});
-    // Forces of two kinds, set by hand: half of the vertices are pushed out, half in.
+    // Random forces push about half of the vertices out, and half in.
     for (Lab* lab : {&held, &free}) {
       Bodies& b = lab->bodies;
       for (int v = 0; v < b.vertexCount(); ++v)

@@ -1,5 +1,4 @@
-// The springs' force is the slope of their energy; their damping takes energy and keeps momentum [Nilsson
-// 2008, eq. 4.2].
+// The springs' force is the slope of their energy; damping takes energy and keeps momentum [Nilsson 2008, eq. 4.2].
 #include "catch.h"
 #include "lab.h"
 #include "mesh/connectivity.h"
@@ -15,7 +14,7 @@ PhysicsParameters springsOnly(double damping, Springs springs = Springs::equal) 
   return p;
 }
 
-/// E = ½ k_s Σ w (l − s L0)², from the mesh and the springs' weights, all 1 if there are none, in long double.
+/// Returns E = ½ k_s Σ w (l − s L0)² in long double, from the mesh and the springs' weights (1 if there are none).
 long double springEnergy(const std::vector<Point>& x, const Mesh& rest, double scale, double stiffness,
                          std::span<const double> weights) {
   long double energy = 0;
@@ -102,7 +101,7 @@ TEST_CASE("Damping works along the edge, against the change of its length") {
   Vector onMoving;
   for (int v = 1; v < 4; ++v) {
     const Vector edge = mesh.vertices[v] - mesh.vertices[0], along = edge / norm(edge);
-    const Vector force = 0.5 * dot(body.velocity[0], along) * along;  // k_d Δv, towards where it goes
+    const Vector force = 0.5 * dot(body.velocity[0], along) * along;  // k_d Δv: vertex v is dragged along
     CHECK(norm(lab.force(0, v) - force) < 1e-14);
     onMoving -= force;
   }

@@ -12,7 +12,7 @@ namespace {
 
 const double root3 = std::sqrt(3.0);
 
-/// At rest.
+/// Returns the pressure of a free cell at rest.
 double pressureOfFreeCell(int level, Springs springs, Integrator integrator = Integrator::velocityVerlet,
                           Isa isa = Isa::scalar, Precision precision = Precision::binary64) {
   PhysicsParameters p;
@@ -63,7 +63,7 @@ TEST_CASE("Weighted squares of edges give the area in each direction of the surf
 }
 
 TEST_CASE("A free cell under pressure: the closed form, to second order in the edges; equal springs miss it") {
-  // T = √3 k (1 − 1/λ) and P = 2T/(λR): k_p/V − P_0 with V = 4π/3 λ³, by bisection.
+  // The radius λR, by bisection: T = √3 k (1 − 1/λ) and P = 2T/(λR) with P = k_p/V − P_0 and V = 4π/3 λ³.
   double low = 1, high = 2;
   const auto ofFluid = [](double l) { return 800 / (4 * std::numbers::pi / 3 * l * l * l) - 166; };
   const auto ofMembrane = [](double l) { return 2 * root3 * 10 * (1 - 1 / l) / l; };
@@ -85,7 +85,7 @@ TEST_CASE("A free cell under pressure: the closed form, to second order in the e
 TEST_CASE("All integrators, instruction sets and precisions know the weights") {
   const double verlet = pressureOfFreeCell(1, Springs::dual);
   for (const auto& [integrator, word, meaning] : choices<Integrator>) {
-    if (kindOf(integrator).needsDrag) continue;  // more than there is here
+    if (kindOf(integrator).needsDrag) continue;  // the cell has too little drag for these
     CAPTURE(word);
     CHECK(pressureOfFreeCell(1, Springs::dual, integrator) ==
           Approx(verlet).epsilon(kindOf(integrator).solvesForces ? 0.01 : 1e-4));

@@ -1,4 +1,4 @@
-// The limits of stability: below them an oscillation stays as it is, above them it explodes.
+// Stability limits: below them an oscillation stays bounded, above them it explodes.
 #include "physics/stability.h"
 
 #include <limits>
@@ -11,7 +11,7 @@ using namespace morula;
 
 namespace {
 
-/// True if a slightly shaken cell has not exploded after some thousand steps.
+/// Returns true if a slightly shaken cell has not exploded after some thousand steps.
 bool survives(const PhysicsParameters& p, const Mesh& mesh, double timeStep, int steps = 3000) {
   Body body = shakenBody(mesh, 1e-3, 0);
   body.mass = p.cell.mass;
@@ -25,7 +25,7 @@ bool survives(const PhysicsParameters& p, const Mesh& mesh, double timeStep, int
   return true;
 }
 
-/// True if a slightly shaken cell has more motion left after a long time than a tenth of what it began with.
+/// Returns true if a slightly shaken cell keeps more than a tenth of its initial motion after a long time.
 bool keepsSwinging(const PhysicsParameters& p, const Mesh& mesh, double timeStep) {
   Body body = shakenBody(mesh, 1e-4, 0);
   body.mass = p.cell.mass;
@@ -86,12 +86,12 @@ TEST_CASE("Explicit Euler's limits are those of what damps, and 0 without drag")
       p.integrator = Integrator::explicitEuler;
       p.cell.mass = 2;
       p.membrane = {40, damping, 1.26, Springs::equal};
-      p.pressure = {0, 0};  // and no tension: the springs alone
+      p.pressure = {0, 0};  // no tension either: springs act alone
       p.drag = drag;
       const double limit = spring(p, mesh);
       CAPTURE(drag, damping, limit);
-      // Springs that are swung through grow no stiffer, so what is unstable does not explode: it swings on.
-      // The limit goes with 1/ω², so it is met less closely than that of the others.
+      // Springs do not stiffen as they swing, so an unstable cell swings on instead of exploding. The limit goes with
+      // 1/ω² and is less sharp than the other integrators'.
       CHECK_FALSE(keepsSwinging(p, mesh, 0.8 * limit));
       CHECK(keepsSwinging(p, mesh, 1.4 * limit));
       p.drag = 0;
@@ -151,7 +151,7 @@ TEST_CASE("Limits fall with the root of the mass") {
 }
 
 TEST_CASE("The pressure's limit of uneven meshes, few of whose vertices bear much of the surface") {
-  Mesh lens;  // two cones on a ring of 32: at a tip meet 32 faces
+  Mesh lens;  // two cones on a ring of 32: 32 faces meet at each tip
   for (int k = 0; k < 32; ++k) {
     const double angle = 2 * std::numbers::pi * k / 32;
     lens.vertices.push_back({std::cos(angle), std::sin(angle), 0});

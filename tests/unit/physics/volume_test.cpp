@@ -23,9 +23,9 @@ TEST_CASE("The rings give closed forms of volumes") {
   CHECK(volumeOf(zoo::box({1, 2, 3}, {2, 4, 7})) == Approx(8).epsilon(1e-14));
   CHECK(volumeOf(zoo::tetrahedron()) == Approx(8.0 / 3).epsilon(1e-14));
   CHECK(volumeOf(zoo::inverted(zoo::tetrahedron())) == Approx(-8.0 / 3).epsilon(1e-14));
-  // The icosahedron in the unit sphere: 2/3 √(10 + 2√5).
+  // The icosahedron in the unit sphere has the volume 2/3 √(10 + 2√5).
   CHECK(volumeOf(makeIcosphere(0)) == Approx(2.0 / 3 * std::sqrt(10 + 2 * std::sqrt(5.0))).epsilon(1e-14));
-  // Towards the sphere with the square of the edge: four times closer at each level.
+  // Volumes approach the sphere's with the square of the edge: four times closer at each level.
   const double ball = 4 * std::numbers::pi / 3;
   double missing = ball - volumeOf(makeIcosphere(2));
   for (int level = 3; level <= 4; ++level) {

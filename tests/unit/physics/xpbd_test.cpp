@@ -1,5 +1,4 @@
-// Position-based dynamics: what its closed forms say, what it keeps, and that no time step is too long for
-// it.
+// Position-based dynamics: closed forms, conserved quantities, and stability with any time step.
 #include <algorithm>
 
 #include "catch.h"
@@ -23,7 +22,7 @@ Vector angularMomentum(const Lab& lab) {
   return lab.bodies.vertexMass[0] * sum;
 }
 
-/// Of motion, springs and gas; the gas' is −k_p ln V + P_0 V.
+/// Returns the energy of motion, springs and gas; the gas has −k_p ln V + P_0 V.
 double energy(const Lab& lab) {
   const Bodies& b = lab.bodies;
   double sum = 0;
@@ -38,7 +37,7 @@ double energy(const Lab& lab) {
 
 double volumeAtRest(const Lab& lab) { return measureVolume(lab.bodies.mesh.mesh.vertices, lab.bodies.mesh.mesh.faces); }
 
-/// What a cell that is at rest as its mesh goes through. Volumes over, and energies above, those at rest.
+/// Extremes of a run of a cell whose rest shape is its mesh: volumes relative to rest, energies minus rest.
 struct Ride {
   double minVolume = INFINITY, maxVolume = 0, maxEnergy = -INFINITY, firstEnergy = 0, endEnergy = 0;
 };
@@ -68,7 +67,7 @@ Body stretched(const Mesh& mesh, const Vector& by, double pressureConstant) {
 }  // namespace
 
 TEST_CASE("One stretched edge after another: each is backward Euler's spring in closed form") {
-  // Without contents, a first step of a body at rest: the same by hand, in doubles and in the same order.
+  // A first step without contents, computed by hand in doubles and in the same order.
   PhysicsParameters p = byPositions();
   p.membrane = {40, 0.5, 1.26, Springs::equal};
   p.pressure = {0, 0};
@@ -82,16 +81,16 @@ TEST_CASE("One stretched edge after another: each is backward Euler's spring in 
   for (int e = 0; e < lab.bodies.mesh.edgeCount(); ++e) {
     const int i = lab.bodies.mesh.edges[2 * e], k = lab.bodies.mesh.edges[2 * e + 1];
     const Vector d = x[k] - x[i], n = d / norm(d);
-    // The force f that f = k_s C' + k_d C'' gives at the end of the step, by elimination of C' and C''.
+    // The force f = k_s C' + k_d C'' of stretch C' and rate C'' at the end of the step, which are eliminated.
     const double stretch = norm(d) - lab.bodies.mesh.restLengths[e], rate = dot(u[k] - u[i], n);
     const double force = (40 * stretch + 0.5 * rate) / (1 + 2 * h * (h * 40 + 0.5) / m);
     u[i] += (h * force / m) * n, u[k] -= (h * force / m) * n;
     x[i] += (h * h * force / m) * n, x[k] -= (h * h * force / m) * n;
-    // It is: the stretch and rate after it give it back.
+    // Stretch and rate after the step give the force f back.
     CHECK(40 * (dot(x[k] - x[i], n) - lab.bodies.mesh.restLengths[e]) + 0.5 * dot(u[k] - u[i], n) ==
           Approx(force).epsilon(1e-12));
   }
-  // Then the turn that keeps Σ x₀ × u: linear in it, so three trials and Cramer's rule find it.
+  // The step then turns the body to keep Σ x₀ × u, which is linear in the turn: three trials and Cramer's rule find it.
   const std::vector<Point> before = lab.positions();
   Vector centre, kept;
   for (int v = 0; v < 4; ++v) centre += x[v] / 4.0, kept += cross(before[v], lab.velocity(0, v));
@@ -135,8 +134,8 @@ TEST_CASE("Without outer forces sub-steps are time steps, bit for bit") {
 }
 
 TEST_CASE("Contents take the pressure that they have after the step") {
-  // No springs: a ball of gas alone. p = k_p/V' − P_0 with V' = V + c p, to first order; checked for a step
-  // that is short against the breathing, and for one that is long.
+  // A ball of gas without springs: p = k_p/V' − P_0 with V' = V + c p, to first order. Steps are short, comparable and
+  // long against the period of breathing.
   const Mesh mesh = makeIcosphere(1);
   const double rest = measureVolume(mesh.vertices, mesh.faces);
   for (const double scale : {0.5, 1.0, 1.4})
@@ -206,9 +205,8 @@ TEST_CASE("A spinning cell spins on, also where it turns too far in a step to be
 }
 
 TEST_CASE("The cell of 642 vertices rests at its radius as sub-steps grow short") {
-  // 1.053101148 where forces balance at one moment. Here they act one after the other within a sub-step and
-  // see what those before them have moved: a stretch of the order of h², a rate, which damping sees, of that
-  // of h.
+  // The radius is 1.053101148 if forces balance at one moment. In a sub-step they act one after another, on positions
+  // that earlier ones have moved. The stretch is off by O(h²), and the rate, which damping uses, by O(h).
   const auto deviation = [](std::uint64_t substeps, double damping) {
     PhysicsParameters p = byPositions(substeps);
     p.membrane = {10, damping, 1.26, Springs::equal};
@@ -235,10 +233,10 @@ TEST_CASE("No time step is too long: stiff, at a hundred times the others' limit
   struct Case {
     double stiffness, gas;
     Vector by;
-    double maxEnergy;  // over that at the start
+    double maxEnergy;  // relative to the initial energy
   };
-  // One sweep over edges that are far from rest may leave them with a fifth more energy; the next ones take
-  // it. Soft edges around stiff contents are nothing to the energy of a volume that is a little off.
+  // One sweep over edges far from rest may leave a fifth more energy, which later sweeps take. With soft edges around
+  // stiff contents a slight error of the volume outweighs the edges' energy.
   for (const auto& [stiffness, gas, by, maxEnergy] :
        {Case{10, 200, little, 1}, Case{10, 200, much, 1.01}, Case{10, 200, needle, 1.2}, Case{10, 200, pancake, 1.1},
         Case{10e4, 200e4, little, 1}, Case{10e4, 200e4, much, 1.01}, Case{10e4, 200e4, needle, 1.2},
@@ -255,7 +253,7 @@ TEST_CASE("No time step is too long: stiff, at a hundred times the others' limit
         Lab lab(p, mesh, {stretched(mesh, by, gas)}, bestIsa());
         const Ride r = ride(lab, times * limit, 400);
         CAPTURE(stiffness, gas, by.x, times, damping, r.firstEnergy, r.maxEnergy, r.endEnergy);
-        CHECK(r.minVolume > 0.5);  // a needle dips to 0.62 where the step follows it, as it should
+        CHECK(r.minVolume > 0.5);  // a needle rightly dips to 0.62 if the step follows it
         CHECK(r.maxVolume < 1.25);
         CHECK(r.maxEnergy <= maxEnergy * r.firstEnergy);
         CHECK(r.endEnergy < r.firstEnergy);

@@ -16,7 +16,7 @@ Setting setting(Integrator integrator, double timeStep) {
   return setting;
 }
 
-/// That of volumes is the largest.
+/// Returns an error of volumes alone.
 StateError sizes(double volume) { return {.volume = volume}; }
 
 AccuracyRow row(const std::string& engine, const std::string& series, double timeStep, double error, double seconds) {
@@ -30,7 +30,7 @@ AccuracyRow row(const std::string& engine, const std::string& series, double tim
   return row;
 }
 
-/// What accuracy --json says of four runs.
+/// Returns the output of accuracy --json for four runs.
 Json output() {
   AccuracyReport report;
   report.scenario = "<script>alert(1)</script>";

@@ -1,4 +1,4 @@
-// Bullet's run on a page: its shapes as frames, what is said of it, and that it is held to what is stored.
+// Bullet's run on a page: its shapes as frames, its results in words, and the comparison with stored results.
 #include "catch.h"
 #include "engines/bullet_scene.h"
 #include "loop/simulate.h"
@@ -21,7 +21,7 @@ physics: {time_step: 0.0078125, mesh: {icosphere: 1}}
 check: {bullet: {}}
 )";
 
-/// What Bullet would have found: these shapes.
+/// Returns Bullet's answer if it had found these shapes.
 BulletAgain answered(const Scenario& scenario, const World& ours, std::vector<std::vector<Point>> shapes) {
   BulletAgain again;
   again.found.results = compareWithBullet(ours, shapes, tolerancesFor(scenario));
@@ -68,7 +68,7 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   CHECK_THAT(same, ContainsSubstring("vertex by vertex"));
   CHECK_THAT(same, ContainsSubstring("✓ holds"));
   CHECK_THAT(same, ContainsSubstring("which is rounding"));
-  // Bullet's second cell is as much larger as makes each vertex lie 0.25 radii off, along its own radius.
+  // Bullet's second cell is larger, so that each vertex lies 0.25 radii farther out.
   for (Point& p : shapes[1]) p = Point{1.5, 0, 0} + 1.25 * (p - Point{1.5, 0, 0});
   const auto larger = answered(scenario, world, shapes);
   const std::string differs =
@@ -78,8 +78,7 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   CHECK_THAT(differs, !ContainsSubstring("which is rounding"));
   CHECK_THAT(differs, ContainsSubstring("id=\"picture-1\""));
   CHECK_THAT(differs, ContainsSubstring("digit for digit"));
-  // From a vertex of ours to the faces of the larger icosphere: their distance from the centre, 1.25 · 0.9, less 1 to
-  // 1.25 - 1.
+  // Distances from our vertices to the faces of the larger icosphere are between 1.25 · 0.9 − 1 and 1.25 − 1.
   const auto at = differs.find("farthest apart at cell B: ");
   REQUIRE(at != differs.npos);
   const double distance = std::stod(differs.substr(at + 26));

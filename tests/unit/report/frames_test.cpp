@@ -1,5 +1,5 @@
-// Frames of a run: positions as good as promised, evenly over time, and thinned from the front. Forces in them add up
-// to mass times acceleration, and measuring them changes nothing.
+// Frames of a run: positions of the promised precision, evenly spaced in time, thinned from the front. Their forces add
+// up to mass times acceleration, and measuring them changes nothing.
 #include "report_data/frames.h"
 
 #include <bit>
@@ -48,7 +48,7 @@ Vector vectorAt(const std::string& bytes, std::size_t at) {
   return {floatAt(bytes, at), floatAt(bytes, at + 4), floatAt(bytes, at + 8)};
 }
 
-/// Where in a frame's bytes what follows its contacts and connections begins.
+/// Returns the place in a frame's bytes behind its contacts and connections.
 std::size_t behindPairs(const Frames& frames, const Frame& frame) {
   return 4 * (9 + frames.measures.size()) * frame.cells + 12 * frame.contacts + 8 * frame.connections;
 }
@@ -88,7 +88,7 @@ TEST_CASE("A frame holds measures, and positions within half a step") {
         const double step = floatAt(last.bytes, at + 24 + 4 * axis);
         const auto number = numberAt<std::uint16_t>(last.bytes, places);
         const double exact = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-        // Half a step, and the rounding of `low` and `step` to float: 2^-24 of the coordinate and of the box.
+        // Tolerance: half a step, and rounding of `low` and `step` to float, 2^-24 of the coordinate and of the box.
         CHECK(std::abs(floatAt(last.bytes, at + 12 + 4 * axis) + step * number - exact) <=
               0.5 * step + 3 * 6e-8 * (1 + std::abs(exact)));
       }
@@ -133,7 +133,7 @@ TEST_CASE("What a frame keeps of a cell's forces adds up to its mass times accel
         kept += force, sizes += norm(force);
       }
       CHECK(sizes > 0);
-      // Each kind is rounded to float: 2^-24 of its size, and rounding of the sums over vertices beside it.
+      // Tolerance: each kind is rounded to float, 2^-24 of its size, and the sums over vertices are rounded.
       CHECK(norm(kept - net) <= 6e-8 * 2 * sizes + 1e-12);
     }
   }

@@ -1,4 +1,4 @@
-// What a page says in words, and that texts of others stay texts.
+// The words of a page; texts of users stay texts.
 #include "report_data/words.h"
 
 #include "catch.h"
@@ -26,7 +26,7 @@ TEST_CASE("Failed checks show what differs, and their texts stay texts") {
   CHECK_THAT(html, ContainsSubstring("12.5 times"));
   CHECK_THAT(html, ContainsSubstring("from step 7 on, cell AB, volume"));
   CHECK_THAT(html, !ContainsSubstring("<script>"));
-  CHECK(html.find("values") < html.find("counts"));  // what failed stands first
+  CHECK(html.find("values") < html.find("counts"));  // failed checks come first
 }
 
 TEST_CASE("A share of a tolerance is read at a glance") {
@@ -37,7 +37,7 @@ TEST_CASE("A share of a tolerance is read at a glance") {
   CHECK(shareText(2.23e9) == "2.23e+09 times");
 }
 
-// As changeInWords writes it.
+// A change in the form of changeInWords.
 const std::string change =
     "  changed   physics.pressure.constant: 155 → 155.5\n"
     "            physics.drag: 1 → <i>2</i>\n"

@@ -1,4 +1,4 @@
-// Where numbers stand on an axis, and which of them are written.
+// Ticks of an axis: their places, and which of them have numbers.
 #include "drawing/axis.h"
 
 #include <cmath>

@@ -24,7 +24,7 @@ std::vector<Point> cloud(std::uint32_t number, Vector stretch) {
   return points;
 }
 
-/// Where a point lies in the picture, −1 to 1 on both axes and in depth.
+/// Returns a point's place in the picture, −1 to 1 on both axes and in depth.
 Vector project(const std::array<float, 16>& m, const Vector& p) {
   const auto row = [&](int i) { return m[i] * p.x + m[4 + i] * p.y + m[8 + i] * p.z + m[12 + i]; };
   return Vector{row(0), row(1), row(2)} / row(3);
@@ -77,7 +77,7 @@ TEST_CASE("nearer points have smaller depths, from -1 at the near plane to 1 at 
   REQUIRE(project(matrix, {0, 0, -20}).z == Approx(1).margin(1e-5));
   REQUIRE(project(matrix, {0, 0, 1}).z < project(matrix, {0, 0, 0}).z);
   REQUIRE(project(matrix, {2, 0, 0}).x == Approx(1));  // aperture 0.2 at distance 10
-  REQUIRE(project(matrix, {0, 1, 5}).y == Approx(1));  // and at distance 5
+  REQUIRE(project(matrix, {0, 1, 5}).y == Approx(1));  // aperture 0.2 at distance 5
 }
 
 TEST_CASE("nothing to see gives a frame all the same", "[camera]") {
@@ -100,7 +100,7 @@ TEST_CASE("named views look along the axes, with z up or y up", "[views]") {
   are("top", {1, 0, 0}, {0, 1, 0});
   are("bottom", {1, 0, 0}, {0, -1, 0});
   are("90,0", {0, 1, 0}, {0, 0, 1});
-  // From the corner of a cube all three axes are seen equally long.
+  // All three axes look equally long from the corner of a cube.
   const EyeAxes iso = axes("iso");
   for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}})
     CHECK(std::hypot(dot(axis, iso.x), dot(axis, iso.y)) == Approx(std::sqrt(2.0 / 3)));

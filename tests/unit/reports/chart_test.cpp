@@ -1,4 +1,4 @@
-// What a chart shows, and where its words and numbers lie.
+// The contents of a chart, and the places of its words and numbers.
 #include "charts/chart.h"
 
 #include "catch.h"
@@ -8,7 +8,7 @@ using namespace morula;
 
 namespace {
 
-/// The pixels of `below` where `above` has others.
+/// Returns the pixels of `below` at which `above` differs.
 Image coveredBy(const Image& above, const Image& below) {
   Image covered;
   for (std::size_t i = 0; i < below.pixels.size(); ++i)
@@ -59,6 +59,6 @@ TEST_CASE("Labels of points lie beside their line and not on it, whichever way i
     const Image with = drawChart(chart).pixels();
     const Image labels = coveredBy(with, without);
     CHECK(labels.pixels.size() > 200);
-    CHECK(countPixels(labels, [](Colour c) { return c.g < 100; }) == 0);  // of the line or a point
+    CHECK(countPixels(labels, [](Colour c) { return c.g < 100; }) == 0);  // no pixels of the line or a point
   }
 }

@@ -1,4 +1,4 @@
-// Roses and matrices: what is counted, and where colours lie.
+// Roses and matrices: counts, and places of colours.
 #include "charts/charts_of_pairs.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 using namespace morula;
 
 TEST_CASE("directions are counted in the sector that they lie in, whatever turn they are given in") {
-  // Sectors of 90°, the first from -45° to 45°.
+  // Sectors span 90°, the first from -45° to 45°.
   CHECK(countSectors({0, 44, -44, 360, -720, 46, 90, 134, 136, 180, 224, 226, -90}, 4) == std::vector<int>{5, 3, 3, 2});
   const auto counts = countSectors(std::vector<double>(100, 33), 360);
   CHECK(std::accumulate(counts.begin(), counts.end(), 0) == 100);
@@ -28,7 +28,7 @@ TEST_CASE("a rose's wedges lie where they point, with areas as their counts") {
   degrees.insert(degrees.end(), 2, 90.0);
   picture.roses = {{"rose", "x", "y", degrees}};
   const Image image = drawRoses(picture).pixels();
-  // From the middle, where both wedges begin, how far ink reaches to the right and up along their middles.
+  // Both wedges begin in the middle: measures how far ink reaches to the right and up along the middles of the wedges.
   int most = 0, first = 0, last = 0;  // the rows in which ink reaches farthest to the right
   for (int y = 0; y < 600; ++y)
     for (int x = 300; x < 600; ++x) {
@@ -83,6 +83,6 @@ TEST_CASE("a linear chart has its points where its numbers say") {
         low = std::min(low, double(x)), high = std::max(high, double(x)), sum += x, ++count;
   REQUIRE(count > 100);
   CHECK(sum / count == Approx(0.5 * (low + high)).margin(1.5));
-  chart.lines[0].points = {{3, 5}};  // one point, and values all the same
+  chart.lines[0].points = {{3, 5}};  // a single point, so all values are equal
   CHECK(drawChart(chart).width() == chart.width);
 }

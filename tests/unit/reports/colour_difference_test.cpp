@@ -48,7 +48,7 @@ TEST_CASE("colour differences are those of the published test data", "[colour]")
   for (const Row& row : rows) {
     INFO(row.one.L << ' ' << row.one.a << ' ' << row.one.b << " and " << row.other.L << ' ' << row.other.a << ' '
                    << row.other.b);
-    CHECK(colourDifference(row.one, row.other) == Approx(row.difference).margin(5.1e-5));  // as printed
+    CHECK(colourDifference(row.one, row.other) == Approx(row.difference).margin(5.1e-5));  // to the printed digits
     CHECK(colourDifference(row.other, row.one) == Approx(colourDifference(row.one, row.other)).epsilon(1e-9));
     CHECK(colourDifference(row.one, row.one) == 0);
   }

@@ -1,4 +1,4 @@
-// Lines, discs and images: how much ink they hold, and that files hold what was drawn.
+// Lines, discs and images: amounts of ink, and files that hold the drawing.
 #include "drawing/drawing.h"
 
 #include <cairo.h>
@@ -15,7 +15,7 @@
 namespace morula {
 namespace {
 
-/// How much ink a picture holds, in pixels of full black on paper.
+/// Returns the ink of a picture in pixels of full black on paper.
 double inkOf(const Image& image) {
   double sum = 0;
   for (const Colour& c : image.pixels) sum += double(paper.r - c.r) / paper.r;
@@ -56,7 +56,7 @@ Image readPng(const std::string& bytes) {
   return image;
 }
 
-/// The check sum of a PNG chunk [PNG specification, annex D].
+/// Returns the check sum of a PNG chunk [PNG specification, annex D].
 std::uint32_t crc(const std::string& bytes) {
   std::uint32_t sum = 0xFFFFFFFF;
   for (const char c : bytes) {
@@ -85,7 +85,7 @@ TEST_CASE("a line holds as much ink as its area, wherever it lies between the pi
       Drawing drawing(100, 40);
       drawing.line({{20, 20 + shift}, {80, 20 + shift}}, {.width = width, .colour = black});
       CAPTURE(width, shift);
-      // Ends are round. cairo looks at fifteen rows of a pixel.
+      // Ends are round, and cairo samples fifteen rows of a pixel.
       CHECK(inkOf(drawing.pixels()) == Approx(60 * width + 0.785 * width * width).margin(62.0 / 15));
     }
 }
@@ -97,7 +97,7 @@ TEST_CASE("a rounded corner cuts off what a quarter circle leaves of its square"
     return inkOf(drawing.pixels());
   };
   CHECK(corner(0) - corner(20) == Approx(2 * (40 - 3.14159 / 2 * 20)).epsilon(0.06));
-  CHECK(corner(1000) == Approx(corner(30)));  // no more than half of each side
+  CHECK(corner(1000) == Approx(corner(30)));  // at most half of each side
 }
 
 TEST_CASE("a disc holds as much ink as its area", "[drawing]") {

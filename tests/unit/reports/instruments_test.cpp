@@ -19,8 +19,8 @@ TEST_CASE("round numbers are 1, 2 and 5 times powers of ten", "[instruments]") {
 
 namespace {
 
-/// [pixel] The longest run, in rows from `top` on, of pixels that are nearer to the darkest of these rows than to
-/// paper: ends are softened, and half of the ink is where they are.
+/// Returns the longest run [pixel], in rows from `top` on, of pixels nearer to the rows' darkest pixel than to paper.
+/// Ends are softened, and the run ends where half of the ink is.
 int longestRun(const Image& image, int top, int bottom) {
   int darkest = brightness(paper), longest = 0;
   for (int y = top; y < bottom; ++y)
@@ -43,12 +43,11 @@ TEST_CASE("the scale bar is as long as a thing of its length in the picture, to 
     const int band = instrumentsHeight(p.instruments, 500, textSizeFor(500, 500));
     const Image bare = drawOrganism(p);
     const int bar = longestRun(bare, 500 - band, 500);
-    // The length that the bar must stand for, from what the camera promises: 0.19 is the tangent of half the
-    // smaller side.
+    // The expected length follows from the camera: 0.19 is the tangent of half the smaller side's angle.
     const double pixelsPerLength = 0.5 * (500 - band) / (0.19 * distance);
     const double length = roundBelow(100 / pixelsPerLength);
     CHECK(std::abs(bar - length * pixelsPerLength) <= 1);
-    // And as a line of that length at the middle's depth is drawn.
+    // A line of this length at the middle's depth must be as long as the bar.
     p.lines = {{{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, red}};
     const int line = longestRun(drawOrganism(p), 0, 500 - band);
     CAPTURE(distance, length, bar, line);
@@ -65,12 +64,12 @@ TEST_CASE("instruments stand below the scene and leave it as it is", "[instrumen
   const int band = instrumentsHeight(p.instruments, 400, textSizeFor(400, 400));
   REQUIRE(band > 0);
   const Image image = drawOrganism(p);
-  // The middle of the scene is the middle of what is above the band.
+  // The scene's middle is the middle of the area above the band.
   CHECK(isReddish(image.at(200, (400 - band) / 2)));
   OrganismPicture scene = picture({ball("", {0, 0, 0}, 1, red)}, 400);
   scene.height = 400 - band;
   REQUIRE(part(image, 0, 0, 400, 400 - band) == drawOrganism(scene));
-  // Narrow pictures have more rows, and none has its instruments beyond an edge.
+  // Narrow pictures need more rows of instruments, and none lies beyond an edge.
   CHECK(instrumentsHeight(p.instruments, 150, 10) > instrumentsHeight(p.instruments, 1500, 10));
   for (const int width : {150, 400, 900}) {
     OrganismPicture narrow = p;

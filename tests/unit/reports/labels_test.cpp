@@ -10,7 +10,7 @@ namespace morula {
 
 namespace {
 
-/// A grid of square cells, each `side` pixels wide.
+/// Returns a grid of square cells, each `side` pixels wide.
 LabelGround chequered(int columns, int rows, int side) {
   LabelGround ground{columns * side, rows * side, {}};
   for (int y = 0; y < ground.height; ++y)
@@ -88,8 +88,8 @@ TEST_CASE("hidden cells have no label, and the caption says so", "[labels]") {
   const Image both = drawOrganism(p);
   const Bands bands = bandsFor({p.title, p.caption, {}}, 300, 300);
   REQUIRE(part(both, 0, bands.top, 300, 300 - bands.top) == part(one, 0, bands.top, 300, 300 - bands.top));
-  CHECK(both != one);        // the caption
-  p.cells[0].opacity = 0.4;  // now it is seen
+  CHECK(both != one);        // captions differ
+  p.cells[0].opacity = 0.4;  // the hidden cell becomes visible
   CHECK(drawOrganism(p) != both);
 }
 

@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-/// All cells of a tree in which every cell divides until there are 2^depth leaves, one time unit each.
+/// Returns a tree in which every cell divides until there are 2^depth leaves; each cell lives one time unit.
 TreePicture fullTree(int depth) {
   TreePicture tree;
   std::vector<std::string> level{""};
@@ -74,7 +74,7 @@ TEST_CASE("death is marked", "[lineage]") {
   tree.nodes[1].fate = Fate::died;
   tree.nodes[1].ended = 1.5;
   const Image dead = drawLineage(tree).pixels();
-  // The cross is dark ink where no ink was.
+  // Counts dark ink of the cross where the other picture has none.
   const auto dark = [](Colour c) { return brightness(c) < 200; };
   int crosses = 0;
   for (int y = 100; y < living.height - 120; ++y)

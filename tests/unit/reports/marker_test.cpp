@@ -1,4 +1,4 @@
-// Marks that are told apart without colours.
+// Marks that readers tell apart without colours.
 #include <set>
 
 #include "catch.h"
@@ -22,7 +22,7 @@ TEST_CASE("no two marks look alike, and all are about as large", "[marker]") {
     drawMarker(drawing, {15, 15}, 8, dark, marker);
     seen.insert(drawing.file(PictureFormat::png));
     const int inked = countPixels(drawing, dark);
-    CHECK(inked > 0.4 * 201);  // of the disc's area
+    CHECK(inked > 0.4 * 201);  // share of the disc's area
     CHECK(inked < 1.7 * 201);
   }
   CHECK(seen.size() == 8);
@@ -34,7 +34,7 @@ TEST_CASE("no two marks look alike, and all are about as large", "[marker]") {
 
 TEST_CASE("two lines of a chart differ in more than their colour", "[marker]") {
   const auto chartOf = [](bool first, bool dots) {
-    // The line to look at, dark, is the chart's first or its second; the other is invisible.
+    // The line under test is dark and the chart's first or second; the other line is invisible.
     Chart chart;
     const ChartLine line{"", dark, {{0, 0}, {1, 1}, {2, 0}, {3, 1}}}, other{"", paper, {{0, 0}, {3, 0}}};
     chart.lines = first ? std::vector{line, other} : std::vector{other, line};

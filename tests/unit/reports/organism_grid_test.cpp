@@ -1,4 +1,4 @@
-// Many organisms in one picture: one scale for all, words beside each, and what does not fit.
+// Many organisms in one picture: one scale for all, words beside each, and grids that do not fit.
 #include "comparison/organism_grid.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ OrganismGrid twoByTwo() {
           {{red, "red"}}};
 }
 
-constexpr int side = 340;  // [pixel] of a tile
+constexpr int side = 340;  // [pixel] width of a tile
 
 }  // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("organisms of a grid have one scale", "[comparison]") {
   REQUIRE(small > 500);
   CHECK(double(large) / double(small) == Approx(4).epsilon(0.1));  // twice the radius; highlights are not red
   CHECK(countPixels(left, isBluish) > 10000);
-  CHECK(countPixels(right, isBluish) == 0);  // empty
+  CHECK(countPixels(right, isBluish) == 0);  // the tile is empty
 }
 
 TEST_CASE("a grid that does not fit is refused", "[comparison]") {
@@ -51,7 +51,7 @@ TEST_CASE("a grid that does not fit is refused", "[comparison]") {
   for (std::size_t i = 0; i <= maxGridRows; ++i) many.rows.push_back({"row"}), many.tiles.push_back({{}, true, ""});
   CHECK_THROWS_WITH(drawOrganismGrid(many), ContainsSubstring("41 rows"));
   many.rows.pop_back(), many.tiles.pop_back();
-  CHECK_NOTHROW(drawOrganismGrid(many));  // nothing in any tile
+  CHECK_NOTHROW(drawOrganismGrid(many));  // all tiles are empty
 }
 
 TEST_CASE("a grid goes on beside itself, and then on further pages, none of them longer than a sheet of paper",
@@ -68,10 +68,10 @@ TEST_CASE("a grid goes on beside itself, and then on further pages, none of them
     for (const std::size_t rows : {1, 12, 24, 40}) {
       CAPTURE(rows, columns);
       OrganismGrid grid = gridOf(rows, columns);
-      for (OrganismTile& t : grid.tiles) t.empty = true;  // where they lie, not how they look
+      for (OrganismTile& t : grid.tiles) t.empty = true;  // the test is about places, not looks
       for (const Drawing& page : drawOrganismGrid(grid)) CHECK(page.height() <= 1.45 * std::max(page.width(), 800));
     }
-  // Each row once, whatever the page: 13 red balls of equal size.
+  // Each tile is drawn once, on whichever page: 26 red balls of equal size.
   const OrganismGrid one = gridOf(1, 1), many = gridOf(13, 2);
   const auto reds = [](const std::vector<Drawing>& pages) {
     double n = 0;
@@ -80,7 +80,7 @@ TEST_CASE("a grid goes on beside itself, and then on further pages, none of them
   };
   const auto pages = drawOrganismGrid(many);
   REQUIRE(pages.size() > 1);
-  const double scale = 180.0 / side;  // of the smaller tiles
+  const double scale = 180.0 / side;  // many tiles are drawn smaller
   CHECK(reds(pages) == Approx(26 * scale * scale * reds(drawOrganismGrid(one))).epsilon(0.05));
 }
 

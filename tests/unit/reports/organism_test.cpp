@@ -25,7 +25,7 @@ TEST_CASE("a red ball is red in the middle, and the paper shows in the corners",
 
 TEST_CASE("a ball covers the disc that perspective says", "[organism]") {
   const Image image = drawOrganism(picture({ball("", {0, 0, 0}, 1, red)}, 400));
-  // The silhouette of a unit ball from distance 10: tangent 1/√99, of 0.19 for half the picture.
+  // The silhouette of a unit ball at distance 10 has the tangent 1/√99; half the picture has 0.19.
   const double radius = 200 / 0.19 / std::sqrt(99.0);
   REQUIRE(double(countPixels(image, isInk)) == Approx(3.14159265 * radius * radius).epsilon(0.02));
 }
@@ -43,7 +43,7 @@ TEST_CASE("a map on a cell needs a share of the scale for each vertex", "[organi
 }
 
 TEST_CASE("within a face a map has the colour of the value there, and no steps", "[organism]") {
-  // One large triangle, so that it is flat and each place has the same light; its own mesh, seen from the front.
+  // One large flat triangle, seen from the front, so that each place has the same light.
   const auto triangle = [](Colour colour) {
     CellShape cell{.path = "A", .vertices = {{-1.8, -1.6, 0}, {1.8, -1.6, 0}, {0, 1.8, 0}}, .colour = colour};
     cell.faces = {{0, 1, 2}};
@@ -63,7 +63,7 @@ TEST_CASE("within a face a map has the colour of the value there, and no steps",
       INFO(x << ", " << y << " at opacity " << opacity);
       CHECK(apart(seen, expected) <= 2);  // a pixel is 0.0025 of the scale wide
     }
-    // A scale of which a face shows six tenths has no step that is larger than two of its pixels ask for.
+    // A face shows six tenths of the scale, and no step is larger than two pixels of it need.
     for (int x = 80; x < 220; ++x)
       CHECK(std::abs(brightness(image.at(x, 220)) - brightness(image.at(x + 1, 220))) <= 6);
   }
@@ -91,7 +91,7 @@ TEST_CASE("nearer cells hide farther ones, in whatever order they are given", "[
 
 TEST_CASE("the wireframe shows no hidden lines", "[organism]") {
   const CellShape front = ball("A", {0, 0, 0.5}, 1, red), hidden = ball("B", {0, 0, -1.6}, 1, blue);
-  // The second ball is as large but farther away, so the first one covers it whole.
+  // The second ball is as large but farther away, so the first ball covers it whole.
   REQUIRE(drawOrganism(picture({front}), Style::wireframe) == drawOrganism(picture({front, hidden}), Style::wireframe));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("two pictures of one thing are equal, whatever was drawn between them 
   Image elsewhere;
   std::thread([&] { elsewhere = drawOrganism(p); }).join();
   REQUIRE(elsewhere == first);
-  REQUIRE(std::string(std::getenv("LP_NATIVE_VECTOR_WIDTH")) == "128");  // the same on every x86-64
+  REQUIRE(std::string(std::getenv("LP_NATIVE_VECTOR_WIDTH")) == "128");  // equal on every x86-64
 }
 
 TEST_CASE("cells are parted by dark lines", "[organism]") {
@@ -149,7 +149,7 @@ TEST_CASE("a shell is a faint rim that leaves cells their colour", "[organism]")
   const Image shelled = drawOrganism(p);
   REQUIRE(isReddish(centre(shelled)));
   REQUIRE(std::abs(centre(shelled).r - centre(bare).r) < 30);
-  const int end = int(60 + 60 / 1.9 * 1.5);  // of the shell along x
+  const int end = int(60 + 60 / 1.9 * 1.5);  // end of the shell along x
   int darkest = brightness(paper);
   for (int x = end - 4; x <= end + 4; ++x) darkest = std::min(darkest, brightness(shelled.at(x, 60)));
   REQUIRE(darkest < brightness(paper) - 40);
@@ -209,7 +209,7 @@ TEST_CASE("one framing holds a whole sequence", "[organism]") {
   const Framing asMade = fitFraming(2, [&](std::size_t i) { return i == 0 ? small : moved; });
   REQUIRE(asMade.distance == both.distance);
   REQUIRE(asMade.centre == both.centre);
-  // With a shell it is the shell that counts, so cells may come and go.
+  // With a shell, the shell alone counts, so cells may come and go.
   small.shell = moved.shell = Vector{2, 2, 2};
   REQUIRE(fitFraming(small).distance == fitFraming(moved).distance);
   REQUIRE_THROWS_AS(fitFraming(std::vector<OrganismPicture>{}), InputError);
@@ -232,7 +232,7 @@ TEST_CASE("words stay out of the scene", "[organism]") {
   REQUIRE(isReddish(words.at(150, 155)));
 }
 
-// Not run by itself: test_unit_reports "[measure]" tells how long the largest pictures take.
+// This test does not run by itself: test_unit_reports "[measure]" prints how long the largest pictures take.
 TEST_CASE("4096 cells at 1920 x 1080", "[.][measure]") {
   OrganismPicture p = picture({}, 120);
   p.width = 1920, p.height = 1080;

@@ -1,4 +1,4 @@
-// What a page may hold: that no text becomes markup, and that its policy knows the explorer's bytes.
+// Texts in a page never become markup, and its policy knows the explorer's bytes.
 #include "page/page.h"
 
 #include "catch.h"

@@ -1,4 +1,4 @@
-// Whether colours are told apart, by eyes of each kind.
+// Colours that eyes of each kind tell apart.
 #include "drawing/palette.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ Triple times(const Matrix& m, const Triple& v) {
   return result;
 }
 
-/// What eyes without one kind of cone see, in linear light [Machado et al. 2009, table 1, severity 1].
+/// Eyes without one kind of cone, as maps of linear light [Machado et al. 2009, table 1, severity 1].
 const Matrix eyes[] = {
     {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
     {{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}}};
 
-/// A colour as these eyes see it.
+/// Returns a colour as these eyes see it.
 Lab seen(const Matrix& eye, Colour c) {
   Triple light = times(eye, {linearLight(c.r), linearLight(c.g), linearLight(c.b)});
   for (double& a : light) a = std::clamp(a, 0.0, 1.0);
@@ -74,7 +74,7 @@ TEST_CASE("clones are told apart by all eyes and, of three divisions, in grey", 
           if (&eye == eyes && divisions < 4)
             CHECK(std::abs(seen(eye, a).L - seen(eye, b).L) > (divisions < 3 ? 14 : 7));
         }
-        // Six times what eyes just tell apart, as cells have dark rims; the lightest clone has 17.7.
+        // Bound: six times a just noticeable difference, as cells have dark rims; the lightest clone has 17.7.
         CHECK(difference(eye, cloneColour(paths[i]), {0xfa, 0xfa, 0xf8}) > 15);
       }
   }
@@ -83,11 +83,11 @@ TEST_CASE("clones are told apart by all eyes and, of three divisions, in grey", 
 TEST_CASE("a clone has one colour, whatever else there is, and no two that live together share it", "[palette]") {
   CHECK(cloneColour("") == cloneColour("A"));
   CHECK(cloneColour("BA") == cloneColour("B"));
-  CHECK(cloneColour("ABBAB") == cloneColour("ABBA"));  // four letters count
-  // Daughters of cells, from the egg on: that of B has a colour which no other has by then.
+  CHECK(cloneColour("ABBAB") == cloneColour("ABBA"));  // only four letters count
+  // Daughters differ in colour, from the egg on: daughter B takes a colour that no other cell has yet.
   for (const std::string path : {"", "A", "B", "AB", "BB", "ABA", "BBB"})
     CHECK(!(cloneColour(path + "A") == cloneColour(path + "B")));
-  CHECK(!(cloneColour("B") == cloneColour("AB")));  // as long as B has not divided
+  CHECK(!(cloneColour("B") == cloneColour("AB")));  // while B has not divided
 }
 
 TEST_CASE("no two series have one colour", "[palette]") {
@@ -107,11 +107,11 @@ TEST_CASE("the scale rises in lightness for all eyes, evenly enough", "[palette]
       CHECK(step > 2);
       CHECK(step < 10);
     }
-  // Equal steps look equal: no sixteenth of the way differs from another by more than a half.
+  // Equal steps look equal: no sixteenth of the scale looks 2.5 times as large as another.
   std::vector<double> steps;
   for (int i = 0; i < 16; ++i) steps.push_back(difference(eyes[0], scaleColour((i + 1) / 16.0), scaleColour(i / 16.0)));
   const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
-  CHECK(*most < 2.5 * *least);  // CIE 1976 is itself not even to such a factor; viridis is so in CAM02-UCS
+  CHECK(*most < 2.5 * *least);  // CIE 1976 itself is not more even; viridis is even in CAM02-UCS
   CHECK(scaleColour(-1) == scaleColour(0));
   CHECK(scaleColour(2) == scaleColour(1));
 }

@@ -1,4 +1,4 @@
-// How different pictures look: by hand where it can be worked out, and which of them people would tell apart.
+// Differences of pictures: computed by hand for simple ones, and ranked as people would see them.
 #include "comparison/picture_difference.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace morula {
 
 namespace {
 
-/// CIELAB's lightness of a grey.
+/// Returns CIELAB's lightness of a grey.
 double lightness(int level) { return 116 * std::cbrt(std::pow((level / 255.0 + 0.055) / 1.055, 2.4)) - 16; }
 
 }  // namespace
@@ -28,7 +28,7 @@ TEST_CASE("equal pictures have no difference, and those of other sizes none that
 }
 
 TEST_CASE("between two even greys the difference is that of their lightness", "[comparison]") {
-  // Without colour only the term of lightness is left: ΔL / S_L.
+  // Without colour, only the term of lightness is left: ΔL / S_L.
   const double mean = (lightness(120) + lightness(130)) / 2 - 50;
   const double byHand = (lightness(130) - lightness(120)) / (1 + 0.015 * mean * mean / std::sqrt(20 + mean * mean));
   const PictureDifference d = differenceOf(Image(30, 20, {120, 120, 120}), Image(30, 20, {130, 130, 130}));

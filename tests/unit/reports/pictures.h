@@ -1,5 +1,5 @@
 #pragma once
-// Small pictures that several tests draw, and how they look at the result.
+// Small pictures that several tests draw, and properties of the result.
 #include <algorithm>
 
 #include "drawing/drawing.h"
@@ -16,7 +16,7 @@ inline CellShape ball(const char* path, Point centre, double radius, Colour colo
   return cell;
 }
 
-/// Seen from +z with y up, centred, 3.8 units wide at the centre: a ball of radius 1 fills about half.
+/// Returns a picture seen from +z with y up, 3.8 units wide at its centre: a ball of radius 1 fills about half.
 inline OrganismPicture picture(std::vector<CellShape> cells, int side = 120) {
   OrganismPicture result;
   result.faces = makeIcosphere(2).faces;
@@ -71,7 +71,7 @@ inline bool touchesEdges(const Image& image) {
   return e.left == 0 || e.top == 0 || e.right == image.width - 1 || e.bottom == image.height - 1;
 }
 
-/// How far the channel that differs most is off.
+/// Returns the largest difference of a channel.
 inline int apart(Colour a, Colour b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }

@@ -1,4 +1,4 @@
-// PNG files read back, and those that cannot be.
+// PNG files that are read back, and files that are refused.
 #include "drawing/png_file.h"
 
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ TEST_CASE("pixels are read as they were written; what shines through lies on pap
   CHECK(read.pixels[2] == image.pixels[2]);
   CHECK(read.pixels[3] == paper);
   const double half = (128 * image.pixels[4].g + 127 * paper.g) / 255.0;
-  CHECK(read.pixels[4].g == Approx(half).margin(1.5));  // rounded twice
+  CHECK(read.pixels[4].g == Approx(half).margin(1.5));  // half is rounded twice
 }
 
 TEST_CASE("what is no PNG picture is refused by name", "[drawing]") {
@@ -54,7 +54,7 @@ TEST_CASE("what is no PNG picture is refused by name", "[drawing]") {
   wide.replace(29, 4, std::string("\x8d\xc2\x49\xb4", 4));
   refused(wide, "16384 along a side");
   std::string flat = whole;
-  flat[19] = 0;  // no width
+  flat[19] = 0;  // zero width
   refused(flat, "damaged");
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("what a chunk says of its size takes no memory", "[drawing]") {
   std::string promising = pngFile(speckled());
   const std::size_t text = promising.find("tEXt");
   REQUIRE(text != promising.npos);
-  promising[text - 4] = 0x60;  // 1.5 GiB
+  promising[text - 4] = 0x60;  // claims 1.5 GiB
   const auto peak = [] {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

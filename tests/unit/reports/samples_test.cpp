@@ -1,4 +1,4 @@
-// The passes over the whole picture, on samples made by hand instead of by OpenGL.
+// Passes over the whole picture, on samples made by hand instead of by OpenGL.
 #include "organism/samples.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ using namespace morula;
 
 namespace {
 
-/// A wall square to the eye's view, one cell, `along` samples to a pixel's side.
+/// Returns samples of a wall, one cell, at right angles to the view; a pixel has `along` × `along` samples.
 Samples wall(int width, int height, int along) {
   Samples s{.width = width, .height = height, .along = along, .eyeDistance = 10, .apertureX = 0.2f, .apertureY = 0.2f};
   const std::size_t pixels = std::size_t(width) * height;
@@ -50,11 +50,11 @@ TEST_CASE("A flat wall hides nothing of the sky from itself, and a step takes li
     for (int y = 16; y < 48; ++y) sum += step.visible[step.pixelAt(x, y)] / 32;
     return sum;
   };
-  // A pixel is 0.0625 wide: the foot, beyond the radius with what is evened out, and the upper side.
+  // A pixel is 0.0625 wide. The foot is darker; beyond the radius, and on the upper side, light is full.
   CHECK(mean(31) < 0.97f);
   CHECK(mean(20) == 1);
   CHECK(mean(40) == 1);
-  // What taps at all distances and in all directions would see, from four columns that are evened out.
+  // Returns the light that taps at all distances and in all directions would give; four columns are averaged.
   const auto expected = [](int x) {
     double sum = 0;
     for (int i = 0; i < 400; ++i)
@@ -99,7 +99,7 @@ TEST_CASE("Each level of sRGB comes back from its linear light") {
     const auto channel = std::uint8_t(level);
     const Image image = resolved(wall(1, 1, 2), float(linearLight(channel)));
     CHECK(image.at(0, 0) == Colour{channel, channel, channel});
-    // The nearest of what people see, not of light.
+    // Rounding goes to the nearest level that people see, not to the nearest light.
     for (const double off : {-0.4, 0.4}) {
       const double c = (level + off) / 255, light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
       if (c > 0 && c < 1) CHECK(resolved(wall(1, 1, 1), float(light)).at(0, 0).r == level);
@@ -140,20 +140,20 @@ TEST_CASE("Glass is nearly clear in its middle, denser at its rim, and nowhere b
   std::ranges::fill(samples.heights, -200.0f);
   const GlassShell ball{{1, 1, 1}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
   const Image image = resolved(samples, 0, false, ball), clear = resolved(samples, 0, true, ball);
-  // The eye is at 10: the ball's rim at 10/√99 = 1.005, which is 25.4 pixels of 0.04 from the middle, pixel 50.
+  // The eye is at 10, so the ball's rim is at 10/√99 = 1.005: 25.4 pixels of 0.04 from the middle, pixel 50.
   const auto opacity = [&](int x) { return int(clear.opacity[std::size_t(50) * 101 + x]); };
   for (const int x : {0, 24, 76, 100}) CHECK(opacity(x) == 0);
   CHECK(image.at(24, 50) == paper);
-  CHECK(opacity(50) <= 6);          // 0.02, and some shine
-  for (int x = 60; x <= 74; ++x) {  // where the lamp does not shine
+  CHECK(opacity(50) <= 6);          // 0.02, and some highlight
+  for (int x = 60; x <= 74; ++x) {  // pixels without the lamp's highlight
     const double u = (x - 50) * 4.0 / 101, nearest = 10 * u / std::sqrt(100 + u * u),
                  slant = 1 - std::sqrt(1 - nearest * nearest), s2 = slant * slant;
     CHECK(opacity(x) == Approx(255 * (0.02 + 0.12 * s2 + 0.46 * s2 * s2 * s2)).margin(0.6));
   }
   CHECK(opacity(26) == Approx(opacity(74)).margin(1));
-  // The rim runs through pixel 75: so much of it, at the cover there, which is 0.25.
+  // The rim covers 0.25 of pixel 75, with the opacity at the rim.
   CHECK(opacity(75) == Approx(255 * 0.251 * 0.88).margin(2));
-  // What has broken out is not seen through it.
+  // Parts in front of the shell are not seen through it.
   std::ranges::fill(samples.owners, 1), std::ranges::fill(samples.middles, 1);
   for (const float height : {0.5f, 5.0f}) {
     std::ranges::fill(samples.heights, height);

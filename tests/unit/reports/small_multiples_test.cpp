@@ -1,4 +1,4 @@
-// That all values are seen, that means and intervals stand beside them, and that no label covers another.
+// All values are visible, means and intervals stand beside them, and no label covers another.
 #include "charts/small_multiples.h"
 
 #include "catch.h"
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// Connected runs of columns that have a pixel of the colour.
+/// Returns the number of connected runs of columns that have a pixel of the colour.
 int groupsAcross(const Drawing& drawing, Colour colour) {
   const Image image = drawing.pixels();
   int groups = 0;
@@ -51,7 +51,7 @@ TEST_CASE("Many counts become their median, quartiles and range, few stay points
   CHECK(groupsAcross(drawSmallMultiples(chart), red) > 1);
   chart.panels[0].counts = true;
   const Image image = drawSmallMultiples(chart).pixels();
-  // The line spans the range; the band, several pixels high, 2 to 4 of it, and a little beyond.
+  // The line spans the range; the band, several pixels high, spans 2 to 4 of the range and a little more.
   int line = 0, band = 0;
   for (int x = 0; x < image.width; ++x) {
     int high = 0;
@@ -77,7 +77,7 @@ TEST_CASE("Strips of one label stand below it together, all words are level, and
   CHECK(countPixels(drawSmallMultiples(chartOf({})), red) == 0);
   CHECK(drawSmallMultiples({}).width() > 0);
   CHECK(countPixels(drawSmallMultiples(chartOf({{"equal", red, {0, 0}, 0, std::pair{0., 0.}}})), red) > 10);
-  // A study of many measures fits a page, too.
+  // A study with many measures fits on a page.
   SmallMultiples study = chartOf(strips);
   study.panels.assign(8, study.panels[0]);
   const auto page = drawSmallMultiples(study);

@@ -31,7 +31,7 @@ TEST_CASE("a coarse sphere is drawn round", "[surface]") {
   const std::size_t faces = makeIcosphere(2).faces.size();
   REQUIRE(surface.corners.size() == faces * 16 * 3);
   REQUIRE(surface.solid == surface.corners.size());
-  // Flat faces would lie up to 1.6 % inside of the sphere.
+  // Vertices of flat faces would lie up to 1.6 % inside of the sphere.
   for (const SurfaceVertex& v : surface.vertices) REQUIRE(distanceFromAxis(v) == Approx(1).margin(0.0006));
 }
 

@@ -1,4 +1,4 @@
-// How far words run, where they stand, and how much is left of long ones.
+// Texts: their width, their place, and how long ones are shortened.
 #include "drawing/text.h"
 
 #include <cstdlib>
@@ -49,7 +49,7 @@ TEST_CASE("anchors move text by its width, and upward text is the same turned", 
 }
 
 TEST_CASE("letters are not moved to whole pixels", "[text]") {
-  // Half a pixel to the right is another picture, a whole one the same picture moved.
+  // A shift by half a pixel changes the picture, a shift by a whole pixel only moves it.
   const auto drawn = [](double x) {
     Drawing drawing(60, 30);
     drawing.text({x, 20}, "in", {.size = 13});

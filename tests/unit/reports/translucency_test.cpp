@@ -1,4 +1,4 @@
-// What is seen through, and what is cut open.
+// Translucent cells and cells that are cut open.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace morula {
 
 namespace {
 
-/// A solid colour behind two veils, each as opaque as it says, in linear light.
+/// Returns a solid colour behind two veils of the given opacities, composed in linear light.
 Colour seenThrough(double a, Colour front, double b, Colour middle, Colour back) {
   const auto channel = [&](std::uint8_t Colour::*c) {
     const double behind = b * linearLight(middle.*c) + (1 - b) * linearLight(back.*c);
@@ -72,7 +72,7 @@ TEST_CASE("however many translucent cells lie one behind the other, all count", 
   const CellShape back = ball("B", {0, 0, -6}, 0.5, red);
   cells.push_back(back);
   const Colour all = centre(drawOrganism(picture(cells))), alone = centre(drawOrganism(picture({back})));
-  const double through = std::pow(0.98, 40);  // of the paper's light, or of the last cell's
+  const double through = std::pow(0.98, 40);  // share of the paper's light, or of the last cell's
   const double expected = linearLight(veils.r) + through * (linearLight(alone.r) - linearLight(paper.r));
   CHECK(std::abs(all.r - int(channelOf(expected))) <= 2);
 }
@@ -86,11 +86,11 @@ TEST_CASE("a transparent picture has the disc's area as its opacity, to half a p
     REQUIRE(image.opacity.size() == image.pixels.size());
     double area = 0;
     for (const std::uint8_t a : image.opacity) area += a / 255.0;
-    const double radius = 200 / 0.19 / std::sqrt(99.0);  // as above
+    const double radius = 200 / 0.19 / std::sqrt(99.0);  // as in organism_test.cpp
     CHECK(area == Approx(3.14159265358979 * radius * radius).epsilon(0.005));
     CHECK(image.opacity[0] == 0);
     CHECK(image.opacity[200 * 400 + 200] == 255);
-    // Where it is opaque it is the picture on paper.
+    // Opaque pixels are equal in the picture on paper.
     p.transparent = false;
     CHECK(std::abs(image.at(200, 200).r - drawOrganism(p).at(200, 200).r) <= 1);
   }
@@ -114,13 +114,13 @@ TEST_CASE("what lies beyond the clip plane is cut away, and the cut shows the ce
   const Image half = drawOrganism(p);
   CHECK(isReddish(half.at(60 - 12, 60)));
   CHECK(half.at(60 + 12, 60) == paper);
-  p.clip = ClipPlane{{0, 0, 2}, 0};  // the half before the picture's plane: one looks onto the cut
+  p.clip = ClipPlane{{0, 0, 2}, 0};  // cuts the half before the picture's plane away, so that the cut is seen
   const Image open = drawOrganism(p);
   CHECK(isReddish(centre(open)));
-  // A cut is flat: the same light all over it, but for shadows at its edge.
+  // A cut is flat, so its light is uniform except for shadows at its edge.
   CHECK(std::abs(brightness(open.at(60 - 8, 60)) - brightness(open.at(60 + 8, 60))) <= 3);
   CHECK(std::abs(brightness(open.at(60, 60 - 8)) - brightness(open.at(60, 60 + 8))) <= 3);
-  p.clip = ClipPlane{{0, 0, 1}, -1.001};  // the first cell is gone
+  p.clip = ClipPlane{{0, 0, 1}, -1.001};  // cuts the first cell away
   CHECK(isBluish(centre(drawOrganism(p))));
   p.clip = ClipPlane{{0, 0, 1}, 10};  // nothing is cut
   const Image whole = drawOrganism(p);

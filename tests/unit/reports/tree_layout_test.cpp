@@ -11,7 +11,7 @@
 namespace morula {
 namespace {
 
-/// A tree in which each cell divides or not by lot.
+/// Adds a cell and its descendants; chance decides whether a cell divides.
 void grow(std::vector<LineageNode>& nodes, const std::string& path, double born, std::uint64_t seed) {
   const std::uint32_t lot = randomWords({seed, CellPath::parse(path), 0, Purpose::test}, 0)[0];
   const bool divides = path.size() < 7 && lot % 4 != 0;
@@ -55,7 +55,7 @@ TEST_CASE("leaves stand side by side, A left of B, mothers between their daughte
     REQUIRE(layout.leaves == leaves);
     REQUIRE(*taken.begin() == 0.5);
     REQUIRE(*taken.rbegin() == double(leaves) - 0.5);
-    for (const TreePlace& one : layout.places)  // whole subtrees stand apart, not only daughters
+    for (const TreePlace& one : layout.places)  // whole subtrees are separate, not only daughters
       for (const TreePlace& other : layout.places)
         if (one.isLeaf() && other.isLeaf() && one.node->path < other.node->path) REQUIRE(one.x < other.x);
   }

@@ -13,7 +13,7 @@ VeilFragment veil(float depth, std::uint32_t owner, double light, double opacity
   return {depth, owner, {l, l, l}, std::uint16_t(std::lround(opacity * 65535))};
 }
 
-/// Lists of a grid, one after the other.
+/// The lists of a grid's samples, one after the other.
 struct Grid {
   int width;
   std::vector<VeilFragment> fragments;
@@ -35,7 +35,7 @@ struct Grid {
 }  // namespace
 
 TEST_CASE("veils before each other let through what those before them do", "[veils]") {
-  // Nine equal samples: no outline anywhere. The nearest is written last.
+  // Nine equal samples have no outline. The nearest veil is written last.
   const std::vector<VeilFragment> list{veil(0.7f, 3, 0.2, 1.0), veil(0.5f, 2, 0.6, 0.5), veil(0.1f, 1, 1.0, 0.25)};
   Grid grid(3, std::vector(9, list));
   for (const float x : grid.seen()) CHECK(x >= 0);
@@ -51,7 +51,7 @@ TEST_CASE("the order in which surfaces are written does not matter, nor the numb
   std::vector<std::vector<VeilFragment>> lists;
   for (std::uint64_t i = 0; i < 20; ++i) {
     std::vector<VeilFragment> list;
-    // Some at one depth: then the owner decides.
+    // Some veils have equal depths, where the owner decides.
     for (std::uint64_t k = 0; k < i % 7; ++k)
       list.push_back(veil(float(std::floor(4 * chance(i * 31 + k)) / 4), std::uint32_t(k % 3 + 1), chance(i + k), 0.3));
     lists.push_back(list);

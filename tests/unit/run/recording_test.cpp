@@ -1,4 +1,4 @@
-// What nobody asked for is neither measured, hashed nor written down.
+// Nothing is measured, hashed or stored unless it is requested.
 #include "catch.h"
 #include "run/run_scenario.h"
 #include "scenario/scenario.h"
@@ -36,7 +36,7 @@ TEST_CASE("A run keeps its lineage and what its scenario asks for, and nothing e
     CAPTURE(text);
     const RunResults plain = stored(text);
     CHECK(plain.lineage.size() >= 3);
-    CHECK(plain.samples.size() == 2);  // of the start and of the end
+    CHECK(plain.samples.size() == 2);  // at the start and at the end
     CHECK(plain.chain.empty());
     CHECK(plain.connections.empty());
     const RunResults sampled = stored(text + "record: {every: 0.5}\n");

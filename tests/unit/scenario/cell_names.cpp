@@ -1,4 +1,4 @@
-// What cells are called: by hand for the worm's first cells, and as properties of all names.
+// Names of cells: by hand for the worm's first cells, and properties of all names.
 #include "helpers.h"
 
 using namespace morula;
@@ -27,7 +27,7 @@ TEST_CASE("a cell goes by her own name, or by her mother's and an ending") {
   }
   CHECK(s.names.find("ABx").empty());
   CHECK(s.names.find("").empty());
-  CHECK(s.names.find("P0a").empty());  // its daughter goes by AB
+  CHECK(s.names.find("P0a").empty());  // P0's daughter is called AB
 }
 
 TEST_CASE("without a rule for it a cell has no name") {

@@ -1,4 +1,4 @@
-// A shell that is given as a shape: its size, the egg in it, and what is written down.
+// A shell given as a shape: its size, the egg in it, and the resolved form.
 #include "base/maths.h"
 #include "helpers.h"
 #include "simulation/measures.h"
@@ -36,10 +36,10 @@ TEST_CASE("An ellipsoid with fill is a shape: the egg fills that share of it, an
     const World world = makeWorld(s.scene);
     CHECK(world.cells.path == std::vector{CellPath()});
     CHECK(measureWorld(world).at("shell_fill") == Approx(fill).epsilon(1e-12));
-    // The same shape, as much smaller as its vertices' radius over the sphere's that encloses as much.
+    // The mesh's vertices lie farther out than a sphere of its volume, by this factor.
     const double vertexRadius = norm(s.scene.mechanics->mesh.vertices[0]) / 1.5;
     CHECK(outermostOf(s) < 1);
-    // Of the surface below them, by which a shell holds a cell.
+    // The shell holds the surface below the vertices, so its half-axes are longer by the sag.
     const double sag = world.bodies->sag[0];
     double outermost = 0;
     for (const Point& u : s.scene.mechanics->mesh.vertices) {

@@ -2,19 +2,19 @@
 #include "scenario/scenario.h"
 #include "temporary_folder.h"
 #include "unit/scenario/every_part.h"
-// Last, because of CHECK:
+// Included last, because of CHECK:
 #include "catch.h"
 
 namespace morula::test {
 
-/// A lineage alone, and no more than must be said.
+/// A lineage alone, with required keys only.
 inline const std::string small = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
 
 inline Scenario read(const std::string& text, const std::vector<Override>& overrides = {}) {
   return readScenario(text, "test.yaml", std::string(MORULA_SOURCE_DIR), overrides);
 }
 
-/// What is said where `read` refuses; empty if it does not.
+/// Returns the message with which `read` fails; empty if it succeeds.
 template <class Read>
 std::string refusalOf(Read read) {
   try {
@@ -23,7 +23,7 @@ std::string refusalOf(Read read) {
   } catch (const InputError& error) { return error.what(); }
 }
 
-/// The messages that reading the text leads to; empty if it is a good scenario.
+/// Returns the messages that reading the text gives; empty for a good scenario.
 inline std::string complaints(const std::string& text, const std::vector<Override>& overrides = {}) {
   return refusalOf([&] { read(text, overrides); });
 }

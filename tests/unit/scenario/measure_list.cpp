@@ -7,7 +7,7 @@ using namespace morula;
 using namespace morula::test;
 
 TEST_CASE("scenarios/MEASURES.md is current") {
-  // After a change: morula schema --measures --markdown > scenarios/MEASURES.md
+  // After a change run: morula schema --measures --markdown > scenarios/MEASURES.md
   CHECK(readText("scenarios/MEASURES.md") == measuresAsMarkdown());
 }
 

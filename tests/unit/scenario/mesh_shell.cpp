@@ -1,4 +1,4 @@
-// A shell that is a mesh in a file: what is read of it, its size, and what does not go with it.
+// A shell that is a mesh in a file: how it is read, its size, and parts that exclude it.
 #include "helpers.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
@@ -49,7 +49,7 @@ TEST_CASE("With fill the mesh is a shape alone, and the egg stays round") {
   CHECK(shellOf(s).mesh.vertices[7].x == Approx(edge / 2).epsilon(1e-12));
   CHECK(s.scene.cells.empty());
   CHECK(readWith(s.resolved).meaning == s.meaning);
-  // A ball in a cube: π/6 = 0.5236
+  // A ball fills π/6 = 0.5236 of a cube.
   CHECK(complaintsOf(sceneInShell("{mesh: egg.obj, fill: 0.523}")).empty());
   CHECK_THAT(complaintsOf(sceneInShell("{mesh: egg.obj, fill: 0.53}")),
              ContainsSubstring("physics.shell.fill: 0.53 is more than a round egg can fill of this mesh") &&

@@ -1,4 +1,4 @@
-// A good scenario with one mistake is refused at the mistake's place; with any damage at all: fuzz/readers.cpp.
+// A good scenario with one mistake is refused at the mistake's place. Any damage at all: fuzz/readers.cpp.
 #include "helpers.h"
 #include "scenario/loading.h"
 
@@ -13,11 +13,11 @@ struct KeyInText {
   int line, column;
 };
 
-/// Where the keys of `everyPart` stand, found by a plain text search that knows how that text is laid out.
+/// Returns where the keys of `everyPart` stand, found by a plain text search that knows the text's layout.
 std::vector<KeyInText> keysInText() {
   std::vector<KeyInText> found;
   const auto add = [&](const std::string& path) {
-    // The one key that is also another map's: it stands at the margin.
+    // Another map has a key `cells`, too; the one to find stands at the margin.
     std::size_t at = path == "cells" ? everyPart.find("\ncells:") : 0;
     for (std::size_t begin = 0; begin <= path.size();) {
       const auto end = std::min(path.find('.', begin), path.size());

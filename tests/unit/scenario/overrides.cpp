@@ -26,7 +26,7 @@ TEST_CASE("null takes away what the file gives, whole sections too") {
     CHECK(read(everyPart, {parseOverride(std::string("physics.drag=") + nothing)}).scene.mechanics->physics.drag ==
           PhysicsParameters{}.drag);
   }
-  // What is not there needs no taking away, but a name that is nothing's is a mistake.
+  // Removing an absent key changes nothing, but an unknown key is a mistake.
   CHECK(read(everyPart, {parseOverride("check.bullet=null")}).resolved == read(everyPart).resolved);
   CHECK(complaints(everyPart, {parseOverride("physics.contct=null")}) ==
         "--set physics.contct: unknown key; did you mean contact?");

@@ -1,10 +1,10 @@
-// The resolved form and the hash of what a scenario means.
+// The resolved form, and the hash of a scenario's meaning.
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "scenario/loading.h"
 #include "simulation/scene_parts.h"
-// Last, because of CHECK:
+// Included last, because of CHECK:
 #include "helpers.h"
 
 using namespace morula;
@@ -212,7 +212,7 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
 
 TEST_CASE("what joined the format later means nothing at its default, and something else otherwise") {
   const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
-  // Goldens hold such hashes: it changes only with a default, or with what a radius means for the mesh.
+  // Goldens hold such hashes. This one changes only with a default, or with a radius's meaning for the mesh.
   CHECK(read(text).meaning.text() == "bee11b913353793bf0a4a0b8c455d887");
   CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: shell}")).meaning == read(text).meaning);
   CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: sphere}")).meaning != read(text).meaning);

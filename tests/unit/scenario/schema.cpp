@@ -10,7 +10,7 @@ using namespace morula::test;
 
 namespace {
 
-/// All paths of an object's keys that the schema describes, or that a resolved scenario has.
+/// Adds the paths of all keys that the schema describes.
 void collect(const Json& schema, const std::string& at, std::set<std::string>& paths) {
   if (!schema.contains("properties")) return;
   for (const auto& [key, value] : schema["properties"].items()) {
@@ -80,7 +80,7 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
 }
 
 TEST_CASE("scenarios/PARAMETERS.md is current") {
-  // After a change: morula schema --markdown > scenarios/PARAMETERS.md
+  // After a change run: morula schema --markdown > scenarios/PARAMETERS.md
   CHECK(readText("scenarios/PARAMETERS.md") == scenarioParametersAsMarkdown());
 }
 

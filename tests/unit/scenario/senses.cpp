@@ -1,9 +1,9 @@
-// The section `senses`: what it says arrives, means something, and is written as it can be read.
+// The section `senses`: conditions arrive, change the meaning, and are written so that they can be read.
 
 #include "biology/sense.h"
 #include "simulation/scene_parts.h"
 #include "values/value_types.h"
-// Last, because of CHECK:
+// Included last, because of CHECK:
 #include "helpers.h"
 
 using namespace morula;
@@ -11,7 +11,7 @@ using namespace morula::test;
 
 namespace {
 
-/// A scene in which every kind of sense may be, with this one as `s`.
+/// Returns a scene that allows every kind of sense, with the given condition as `s`.
 std::string sensing(const std::string& condition) {
   return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(x|s)\n  g3(AB|a0, s)\nstop: {cycles: 1}\n"
          "physics: {shell: {sphere: 2}, contact: {}}\nconnections: {}\nsenses: {s: " +
@@ -95,7 +95,7 @@ TEST_CASE("a scenario without senses means what it always meant; what senses rea
   const std::string text = "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n";
   CHECK(read(text).meaning == read(text + "senses: {}\n").meaning);
   CHECK(hashSceneParts(read(text).scene).back().name == "connections");
-  // a5 is there for others to perceive, and no gene reads it.
+  // Cells perceive a5 in others, and no gene reads it.
   CHECK(complaints("morula: 1\nname: x\ndna: |\n  START: a0, a5\n  g1(a1|a0, s)\nstop: {cycles: 1}\nphysics: "
                    "{contact: {}}\nsenses: {s: {contact: {of: a5}}}\n") == "");
 }

@@ -1,4 +1,4 @@
-// Adhesion, springs and who connects: what is read, what counts, and what is refused.
+// Adhesion, springs and connections: how they are read, what they mean, and mistakes that are refused.
 #include <set>
 
 #include "helpers.h"
@@ -38,7 +38,7 @@ TEST_CASE("adhesion is one number, or a default and pairs of substances, and bot
   CHECK(a.pairs[0].b == "red*");
   CHECK(a.pairs[0].strength == 1.5);
   CHECK(a.pairs[1].strength == 0);
-  // What it is resolved to means the same again.
+  // The resolved form means the same as the scenario.
   CHECK(readScenario(pairs.resolved, "resolved", "").meaning == pairs.meaning);
   std::set<std::string> meanings;
   for (const char* value : {"2", "1", "{default: 1, pairs: [{of: [red1, blue], strength: 1.5}]}",

@@ -1,4 +1,4 @@
-// The units that people see.
+// The units in which results are shown.
 #include "values/units.h"
 
 #include "helpers.h"
@@ -26,7 +26,7 @@ TEST_CASE("lengths and times are shown in the units that people know, and what i
   for (const char* own :
        {"", "degree", "shell radii", "force", "force/length²", "force·length/time", "mass·length/time"})
     check(own, own, 1);
-  CHECK(shownUnit({"µm", "", 27, 1}, "length/time").name == "length/time");  // half in each would be in neither
+  CHECK(shownUnit({"µm", "", 27, 1}, "length/time").name == "length/time");  // units of both kinds are never mixed
   CHECK(shownUnit({"µm", "", 27, 1}, "length²").name == "µm²");
   CHECK(shownTime(units, 1.5) == "6 min");
   CHECK(shownTime({}, 1.5) == "1.5");

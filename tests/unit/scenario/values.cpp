@@ -1,4 +1,4 @@
-// What a scenario says arrives in the structs, and what it does not say has the structs' own defaults.
+// Values of a scenario arrive in the structs, and omitted keys have the structs' defaults.
 #include <numbers>
 
 #include "helpers.h"
@@ -106,7 +106,7 @@ TEST_CASE("every key arrives in its field") {
         std::set<std::pair<CellPath, CellPath>>{{cell("A"), cell("B")}, {cell("AA"), cell("AB")}});
   CHECK(s.check.reference->positions ==
         std::map<CellPath, Point>{{cell("A"), {1, 0, 0}}, {cell("AB"), {0, 2, 0}}, {cell("B"), {-1, 0, 0}}});
-  // The mesh holds the volume of a sphere of the cell's radius: its vertices lie farther out, all equally.
+  // The mesh has the volume of a sphere with the cell's radius, so its vertices lie farther out, all equally.
   REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
   REQUIRE(scene.mechanics->coarser.size() == 1);
   CHECK(scene.mechanics->coarser[0].vertices.size() == 162);

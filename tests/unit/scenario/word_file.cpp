@@ -1,4 +1,4 @@
-// Files of names and of references as editors on other systems leave them.
+// Files of names and of references, with the line ends and marks that editors on other systems write.
 #include "values/word_file.h"
 
 #include "helpers.h"

@@ -1,4 +1,4 @@
-// Adhesion in a living world: by what cells hold now, and what it does to cells that touch.
+// Adhesion in a living world: it follows the substances that cells hold now, and changes how cells touch.
 #include "catch.h"
 #include "simulation/energy.h"
 #include "worlds.h"
@@ -15,18 +15,18 @@ Scene sticking(const std::string& dna, AdhesionParameters adhesion) {
   return scene;
 }
 
-/// W of two cells, as contacts have it.
+/// Returns the work of adhesion W of two cells, as contacts use it.
 double workOf(const World& world, int a, int b) {
   return workOfAdhesion(*world.contacts, world.bodies->slots[a], world.bodies->slots[b]);
 }
 
 struct HeldBy {
   double area = 0;  // [length²] measureContactAreas
-  double held = 0;  // [force·length] what it would take to part the cells
+  double held = 0;  // [force·length] work needed to part the cells
   friend bool operator==(const HeldBy&, const HeldBy&) = default;
 };
 
-/// Of two cells after a while.
+/// Returns area and adhesion of two cells at `time`.
 HeldBy heldBy(const Scene& scene, double time = 6) {
   const World world = ranTo(scene, time);
   const auto areas = measureContactAreas(*world.contacts, *world.bodies);
@@ -73,15 +73,15 @@ TEST_CASE("Cells that stick flatten against each other the more, the stronger") 
   };
   const HeldBy none = heldWith({0, {}}), little = heldWith({0.25, {}}), some = heldWith({1, {}}),
                more = heldWith({2, {}});
-  // Force over pressure tells no more than that they touch: nothing presses them but what sticks, so there is little of
-  // either, and it does not grow with W throughout (3.1 at 1, 2.8 at 2). W per area of flat contact is held.
+  // The area, force over pressure, only shows that the cells touch: nothing but adhesion presses them, so both are
+  // small. It does not grow with W throughout (3.1 at 1, 2.8 at 2). The area of flat contact is held / W.
   CHECK(little.area > none.area + 0.1);
   CHECK(some.area > none.area + 0.1);
   CHECK(more.area > none.area + 0.1);
   CHECK(none.held == 0);
   CHECK(some.held / 1 > 1.1 * little.held / 0.25);  // 1.57, 1.85, 3.20
   CHECK(more.held / 2 > 1.2 * some.held / 1);
-  CHECK(heldWith({0, {{"red", "blue", 2}}}) == more);  // the same bits
+  CHECK(heldWith({0, {{"red", "blue", 2}}}) == more);  // equal bit for bit
   CHECK(heldWith({2, {{"blue", "red", 0}}}) == none);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("Without crawling and drag, cells that stick keep their momentum") {
 }
 
 TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffness balance") {
-  // 2πW R* = K depth, R* = ½ for two balls of radius 1.
+  // At rest 2πW R* = K depth, with R* = ½ for two balls of radius 1.
   Scene scene = sticking(resting, {1.5, {}});
   scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
   scene.cells = {{.at = {-1.05, 0, 0}}, {.at = {1.05, 0, 0}}};  // apart, and within reach
@@ -109,7 +109,7 @@ TEST_CASE("Of two spheres that stick the force changes no faster with their dist
   for (const double scale : {1.0, 0.6}) {
     Scene scene = sticking(resting, {2, {}});
     scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
-    scene.mechanics->contact->stiffness = 0.001;  // what presses hardly counts
+    scene.mechanics->contact->stiffness = 0.001;  // repulsion is negligible
     const auto forceAt = [&](double distance) {
       scene.cells = {{}, {.at = {distance, 0, 0}, .scale = scale}};
       const World world = makeWorld(scene);
@@ -128,7 +128,7 @@ TEST_CASE("Of two spheres that stick the force changes no faster with their dist
     CAPTURE(scale, steepest, limit);
     CHECK(steepest > 0);
     CHECK(steepest <= limit);
-    if (scale == 1) CHECK(steepest > 0.95 * limit);  // equal spheres come near it
+    if (scale == 1) CHECK(steepest > 0.95 * limit);  // equal spheres come near the limit
   }
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("Adhesion with no strength costs what none does, and changes no bit") 
 }
 
 TEST_CASE("How far two sticky cells spread on each other is a question of W, not of the mesh") {
-  // At rest; what icosphere 5 comes to with an attraction that reaches 1.25 and 1.5 edges, to 2 %.
+  // Values at rest. Icosphere 5 gives them to 2 % with an attraction that reaches 1.25 and 1.5 edges.
   struct Limit {
     double work, area, distance;
   };

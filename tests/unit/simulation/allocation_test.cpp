@@ -31,7 +31,7 @@ void release(void* p) {
 
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // sees malloc behind new and free behind delete
 
-// All other forms of the standard library end in these; those of the address sanitizer do not, hence nothrow.
+// All other forms in the standard library call these; the address sanitizer's do not, hence nothrow.
 void* operator new(std::size_t size) { return counted(size, 1); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t line) { return counted(size, static_cast<std::size_t>(line)); }
@@ -59,7 +59,7 @@ Scene crowdedScene() {
   return scene;
 }
 
-/// Seventeen cells that touch, come to rest, are connected and grow.
+/// Returns a world of seventeen cells that touch, come to rest, are connected and grow.
 World crowd(const Scene& scene, int threads, const SearchSettings& search = {}) {
   World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 17, 2, 0.1), {bestIsa(), threads, search});
   if (world.connections) connect(*world.connections, world.cells.path[0], world.cells.path[1], 0);
@@ -87,7 +87,7 @@ TEST_CASE("A step that builds the neighbour list anew allocates nothing, once th
     World world = crowd(crowdedScene(), 1, {search, 0.15});
     allocationsOf(world, 4000);
     const auto rebuild = [&] { return world.contacts->listIsValid = false, allocationsOf(world, 1); };
-    rebuild(), rebuild();  // room for all pairs, which are taken where lists end soon
+    rebuild(), rebuild();  // makes room for all pairs, which are taken if lists end soon
     const auto rebuilds = world.contacts->rebuilds;
     std::uint64_t count = 0;
     for (int i = 0; i < 50; ++i) count += rebuild();
@@ -107,7 +107,7 @@ TEST_CASE("A hundred thousand steps of a crowd that never rests take no more mem
   Bodies& b = *world.bodies;
   const auto goOn = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
-      if (i % 500 == 0)  // now one cell is pushed, now another
+      if (i % 500 == 0)  // pushes another cell every 500 steps
         for (int v = 0; v < b.vertexCount(); ++v) {
           const int slot = static_cast<int>(world.clock.step / 500 % 8);
           b.write(b.velocity, slot, v, b.read(b.velocity, slot, v) - 1.5 * measureCentre(b, slot));
@@ -120,10 +120,10 @@ TEST_CASE("A hundred thousand steps of a crowd that never rests take no more mem
   const auto rebuilds = world.contacts->rebuilds;
   goOn(100'000);
   CHECK(world.contacts->rebuilds > rebuilds + 1000);
-  CHECK(bytesInUse <= early + early / 20);  // lists may turn out a little longer than any before
+  CHECK(bytesInUse <= early + early / 20);  // a list may still become a little longer than any before
 }
 
-#if !defined(__SANITIZE_THREAD__)  // with which the threads are those of the standard library, made anew for each loop
+#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer runs each loop on new std::threads
 TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes from itself") {
   for (int threads : {2, 3}) {
     World world = crowd(crowdedScene(), threads);
@@ -137,7 +137,7 @@ TEST_CASE("Cells with different meshes allocate nothing, nor do searches among t
   for (ContactSearch search : valuesOf<ContactSearch>()) {
     const Scene scene = scenes::mixedMeshes();
     World world = worldOf(scene, mixedCells(scene, 17, 2, 0.1), {bestIsa(), 1, {search, 0.15}});
-    allocationsOf(world, 2000);  // to rest: until then lists may turn out longer than any before
+    allocationsOf(world, 2000);  // to rest: until then a list may become longer than any before
     std::uint64_t count = allocationsOf(world, 50);
     for (int i = 0; i < 20; ++i) {
       world.contacts->listIsValid = false;
@@ -150,7 +150,7 @@ TEST_CASE("Cells with different meshes allocate nothing, nor do searches among t
 
 TEST_CASE("Bodies without contact or connections, in a shell, allocate nothing") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
-  scene.mechanics->physics.shell = ShellParameters{{3, 3, 9}};  // the topmost ends at 8
+  scene.mechanics->physics.shell = ShellParameters{{3, 3, 9}};  // the topmost cell ends at 8
   World world = crowd(scene, 1);
   CHECK(allocationsOf(world, 1) == 0);
   CHECK(allocationsOf(world, 200) == 0);

@@ -1,4 +1,4 @@
-// A checkpoint that is not what it should be is refused, and the world stays as it was.
+// A damaged checkpoint is refused, and the world stays as it was.
 #include <cstring>
 #include <functional>
 #include <map>
@@ -18,7 +18,7 @@ constexpr std::size_t headSize = 24, tailSize = 16;
 
 World savedWorld() { return ranTo(scenes::life(), 4.1); }
 
-/// What restoring says of it, or "".
+/// Returns restoreState's message, or "" if it accepts the checkpoint.
 std::string complaint(World& world, const std::string& checkpoint) {
   try {
     restoreState(world, checkpoint);
@@ -39,7 +39,7 @@ std::string withByte(std::string bytes, std::size_t at, int change) {
   return bytes;
 }
 
-/// With the length and the hash that its content now has, as by somebody who knows the format.
+/// Returns the bytes with length and hash that fit their content, as written by somebody who knows the format.
 std::string sealedAgain(std::string bytes) {
   std::uint64_t version;
   const std::uint64_t length = bytes.size() - headSize - tailSize;
@@ -57,7 +57,7 @@ using Numbers = std::vector<std::uint64_t>;
 using Doubles = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-/// A checkpoint's fields, to be changed one by one and put together again.
+/// A checkpoint's fields, which can be changed one by one and put together again.
 class Fields {
  public:
   explicit Fields(const std::string& checkpoint) : checkpoint_(checkpoint) {
@@ -146,7 +146,7 @@ TEST_CASE("Damage behind a hash that fits is refused too, or is a state that can
   int refused = 0, taken = 0;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const auto random = randomWords({7, {}, 0, Purpose::test}, i);
-    // Most bytes are coordinates; what holds a state together stands before them.
+    // Most bytes are coordinates; the fields that hold a state together stand before them.
     const std::size_t size = i % 3 == 0 ? whole.size() - headSize - tailSize : 6000;
     const std::string bytes = sealedAgain(withByte(whole, headSize + random[0] % size, 1 + random[1] % 255));
     if (!complaint(world, bytes).empty()) {

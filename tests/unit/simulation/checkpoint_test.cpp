@@ -1,5 +1,5 @@
-// Saved and restored at any step, in another world, on other machines: the rest of the run is the same, bit
-// for bit, down to the counters.
+// A run that is saved at any step and restored in another world, on other machines, continues bit for bit, down to the
+// counters.
 #include "simulation/checkpoint.h"
 
 #include <map>
@@ -25,7 +25,7 @@ std::vector<Scene> savedScenes() {
   return all;
 }
 
-/// Twenty steps of a run, at random but always the same, and each of the last steps of a short one.
+/// Returns up to twenty steps of a run, random but reproducible.
 std::set<std::uint64_t> chosenSteps(std::uint64_t last) {
   std::set<std::uint64_t> steps;
   for (std::uint32_t i = 0; i < 20; ++i)
@@ -33,7 +33,7 @@ std::set<std::uint64_t> chosenSteps(std::uint64_t last) {
   return steps;
 }
 
-/// Every way in which a world may be executed, in turn.
+/// Returns the i-th way to execute a world, going through all of them in turn.
 Execution executionNumber(std::size_t i) {
   const std::vector<Isa> isas = availableIsas();
   return {isas[i % isas.size()], static_cast<int>(1 + i % 3)};
@@ -68,8 +68,7 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
     CHECK(checkpoints.size() == steps.size());
     const Hash hash = stateHash(world);
     checkpoints[world.clock.step] = saveState(world);
-    // To the second checkpoint after it, and every fourth to the end: what a state does not hold shows where it is
-    // needed.
+    // Each checkpoint runs to the second one after it, and every fourth to the end, so that missing state shows.
     std::size_t place = 0;
     for (auto from = checkpoints.begin(); std::next(from) != checkpoints.end(); ++from, ++place) {
       const bool whole = place % 4 == 0 || checkpoints.size() - place <= 3;
@@ -78,7 +77,7 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
       restoreState(restored, from->second);
       while (!finished(restored) && (whole || restored.clock.step < to->first)) step(restored);
       CAPTURE(scene.name, from->first, to->first);
-      CHECK((saveState(restored) == to->second));  // the history of time steps, and what was counted, too
+      CHECK((saveState(restored) == to->second));  // including the history of time steps and all counters
       if (!whole) continue;
       CHECK(stateHash(restored) == hash);
       CHECK((restored.divisions == world.divisions));

@@ -35,7 +35,7 @@ TEST_CASE("Cells stand by mesh in whole blocks, and are found again by number") 
     CHECK(body.velocity == cells[i].velocity);
     CHECK(body.mass == Approx(cells[i].mass).epsilon(1e-14));
     CHECK(cellMesh(world, world.cells.path[i]).vertices == cells[i].position);
-    // How far its vertices reach is a matter of its own mesh: 42 vertices are twice as far apart as 162.
+    // A vertex's reach depends on its own mesh: 42 vertices are twice as far apart as 162.
     CHECK(world.contacts->radius[b.slots[i]] / world.contacts->radius[0] ==
           Approx(cells[i].meshLevel == 0 ? 1 : 2).epsilon(0.02));
   }
@@ -50,7 +50,7 @@ TEST_CASE("A cell that touches nobody moves as in a world of its own kind, to th
     std::vector<World> alone;
     for (int meshLevel : {0, 1}) {
       Scene own = scene;
-      // The coarser mesh in the size that it has here: the finer one's volume.
+      // The coarser mesh as large as in the mixed world: with the finer mesh's volume.
       own.mechanics->mesh = mixed.bodies->meshAt(meshLevel).mesh;
       own.mechanics->coarser.clear();
       std::vector<Body> some;
@@ -172,7 +172,7 @@ TEST_CASE("Who searches, and on how many threads, changes no bit between meshes"
   const Hash expected = stateHash(ranToEnd(scene));
   for (ContactSearch search : valuesOf<ContactSearch>())
     for (int threads : {1, 3}) {
-      if (search == ContactSearch::bruteForce) continue;  // slow; the lists are held against it above
+      if (search == ContactSearch::bruteForce) continue;  // slow; a test above compares the lists with it
       CAPTURE(nameOf(search), threads);
       CHECK(stateHash(ranToEnd(scene, {bestIsa(), threads, {search, 0.1}})) == expected);
     }

@@ -1,4 +1,4 @@
-// Connections in a living world: who makes them, who inherits them, and what ends them.
+// Connections in a living world: how they are made, inherited and released.
 #include "catch.h"
 #include "connecting.h"
 
@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// In a shell, which keeps neighbours in touch.
+/// Returns a world in a shell, which keeps neighbours in touch.
 World inShell(Scene scene) {
   scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
   return makeWorld(scene);
@@ -14,7 +14,7 @@ World inShell(Scene scene) {
 
 const std::set<std::string> none;
 
-/// Cells that all want the same.
+/// Biology of cells that all have the same wish.
 struct Wish final : IdleUnit {
   double wantsToConnect(const CellContext&) const override { return wish; }
   double wish = 1;
@@ -33,7 +33,7 @@ TEST_CASE("At division sisters are connected, from their birth on") {
 TEST_CASE("The plane decides: a connection goes to the daughter on the other cell's side") {
   const World world =
       ranTo(connecting(scenes::uniqueFour, MakeConnections::atDivision, ConnectionsOnDivision::plane), 2.02);
-  // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
+  // Along x the cells are AA AB | BA BB: A lies on the +x side, and AA within A.
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
   CHECK(world.connections->history[0].cause == ReleaseCause::divided);
@@ -42,7 +42,7 @@ TEST_CASE("The plane decides: a connection goes to the daughter on the other cel
 
 namespace {
 
-/// Cuts a small cap off, and gives it to one daughter or the other.
+/// Cuts off a small cap, which becomes daughter A or B.
 struct CapOff final : DivisionPolicy {
   explicit CapOff(bool toB) : normal{toB ? -1.0 : 1.0, 0, 0} {}
   Cut findCut(const CellContext&) const override { return {{0.6, 0, 0}, normal}; }
@@ -76,7 +76,7 @@ TEST_CASE("Both keep: each daughter has every connection of her mother") {
 
 TEST_CASE("What both keep is released where the cells are too far apart, and the cause is on record") {
   ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both);
-  p.releaseDistance = 1.3;  // in sums of radii: neighbours are at about 1, the next but one at 2
+  p.releaseDistance = 1.3;  // in sums of radii: direct neighbours are at about 1, the next at 2
   const World world = ranTo(connecting(scenes::uniqueFour, p), 2.8);
   const auto left = pairsOf(world);
   CHECK(left.count("AA-AB") == 1);
@@ -91,7 +91,7 @@ TEST_CASE("By gene: neighbours that want to connect do, at their cell cycle, and
   const std::string dna = "START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(connect|a1)\n";
   World world = inShell(connecting(dna, MakeConnections::byGene, ConnectionsOnDivision::plane));
   runTo(world, 1.9);
-  CHECK(pairsOf(world) == none);  // not at division
+  CHECK(pairsOf(world) == none);  // no connection from the division
   runTo(world, 2.02);
   REQUIRE(pairsOf(world) == std::set<std::string>{"A-B"});
   CHECK(world.connections->history[0].made == Approx(2).margin(0.02));
@@ -100,7 +100,7 @@ TEST_CASE("By gene: neighbours that want to connect do, at their cell cycle, and
   apart.mechanics->contact.reset();
   World strangers = inShell(apart);
   runTo(strangers, 2.02);
-  CHECK(pairsOf(strangers) == none);  // without contact nobody is a neighbour
+  CHECK(pairsOf(strangers) == none);  // without contact no cell has neighbours
 }
 
 TEST_CASE("By gene: the two cells' wishes are added") {
@@ -136,7 +136,7 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   CHECK(pairsOf(world).size() == 2);
   connectNeighbours(world, Observation(world), {cycled, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectNeighbours(world, Observation(world), {none, none, dies});  // it is released by its death, not by its wish
+  connectNeighbours(world, Observation(world), {none, none, dies});  // death releases it, not its wish
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }
 

@@ -4,7 +4,7 @@
 
 namespace morula {
 
-/// Cells that touch and are cut across x.
+/// Returns a scene of cells that touch, are cut across x and connect.
 inline Scene connecting(const std::string& dna, const ConnectionParameters& parameters) {
   Scene scene = scenes::withBodies(dna, 9);
   scene.mechanics->contact = scenes::pairContact;

@@ -1,5 +1,5 @@
-// Without shell and drag nothing from outside acts on the cells: momentum stays, through collisions with
-// friction too.
+// Without shell and drag no external force acts on the cells: momentum is conserved, through collisions with friction
+// too.
 #include "catch.h"
 #include "worlds.h"
 
@@ -46,7 +46,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
     scene.mechanics->contact = scenes::pairContactWithFriction;
     scene.mechanics->physics.integrator = integrator;
-    // Explicit Euler is refused without drag, and drag takes momentum: the forces alone are looked at here.
+    // Explicit Euler is refused without drag, and drag takes momentum. The test is about the other forces.
     scene.mechanics->physics.drag = integrator == Integrator::explicitEuler ? 1e-13 : 0;
     if (integrator == Integrator::xpbd) scene.mechanics->physics.substeps = 3;
     World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1));
@@ -55,7 +55,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
     const double size = sizeOfMomenta(world);
     Worst drift;
     for (int i = 0; i < 2000; ++i) {
-      movePhysics(world, world.clock.timeStep);  // one of these integrators is stable with no step of its own choice
+      movePhysics(world, world.clock.timeStep);  // without drag no step of explicit Euler is stable
       drift.see(norm(momentumOf(*world.bodies) - before) / size);
     }
     CAPTURE(static_cast<int>(integrator));
@@ -100,7 +100,7 @@ TEST_CASE("A collision takes energy and never gives any") {
     largest.see(measureWorld(world).at("kinetic_energy"));
   }
   CHECK(measureWorld(world).at("kinetic_energy") < before);
-  CHECK(largest < 1.1 * before);  // some is lent by gas and springs, which begin close to rest
+  CHECK(largest < 1.1 * before);  // gas and springs begin close to rest and lend some energy
 }
 
 TEST_CASE("Cells made by shape matching keep their momentum through collisions and divisions") {

@@ -1,4 +1,4 @@
-// When cell cycles run and when a run is over, with and without bodies.
+// Times of cell cycles and the end of a run, with and without bodies.
 #include "biology/physical_unit.h"
 #include "catch.h"
 #include "worlds.h"
@@ -142,7 +142,7 @@ TEST_CASE("A number of cells that alone ends a run, and is never reached, ends i
     REQUIRE(failure);
     CHECK_THAT(failure->what(), ContainsSubstring("stop.cells: 5 cells are not reached in 1000 cycles: 1 live"));
     CHECK(world.clock.time > 1000);
-    scene.stop.time = 1002;  // which says itself when enough is enough
+    scene.stop.time = 1002;  // then the time ends the run
     world = makeWorld(scene);
     runToEnd(world);
     CHECK(world.clock.time == Approx(1002).margin(0.5));

@@ -1,5 +1,4 @@
-// Cells that grow up to a size, and divide at one [Amir 2014]: the laws of timer, sizer and adder on cells that
-// nothing touches.
+// Cells that grow and divide at a size [Amir 2014]: timer, sizer and adder, on cells without contact.
 #include <algorithm>
 #include <map>
 
@@ -11,7 +10,7 @@ using namespace morula;
 
 namespace {
 
-/// Three balls of unequal size, that grow from the start on and are due for division every 1/16.
+/// Returns a scene of three balls of unequal size that grow from the start and are due for division every 1/16.
 Scene growing(std::optional<DivisionSize> size, double rate = 0.125) {
   Scene s = scenes::withBodies("START: a, grow\ng1(a|a)\ng2(grow|a)\ng3(divide|a)\n", 9, makeIcosphere(1));
   PhysicsParameters& p = s.mechanics->physics;
@@ -26,10 +25,10 @@ Scene growing(std::optional<DivisionSize> size, double rate = 0.125) {
 }
 
 struct Life {
-  double born, divided, birthSize, size;  // times and sizes
+  double born, divided, birthSize, size;  // [time], [time] and sizes at rest [1]
 };
 
-/// Of each cell that divided, by path. Sizes are watched from outside.
+/// Returns the life of each cell that divided, by path. Sizes are read after every step.
 std::map<CellPath, Life> livesOf(const Scene& scene) {
   World world = makeWorld(scene);
   std::map<CellPath, double> atBirth, last;
@@ -49,7 +48,7 @@ std::map<CellPath, Life> livesOf(const Scene& scene) {
   return lives;
 }
 
-constexpr double oneStep = 0.125 * 0x1p-7 * 1.5;  // [1] the most that a cell gains in a step, and a half
+constexpr double oneStep = 0.125 * 0x1p-7 * 1.5;  // [1] the largest growth in a step, and half of it more
 
 }  // namespace
 
@@ -61,7 +60,7 @@ TEST_CASE("Sizer: cells divide at one size, whatever they were born with") {
     CAPTURE(path.text());
     CHECK(life.size == Approx(1).margin(oneStep));
     births.push_back(life.birthSize);
-    // Growth is exponential: ln(1/birth size) over the rate.
+    // Growth is exponential: a cell divides after ln(1/birth size) over the rate.
     CHECK(life.divided - life.born == Approx(std::log(1 / life.birthSize) / 0.125).margin(0.05));
   }
   CHECK(*std::ranges::max_element(births) > 1.5 * *std::ranges::min_element(births));
@@ -73,7 +72,7 @@ TEST_CASE("Adder: cells divide when they have gained the same, and sizes at birt
   for (const auto& [path, life] : lives) {
     CAPTURE(path.text());
     CHECK(life.size - life.birthSize == Approx(0.5).margin(oneStep));
-    // The two halves: what is off from 0.5 halves with each generation.
+    // Both daughters get half, so a deviation from 0.5 halves with each generation.
     if (lives.contains(path.daughter(false)))
       CHECK(lives.at(path.daughter(false)).birthSize - 0.5 == Approx((life.birthSize - 0.5) / 2).margin(oneStep));
   }
@@ -148,7 +147,7 @@ TEST_CASE(
 }
 
 TEST_CASE("An early or a late cell's waiting does not move the others' cycles") {
-  // The third cell divides at once; the others' rounds go by while they wait.
+  // The third cell divides at once; the others wait while their rounds pass.
   Scene scene = growing(DivisionSize{DivisionSize::Rule::sizer, 0.8}, 0.001);
   scene.stop.time = 1;
   const World world = ranToEnd(scene);
@@ -160,5 +159,5 @@ TEST_CASE("An early or a late cell's waiting does not move the others' cycles") 
     }
   CHECK(divided == 1);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    CHECK(world.cells.lastCycle[i] == (world.cells.path[i].letter(0) ? 0x1p-4 : 0));  // B was the third
+    CHECK(world.cells.lastCycle[i] == (world.cells.path[i].letter(0) ? 0x1p-4 : 0));  // B was the third cell
 }

@@ -1,5 +1,5 @@
-// A closed scene keeps its energy but for the time step's error, which is of its second order; what is taken from it is
-// told; and space has no handedness.
+// A closed scene conserves energy up to the time step's error of second order. Dissipated energy is accounted for, and
+// space has no handedness.
 #include "simulation/energy.h"
 
 #include "catch.h"
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// Of cells without any damping that stick with W = `work`.
+/// Returns a scene of cells without damping that stick with W = `work`.
 Scene collision(double work, std::optional<double> timeStep = {}) {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
   scene.mechanics->physics.membrane.damping = 0;
@@ -20,9 +20,9 @@ Scene collision(double work, std::optional<double> timeStep = {}) {
 }
 
 struct Course {
-  double deviation;                  // [1] largest, of the energy at the start
-  double contact = 0, adhesion = 0;  // [energy] at their largest
-  double shortest = 0;               // [time] step
+  double deviation;                  // [1] largest deviation, relative to the initial energy
+  double contact = 0, adhesion = 0;  // [energy] maxima
+  double shortest = 0;               // [time] smallest step
 };
 
 Course courseOf(const Scene& scene, int count, double speed) {
@@ -31,7 +31,7 @@ Course courseOf(const Scene& scene, int count, double speed) {
   Worst deviation, contact, adhesion;
   while (world.clock.time < 2.5) {
     step(world);
-    if (world.clock.step % 4 != 0) continue;  // measures cost more than steps do
+    if (world.clock.step % 4 != 0) continue;  // measuring costs more than a step
     const Energy e = measureEnergy(world);
     deviation.see(std::abs(e.total() - before) / before);
     contact.see(e.contact);
@@ -44,13 +44,13 @@ Course courseOf(const Scene& scene, int count, double speed) {
 
 using Map = Vector (*)(const Vector&);
 
-Vector rotated(const Vector& x) {  // by a half about (1, 2, 2) and then a third about (1, 1, 1): exact but for rounding
+Vector rotated(const Vector& x) {  // half a turn about (1, 2, 2), then a third about (1, 1, 1): exact but for rounding
   const Vector axis = Vector{1, 2, 2} / 3.0, half = 2 * dot(axis, x) * axis - x;
   return {half.y, half.z, half.x};
 }
 Vector mirrored(const Vector& x) { return {x.y, x.x, x.z}; }
 
-/// How far a world's cells are from where the map puts another's, after a while. [length]
+/// Returns the largest distance [length] between cells of a mapped world and mapped cells of the original, at the end.
 double differenceUnder(Map map, bool turnsInsideOut, const ContactParameters& contact) {
   const auto endOf = [&](bool mapped) {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
@@ -82,10 +82,10 @@ double differenceUnder(Map map, bool turnsInsideOut, const ContactParameters& co
 }  // namespace
 
 TEST_CASE("Cells that collide without damping keep their energy, with the square of the step") {
-  // Vertices meet at times that have nothing to do with the steps, which is chance: in the mean over collisions.
+  // The time between a meeting of vertices and the next step is chance, so ratios are averaged over collisions.
   double halved[2] = {1, 1};
   int collisions = 0;
-  // With automatic steps up to 8e-4, and 2.4e-3 of cells that stick and crumple.
+  // Bounds for automatic steps: deviations are up to 8e-4, and 2.4e-3 for cells that stick and crumple.
   for (const auto& [work, bound] : {std::pair{0.0, 2e-3}, {1.0, 5e-3}})
     for (int count : {3, 4})
       for (double speed : {0.7, 0.85, 1.0}) {
@@ -136,7 +136,7 @@ TEST_CASE("A rotated and a mirrored copy end rotated and mirrored") {
   all.adhesion = AdhesionParameters{1, {}};
   plain.law = all.law = ContactLaw::pair;
   for (const ContactParameters& contact : {plain, all}) {
-    // Rounding, which collisions let grow: to 1.0e-9.
+    // Collisions amplify rounding, here to 1.0e-9.
     CHECK(differenceUnder(rotated, false, contact) < 1e-8);
     CHECK(differenceUnder(mirrored, true, contact) < 1e-8);
   }

@@ -1,6 +1,5 @@
-// Where nothing is damped, accelerations follow from positions alone: evaluating them once more changes no
-// bit, right after a step, a division, a death or a new time step. (Damping sees the velocity predicted for
-// the step.)
+// Without damping, accelerations follow from positions alone. Evaluating them again changes no bit, right after a step,
+// a division, a death or a new time step. (Damping uses the velocity predicted for the step.)
 #include "catch.h"
 #include "worlds.h"
 
@@ -11,7 +10,7 @@ namespace {
 Scene undamped(Scene scene) {
   PhysicsParameters& p = scene.mechanics->physics;
   p.membrane.damping = p.drag = 0;
-  p.shell.reset();  // a vertex on it loses velocity after the forces
+  p.shell.reset();  // the shell takes velocity from vertices after the forces
   p.growth.reset();
   if (scene.mechanics->contact) scene.mechanics->contact->damping = scene.mechanics->contact->friction = 0;
   return scene;
@@ -23,12 +22,12 @@ TEST_CASE("Evaluating the forces again changes nothing") {
   Scene automatic = undamped(scenes::thesis());
   automatic.name = "thesis, automatic step";
   automatic.mechanics->physics.timeStep.reset();
-  automatic.stop.time = 2.1;  // shorter steps are too stiff for its contact law
+  automatic.stop.time = 2.1;  // the thesis' contact law is too stiff for shorter steps
   for (const Scene& scene :
        {undamped(scenes::packed()), undamped(scenes::thesis()), automatic, undamped(scenes::life())}) {
     World world = makeWorld(scene);
     std::uint64_t changed = 0, checked = 0, divisions = 0;
-    std::size_t held = 0;  // connections of the last step: one that was let go in this step still pulled in it
+    std::size_t held = 0;  // connections one step ago; a connection released in a step still pulled in it
     for (std::size_t cells = 0; !finished(world); step(world)) {
       const std::size_t holds = world.connections ? world.connections->active.size() : 0;
       const bool letGo = holds < std::exchange(held, holds);

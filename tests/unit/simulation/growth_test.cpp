@@ -1,4 +1,4 @@
-// Cells that want to grow or shrink do, from one cell cycle to the next.
+// Cells grow or shrink if they want to, from one cell cycle to the next.
 #include "catch.h"
 #include "worlds.h"
 
@@ -14,7 +14,7 @@ TEST_CASE("grow and shrink act at the scene's rate, and where there is no growth
       World world = makeWorld(scene);
       const double volume = world.bodies->volume[0];
       runTo(world, 1);
-      CHECK(world.bodies->mass(0) == Approx(1).epsilon(1e-14));  // a cell begins when its cycle has run
+      CHECK(world.bodies->mass(0) == Approx(1).epsilon(1e-14));  // a cell begins to grow after its cycle
       runTo(world, 3);
       const double expected = withGrowth ? std::exp(sign * 0.25 * 2) : 1;
       CAPTURE(gene, withGrowth);

@@ -1,4 +1,4 @@
-// A hash is worth what it notices: each single field of the state changes it.
+// Each single field of the state changes the hash.
 #include <functional>
 #include <set>
 
@@ -140,7 +140,7 @@ TEST_CASE("What is only speed or scratch is not in the hash") {
   world.contacts->rebuilds += 5;
   world.bodies->scratch[0].gradient[0] = 1;
   world.bodies->volume[0] = 7;
-  world.bodies->position[world.bodies->position.size() - 1] = 9;  // of a lane without a cell
+  world.bodies->position[world.bodies->position.size() - 1] = 9;  // belongs to a lane without a cell
   CHECK(stateHash(world) == before);
 }
 

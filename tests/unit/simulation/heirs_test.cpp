@@ -1,4 +1,4 @@
-// More ways to make connections, to hand them on and to end them.
+// Further policies that make, inherit and release connections.
 #include <set>
 
 #include "catch.h"
@@ -8,7 +8,7 @@ using namespace morula;
 
 namespace {
 
-/// Of every cell, by number.
+/// Returns the number of partners of each cell.
 std::multiset<int> countsOf(const World& world) {
   std::multiset<int> counts;
   for (const CellPath& path : world.cells.path)
@@ -19,8 +19,8 @@ std::multiset<int> countsOf(const World& world) {
 }  // namespace
 
 TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
-  // Each cell keeps its bridges and makes one with each daughter it gives off: a binomial tree
-  // [Spradling 1993; de Cuevas & Spradling 1998].
+  // Each cell keeps its bridges and makes a new one with each daughter: a binomial tree [Spradling 1993; de Cuevas &
+  // Spradling 1998].
   World world = makeWorld(connecting(scenes::everybodyDivides, MakeConnections::atDivision, ConnectionsOnDivision::a));
   while (world.cells.path.size() < 16) step(world);
   CHECK(countsOf(world) == std::multiset<int>{1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4});
@@ -31,7 +31,7 @@ TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4
 TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer, whoever else divides") {
   using enum CellChange;
   const ConnectionParameters p = withPolicy(MakeConnections::byGene, ConnectionsOnDivision::nearest);
-  // Three in a row, cut across x, A on its larger side: AA at 0, AB at 1.9, B at 4 … and one aside of AA.
+  // Three cells in a row, cut across x, A on its +x side: AA at 0, AB at 1.95, BA at 4.
   const auto after = [&](const std::vector<CellChange>& changes) {
     World world = ballsAt(connecting(scenes::everybodyDivides, p), {{0, 0, 0}, {1.95, 0, 0}, {4, 0, 0}});
     REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
@@ -65,7 +65,7 @@ TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends 
     return pairsOf(world).size();
   };
   CHECK(after("") == 1);
-  CHECK(after("g5(release|a1)\n") == 1);  // at 2 it does not, at 3 it does again
+  CHECK(after("g5(release|a1)\n") == 1);  // cells hold `release` at cycle 2 and no longer at cycle 3
   CHECK(after("g5(release|a2)\n") == 0);
 }
 
@@ -107,10 +107,10 @@ TEST_CASE("A connection ends by age and by tension, and the cause is on record")
   p.strength.reset();
   p.releaseAge.reset();
   p.spring = ConnectionSpring{2, 1};
-  p.releaseTension = 1;  // radii are near 0.95: at rest at 1.9
+  p.releaseTension = 1;  // radii are near 0.95, so the rest length is 1.9
   CHECK(causeAfter(p, 2.2).first == ReleaseCause::none);
   CHECK(causeAfter(p, 2.6).first == ReleaseCause::tension);
-  CHECK(causeAfter(p, 1.2).first == ReleaseCause::none);  // pushed
+  CHECK(causeAfter(p, 1.2).first == ReleaseCause::none);  // the spring is compressed
 }
 
 TEST_CASE("A cell may have so many connections that the sisters' own is left out, which comes last") {
@@ -119,7 +119,7 @@ TEST_CASE("A cell may have so many connections that the sisters' own is left out
   World world = makeWorld(connecting(scenes::everybodyDivides, p));
   while (world.cells.path.size() < 8) step(world);
   for (const int count : countsOf(world)) CHECK(count <= 2);
-  // Two rounds make the chain AB-AA-BA-BB; in the third its inner cells have no place for a daughter.
+  // Two rounds make the chain AB-AA-BA-BB. In the third its inner cells have no place for a connection of sisters.
   CHECK(pairsOf(world) == std::set<std::string>{"AAA-ABA", "AAA-BAA", "BAA-BBA", "ABA-ABB", "BBA-BBB"});
 }
 

@@ -1,5 +1,4 @@
-// Many steps at once are the same as one by one: to the bit, to the cell cycle, and to the step at which a
-// run fails.
+// Many steps in one call equal single steps: bit for bit, at cell cycles, and at the step at which a run fails.
 #include "catch.h"
 #include "worlds.h"
 
@@ -7,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// Dividing cells that pass through one another, with everything that a step may hold but other cells.
+/// Returns scenes of dividing cells that pass through one another, with every part of a step that needs no other cell.
 std::vector<Scene> variants() {
   Scene plain = scenes::withBodies(scenes::everybodyDivides, 5);
   plain.stop.time = 4.5;
@@ -36,7 +35,7 @@ std::vector<Scene> variants() {
   return list;
 }
 
-/// A cell that is fine for some time and then blows up: its step is above what its springs bear.
+/// Returns a world that runs for some time and then blows up: its step is too long for its springs.
 World blowingUp() {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
   const Mesh& egg = scene.mechanics->mesh;

@@ -1,4 +1,4 @@
-// What is read off a world is what its meshes say.
+// Measures of a world agree with its meshes.
 #include <numbers>
 #include <set>
 
@@ -116,7 +116,7 @@ void checkTable() {
     CHECK(std::string(m.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_123") == std::string::npos);  // a column
     CHECK(std::string(m.meaning).find_first_of("\n|") == std::string::npos);  // a cell of a table
     onDemand |= m.taken == Taken::onDemand;
-    CHECK(onDemand == (m.taken == Taken::onDemand));  // those of samples first
+    CHECK(onDemand == (m.taken == Taken::onDemand));  // measures of samples come first
   }
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("A value that was not measured is absent, and asking for it regardless
   for (const auto& value : m.values) CHECK_FALSE(value);
   CHECK_THROWS_AS(m.at("volume"), BugError);
   CHECK_THROWS_AS(m["no such"], BugError);
-  CHECK_THROWS_AS(m["volume_over_rest"], BugError);  // on demand only
+  CHECK_THROWS_AS(m["volume_over_rest"], BugError);  // taken on demand only
   CHECK_THROWS_AS(measure<CellContext>("no such"), BugError);
   m["volume"] = 2;
   CHECK(m.at("volume") == 2);
@@ -166,7 +166,7 @@ TEST_CASE("Volume over rest and over the mesh: a body pressed to nine tenths, wi
   const World world = worldOf(scene, {body});
   CHECK(valueOf("volume_over_rest", world, 0) == Approx(0.729 / 0.5).epsilon(1e-12));
   CHECK(valueOf("volume_over_mesh", world, 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
-  scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // no contents: its mesh is its rest
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // no contents: the mesh is the rest shape
   CHECK(valueOf("volume_over_rest", worldOf(scene, {body}), 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
 }
 

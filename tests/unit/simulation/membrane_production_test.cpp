@@ -38,7 +38,7 @@ TEST_CASE("At birth the pressure is the mother's, whatever the membrane") {
 TEST_CASE("With production 1.26 the pressure stays near zero; with less it rises, with more it falls") {
   const double none = pressuresWith(1.0).settled, right = pressuresWith(1.26).settled,
                more = pressuresWith(1.5).settled;
-  // Against the tension of the membrane: k_s per length of about 0.3.
+  // Compared with the membrane's tension: k_s per length of about 0.3.
   CHECK(std::abs(right) < 0.1);
   CHECK(none > 2);
   CHECK(more < right + 1e-3);

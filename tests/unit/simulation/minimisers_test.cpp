@@ -1,10 +1,9 @@
-// Two ways down the same energy end in the same place. The other one than FIRE is nonlinear conjugate gradients [Polak
-// and Ribière 1969] of all cells at once, with steps along a line by the secant of its forces; all it shares with the
-// simulator are the forces.
+// Two minimisers of the same energy end in the same state: FIRE, and nonlinear conjugate gradients [Polak and Ribière
+// 1969] of all cells at once, with line searches by the secant of forces. They share only the forces.
 //
-// What is compared are places of vertices, of cells that are taut and pressed together by a shell with three axes.
-// Slack membranes, and cells with more room, have other states of rest within reach, of other energies, and then the
-// two ways may part.
+// The test compares positions of vertices, of taut cells pressed together by a shell with three different axes. Slack
+// membranes, and cells with more room, have further states of rest nearby with other energies, where the minimisers may
+// disagree.
 #include "catch.h"
 #include "simulation/energy.h"
 #include "simulation/settle.h"
@@ -46,7 +45,7 @@ Field forcesOf(const World& world) {
   return forces;
 }
 
-/// Puts vertices `length` times along a direction from where they were, or to where the shell lets them.
+/// Moves vertices `length` times the direction away from `from`, or as far as the shell lets them.
 void moveAlong(World& world, const Field& from, const Field& direction, double length) {
   Bodies& b = *world.bodies;
   std::size_t i = 0;
@@ -58,7 +57,7 @@ void moveAlong(World& world, const Field& from, const Field& direction, double l
   evaluateForces(world);
 }
 
-/// Until the root mean square of forces is at most `force`; false after 5000 lines without it.
+/// Minimises until the root mean square of forces is at most `force`; returns false after 5000 lines without success.
 bool conjugateGradients(World& world, double force) {
   evaluateForces(world);
   Field forces = forcesOf(world), direction = forces;
@@ -82,7 +81,7 @@ bool conjugateGradients(World& world, double force) {
   return false;
 }
 
-/// Four taut cells that fill an ellipsoid; their first settling ends at the tolerance.
+/// Returns a scene of four taut cells that fill an ellipsoid and first settle to `tolerance`.
 Scene pressed(double tolerance) {
   Scene scene = scenes::settling(scenes::packed());
   scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "still.dna");
@@ -98,7 +97,7 @@ Scene pressed(double tolerance) {
 }  // namespace
 
 TEST_CASE("Cells that press on each other come to rest where conjugate gradients end, too") {
-  // Sticky cells that begin farther from rest part.
+  // With adhesion the minimisers agree only from a start near rest.
   for (const auto& [adhesion, begin] : {std::pair(0.0, 1.0), {0.0, 0.03}, {0.2, 0.03}}) {
     Scene scene = pressed(begin);
     if (adhesion > 0) scene.mechanics->contact->adhesion.emplace().strength = adhesion;
@@ -115,6 +114,6 @@ TEST_CASE("Cells that press on each other come to rest where conjugate gradients
 
     CHECK(measureEnergy(other).contact > 0.05);
     CHECK(farthest(placesOf(settled), start) > 0.02);
-    CHECK(farthest(placesOf(settled), placesOf(other)) <= 1e-6 * 0.62);  // radii of a cell
+    CHECK(farthest(placesOf(settled), placesOf(other)) <= 1e-6 * 0.62);  // 0.62: a cell's radius
   }
 }

@@ -1,4 +1,4 @@
-// Cells that crawl: as fast as they are told, each its own way, as the seed says.
+// Crawling cells: their speed is as given, and their directions come from the seed.
 #include "catch.h"
 #include "worlds.h"
 
@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// Spheres that never meet.
+/// Returns a scene of cells that crawl and never meet.
 Scene crawling(double speed, double persistence, CellModel model = CellModel::sphere) {
   Scene scene = scenes::withBodies("START: a0\n", 9);
   scene.mechanics->physics.cell.model = model;
@@ -23,7 +23,7 @@ std::vector<Point> centres(const World& world) {
   return all;
 }
 
-/// How far each cell is from where it began after this time.
+/// Returns each cell's displacement after `time`.
 std::vector<Vector> ways(const Scene& scene, double time) {
   World world = makeWorld(scene);
   std::vector<Vector> all = centres(world);
@@ -38,7 +38,7 @@ std::vector<Vector> ways(const Scene& scene, double time) {
 TEST_CASE("A cell alone crawls straight on with the given speed, until it turns") {
   for (const CellModel model : {CellModel::sphere, CellModel::shell})
     for (const Vector& way : ways(crawling(0.5, 2, model), 2)) CHECK(norm(way) == Approx(1).epsilon(0.05));
-  // After ten turns the squares of the ways add up: about √10 intervals far in the mean.
+  // Over ten turns the squares of displacements add up: the mean distance is about √10 intervals.
   double sum = 0;
   for (const Vector& way : ways(crawling(0.5, 0.25), 2.5)) sum += dot(way, way) / 9;
   CHECK(sum == Approx(10 * 0.125 * 0.125).epsilon(0.6));
@@ -50,7 +50,7 @@ TEST_CASE("Cells crawl each its own way, another with another seed, and back aft
   CHECK(ways(scene, 0.5) == first);
   Vector sum;
   for (const Vector& way : first) sum += way / norm(way);
-  CHECK(norm(sum) < 7);  // of nine unit vectors
+  CHECK(norm(sum) < 7);  // the sum of nine unit vectors
   scene.seed = 99;
   const auto other = ways(scene, 0.5);
   for (std::size_t i = 0; i < first.size(); ++i) CHECK(norm(first[i] - other[i]) > 1e-3);
@@ -63,7 +63,7 @@ TEST_CASE("Whole bodies crawl: they are not pulled out of shape, and their time 
   World world = makeWorld(scene), still = makeWorld(resting);
   CHECK(world.clock.timeStep == still.clock.timeStep);
   for (int i = 0; i < 50; ++i) takeSteps(world, 64), takeSteps(still, 1);
-  CHECK(world.clock.step == 50);  // its steps are taken one by one
+  CHECK(world.clock.step == 50);  // the world takes steps one by one
   for (int slot = 0; slot < 9; ++slot)
     CHECK(world.bodies->volume[slot] == Approx(still.bodies->volume[slot]).epsilon(1e-9));
 }

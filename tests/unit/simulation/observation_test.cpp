@@ -1,4 +1,4 @@
-// What a cell is and touches at one instant: against the whole world, pair by pair; and nothing unasked.
+// A cell's properties and contacts at one instant, against all pairs of the world; nothing is measured unasked.
 #include "simulation/observation.h"
 
 #include <numbers>
@@ -12,8 +12,8 @@ namespace {
 
 World packedWorld() { return ranTo(scenes::packed(), 3.5); }
 
-/// Of which every cell copies its sister at each cycle, and remembers what it saw when it was asked what it
-/// wants.
+/// Biology in which every cell copies its sister's state at each cycle. `seen` records both states when a cell is asked
+/// whether it divides.
 struct Copycat final : IdleUnit {
   StateId runCellCycle(const CellContext& cell) override { return cell.sister() ? cell.sister()->state : 0; }
   bool wantsToDivide(const CellContext& cell) const override {
@@ -72,7 +72,7 @@ TEST_CASE("Neighbours are those of the contacts' list, by path, each from both s
   std::size_t seen = 0;
   for (int i = 0; i < 8; ++i) {
     const ObservedCell cell(now, i);
-    std::vector<std::pair<CellPath, double>> expected;  // all pairs, whatever their order
+    std::vector<std::pair<CellPath, double>> expected;  // all pairs, in any order
     for (int j = 0; j < 8; ++j)
       for (const ContactArea& p : pairs)
         if ((p.a == i && p.b == j) || (p.a == j && p.b == i)) expected.push_back({world.cells.path[j], p.area});
@@ -104,7 +104,7 @@ TEST_CASE("Balls touch over the disc in which they meet, each pair of them that 
                    s = b.parameters.cell.radius * b.restScale[b.slots[j]];
       const double d = norm(b.vertex(b.slots[i], 0) - b.vertex(b.slots[j], 0));
       if (i == j || d >= r + s) continue;
-      // Heron: the radius of the disc is twice the area of the triangle with sides r, s, d over d.
+      // Heron: the disc's radius is twice the area of the triangle with sides r, s, d over d.
       const double p = (r + s + d) / 2, heron = p * (p - r) * (p - s) * (p - d);
       if (heron > 0) expected.push_back({j, 4 * std::numbers::pi * heron / (d * d)});
     }
@@ -183,7 +183,7 @@ TEST_CASE("All cells decide on the same instant: two that copy each other exchan
   cats.seen.clear();
   step(world);
   CHECK(world.cells.state == std::vector<StateId>{2, 1});
-  // What they want is asked of the instant after.
+  // Cells are asked for their wishes at the instant after all cycles.
   CHECK(cats.seen == std::vector<std::pair<StateId, StateId>>{{2, 1}, {1, 2}});
   step(world);
   CHECK(world.cells.state == std::vector<StateId>{1, 2});

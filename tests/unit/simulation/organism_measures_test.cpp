@@ -1,4 +1,4 @@
-// What is measured of all cells together, worked out by hand for rows of balls, and what must not matter to it.
+// Measures of all cells together: worked out by hand for rows of balls, and invariant where they must be.
 #include "simulation/organism_measures.h"
 
 #include <algorithm>
@@ -17,14 +17,14 @@ using namespace morula;
 
 namespace {
 
-/// Balls of radius 1 that never divide, at these places: the first is AAA, the last BBB.
+/// Returns a world of balls of radius 1 that never divide, at these places: the first is AAA, the last BBB.
 World balls(const std::vector<Point>& places) {
   std::vector<StartCell> cells;
   for (const Point& place : places) cells.push_back({.at = place});
   return makeWorld(looseBalls(cells));
 }
 
-/// Eight in a row, each touching the next: `order` says which ball of the list stands at which place.
+/// Returns eight balls in a row, each touching the next; `order` says which ball of the list stands at which place.
 World row(const std::vector<int>& order) {
   std::vector<Point> places(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) places[order[i]] = {1.75 * static_cast<double>(i), 0, 0};
@@ -60,7 +60,7 @@ TEST_CASE("Relatives side by side in a row: AAA AAB ABA ABB BAA BAB BBA BBB") {
   CHECK(valueOf("sister_contact", world) == 1);        // all four pairs
   CHECK(valueOf("cousin_contact", world) == 2.0 / 8);  // AAB-ABA and BAB-BBA
   CHECK(*valueOf("clone_contact", world) == Approx(4.0 / 7).epsilon(1e-12));
-  CHECK(valueOf("homotypic_contact", world) == 1);                         // all hold the same
+  CHECK(valueOf("homotypic_contact", world) == 1);                         // all hold the same substances
   CHECK(*valueOf("clone_radius", world) == Approx(0.875).epsilon(1e-12));  // two cells 1.75 apart
   CHECK(valueOf("clone_components", world) == 1);
   CHECK(*valueOf("mixing_index", world) == Approx(3.0 / 7 / (48.0 / 56)).epsilon(1e-12));
@@ -77,20 +77,20 @@ TEST_CASE("Relatives dealt out in a row: AAA ABA BAA BBA AAB ABB BAB BBB") {
 }
 
 TEST_CASE("Spread of clones: a ball, two balls a known distance apart, a chain, whatever their sizes are") {
-  // Of n balls of radius 1 with centres at xᵢ: √(1 + 5/3 mean |xᵢ − x|²) / ∛n
+  // Expected for n balls of radius 1 with centres at xᵢ: √(1 + 5/3 mean |xᵢ − x|²) / ∛n
   const World single = row({0, 1, 2, 3});  // four clones of one ball
   CHECK(*valueOf("clone_spread", single) == Approx(1).epsilon(1e-12));
   CHECK(*valueOf("clone_spread", row({0, 1, 2, 3, 4, 5, 6, 7})) ==
         Approx(std::sqrt(1 + 5. / 3 * 0.875 * 0.875) / std::cbrt(2)).epsilon(1e-12));
   const World eight = row({0, 1, 2, 3, 4, 5, 6, 7});
-  const double chain = 1.75 * 1.75 * (0.25 + 2.25) / 2;  // four in a row: ±½ and ±3/2 of 1.75
+  const double chain = 1.75 * 1.75 * (0.25 + 2.25) / 2;  // four balls in a row: ±½ and ±3/2 times 1.75
   CHECK(*valueOf("clone_spread of generation 1", eight) ==
         Approx(std::sqrt(1 + 5. / 3 * chain) / std::cbrt(4)).epsilon(1e-12));
   CHECK(*valueOf("clone_spread of generation 3", eight) == Approx(1).epsilon(1e-12));
   CHECK(valueOf("clone_radius of generation 2", eight) == valueOf("clone_radius", eight));
   CHECK(*valueOf("clone_radius of generation 1", eight) == Approx(std::sqrt(chain)).epsilon(1e-12));
   CHECK(valueOf("clone_components of generation 0", eight) == 1);
-  // A cube of 64 cubes is as compact as one of 8: √(3/12)/√(3/5 (3/4π)^(2/3)) of a cube of edge 1
+  // A cube of 64 cubes is as compact as a cube of 8: √(3/12)/√(3/5 (3/4π)^(2/3)) for edge 1
   const double cube = std::sqrt(0.25 / 0.6) / std::cbrt(0.75 / std::numbers::pi);
   for (const int n : {1, 2, 4}) {
     double volume = 0, second = 0;
@@ -111,11 +111,11 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j)
       for (int k = -1; k <= 1; ++k) places.push_back(1.9 * Vector{double(i), double(j), double(k)});
-  std::swap(places[13], places.back());  // the last one, BBB…, is in the middle
+  std::swap(places[13], places.back());  // the last cell, BBB…, is in the middle
   const World crowd = balls(places);
   const auto distances = taken(crowd, {"surface_distance"});
   REQUIRE(distances.size() == 27);
-  // How far out the mesh reaches that stands for a ball: its corners, and its faces' planes.
+  // Distances from a ball's centre to its mesh: to the farthest corner and to the nearest plane of a face.
   const Mesh ball = measureShape(*crowd.bodies, 13).surface;
   double farthest = 0, nearest = 2;
   for (const auto& [i, j, k] : ball.faces) {
@@ -180,7 +180,7 @@ TEST_CASE("Measures of some cells alone: rows of these, how many they are, and w
 
 TEST_CASE("Kinship and distance: by hand for three cells, AA, AB and B") {
   // Divisions on the way: AA-AB 2, AA-B 3, AB-B 3: ranks 1, 2.5, 2.5. Distances 1.75, 3.5, 1.75: ranks 1.5, 3, 1.5.
-  // Less their means: (−1, ½, ½)·(−½, 1, −½) = ¾ over √(3/2 · 3/2).
+  // Minus their means: (−1, ½, ½)·(−½, 1, −½) = ¾ over √(3/2 · 3/2).
   CHECK(*valueOf("lineage_space", row({0, 1, 2})) == Approx(0.5).epsilon(1e-14));
   CHECK_FALSE(valueOf("lineage_space", row({0, 1})));  // one pair has no order
   CHECK_FALSE(valueOf("lineage_space", row({0})));
@@ -208,7 +208,7 @@ TEST_CASE("Turning, moving and mirroring the organism, and who is A, change none
   for (int i = 0; i < 8; ++i) {
     const double x = 1.75 * i;
     turned[order[i]] = {2 * third * x + 1, -third * x, 2 * third * x - 3};
-    mirrored[7 - order[i]] = {-x, 0, 0};  // ABB is BAA now
+    mirrored[7 - order[i]] = {-x, 0, 0};  // ABB becomes BAA
   }
   for (const World& other : {balls(turned), balls(mirrored)})
     for (const std::string& name : ofWorlds) {
@@ -224,18 +224,18 @@ TEST_CASE("Contacts are compared among living cells of the reference alone") {
   const auto cell = [](const char* path) { return CellPath::parse(path); };
   Reference reference;
   const auto add = [&](const char* a, const char* b) { reference.contacts.insert({cell(a), cell(b)}); };
-  add("AAA", "AAB");   // there, too
-  add("AAB", "ABA");   // there, too
-  add("AAA", "ABA");   // not here
-  add("AAA", "BBBB");  // does not live
-  // Of the cells AAA, AAB, ABA two pairs touch here, and three in the reference.
+  add("AAA", "AAB");   // touches in the world, too
+  add("AAB", "ABA");   // touches in the world, too
+  add("AAA", "ABA");   // does not touch in the world
+  add("AAA", "BBBB");  // BBBB does not live
+  // Among the cells AAA, AAB, ABA two pairs touch in the world, and three in the reference.
   CHECK(*valueOf("contact_jaccard", world, &reference) == Approx(2.0 / 3));
   CHECK(*valueOf("contact_f1", world, &reference) == Approx(4.0 / 5));
   add("BAA", "BAB");
-  add("BBA", "BBB");  // with these BAB-BBA is here, and not there
+  add("BBA", "BBB");  // now BAB-BBA touches in the world only
   CHECK(*valueOf("contact_jaccard", world, &reference) == Approx(4.0 / 6));
   CHECK(*valueOf("contact_f1", world, &reference) == Approx(8.0 / 10));
-  CHECK_FALSE(valueOf("contact_f1", world));  // nothing to compare with
+  CHECK_FALSE(valueOf("contact_f1", world));  // there is no reference
   Reference dead;
   dead.contacts.insert({cell("AAAA"), cell("AAAB")});
   CHECK_FALSE(valueOf("contact_jaccard", world, &dead));
@@ -252,7 +252,7 @@ TEST_CASE("Positions are compared turned and moved, and their shape also scaled"
   CHECK(*valueOf("position_rmsd", world, &half) > 1);
   CHECK(*valueOf("position_shape_rmsd", world, &half) < 1e-14);
   other.positions = {{at("AA"), {0, 0, 0}}, {at("AB"), {1, 0, 0}}, {at("ABA"), {9, 9, 9}}};
-  CHECK_FALSE(valueOf("position_rmsd", world, &other));  // two of them live
+  CHECK_FALSE(valueOf("position_rmsd", world, &other));  // only two cells of the reference live
 }
 
 TEST_CASE("Measures on demand: names are no other's, pairs and cells come by path, and others are refused") {
@@ -270,7 +270,7 @@ TEST_CASE("Measures on demand: names are no other's, pairs and cells come by pat
       lines.push_back(m.name + " " + m.a.text() + " " + m.b.text() + " " + std::to_string(static_cast<int>(m.value)));
   CHECK(lines == std::vector<std::string>{"generation AA  2", "generation AB  2", "generation B  1", "kinship AA AB 1",
                                           "kinship AB B 2"});  // no clone has two cells
-  // The disc in which two balls of radius 1 meet, 1.75 apart, over the ball's surface
+  // Area of the disc in which two balls of radius 1 meet at distance 1.75, over the ball's surface
   for (const TakenMeasure& m : measures)
     if (m.name == "contact_share") CHECK(m.value == Approx((1 - 0.875 * 0.875) / 4).epsilon(1e-12));
   CHECK_THROWS_AS(taken(world, {"volume"}), BugError);
@@ -327,14 +327,14 @@ TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
   shape.sag = 1 / far;  // l²/8far with edges of l² = 8
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(1));
   CHECK(measureShellShare(shape, ShellParameters{{2, 2, 2}}) == 0);
-  for (std::size_t i = 1; i < 4; ++i) shape.surface.vertices[i] *= 0.97;  // three faces lose their other corners
+  for (std::size_t i = 1; i < 4; ++i) shape.surface.vertices[i] *= 0.97;  // three faces lose their outer corners
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(0.25).epsilon(0.02));
 }
 
 TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from where it was born") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9, makeIcosphere(1));
   scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  // Being born elsewhere is no way that was gone.
+  // The egg lies off the origin, which is no displacement.
   World world = worldOf(scene, {ballAt(scenes::scaled(makeIcosphere(1), 0.9), {7, -2, 1}, 100)});
   const auto ways = [&] {
     std::map<std::string, double> all;
@@ -344,7 +344,7 @@ TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from whe
   const auto divide = [&](const std::vector<CellChange>& changes) {
     changePopulation(world, Observation(world), changes);
   };
-  CHECK(ways().empty());  // the egg is no daughter: no division led to it
+  CHECK(ways().empty());  // no division led to the egg
   divide({CellChange::divides});
   CHECK(ways() == std::map<std::string, double>{{"A", 0}, {"B", 0}});
   std::vector<Body> bodies;
@@ -355,7 +355,7 @@ TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from whe
   CHECK(ways().at("B") == 0);
   divide({CellChange::divides, CellChange::none});
   CHECK(ways() == std::map<std::string, double>{{"AA", 0}, {"AB", 0}, {"B", 0}});
-  CHECK(taken(balls({{}, {4, 0, 0}}), {"displacement"}).empty());  // nor these
+  CHECK(taken(balls({{}, {4, 0, 0}}), {"displacement"}).empty());  // start cells were not born by a division either
 }
 
 TEST_CASE("Displacement is what the centres tell of a life, of meshes and of balls, and after a checkpoint") {
@@ -380,10 +380,10 @@ TEST_CASE("Displacement is what the centres tell of a life, of meshes and of bal
     const auto cells = measureCells(world);
     REQUIRE(displacements.size() == cells.size());
     double farthest = 0;
-    const double takenIn = world.bodies->areSpheres() ? 1e-12 : 5e-4;  // of 3.8e-4 at most
+    const double takenIn = world.bodies->areSpheres() ? 1e-12 : 5e-4;  // measured: 3.8e-4 at most
     for (std::size_t i = 0; i < cells.size(); ++i) {
       CHECK(displacements[i].a == cells[i].path);
-      // Where the shell holds surfaces it takes in a little of what daughters have on new meshes, once they are born.
+      // A shell that holds surfaces moves newborn daughters' new meshes inward a little.
       CHECK(displacements[i].value == Approx(norm(centre(cells[i]) - births.at(cells[i].path))).margin(takenIn));
       farthest = std::max(farthest, displacements[i].value);
     }

@@ -1,5 +1,5 @@
-// Why two policies can be compared seed by seed: a cell has the same deviation under each of them, for everything that
-// a seed varies.
+// Policies can be compared seed by seed: a cell has the same deviates under each policy, for every quantity that a seed
+// varies.
 #include <map>
 
 #include "catch.h"
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// Eight balls in a shell; what they share out, they share out exactly.
+/// Returns a scene of balls in a shell that divide into eight; spheres are shared out exactly.
 Scene balls() {
   Scene s = scenes::withBodies(scenes::everybodyDivides, 3);
   s.mechanics->physics.cell.model = CellModel::sphere;
@@ -22,7 +22,7 @@ Scene balls() {
   return s;
 }
 
-/// Policies that move the cells to other places.
+/// Returns scenes whose policies move the cells to different places.
 std::vector<std::pair<std::string, Scene>> policies() {
   std::vector<std::pair<std::string, Scene>> list;
   for (const auto& [name, plane] : {std::pair<std::string, PlaneChoice>{"along x", {DivisionPlane::axis, {1, 0, 0}}},
@@ -58,7 +58,7 @@ std::map<std::string, double> factorsOf(const World& world) {
   return factors;
 }
 
-/// [1] Cosines of the angles between the axes of divisions and the axis that was asked for.
+/// [1] Returns the cosines of the angles between the divisions' axes and the axis that was asked for.
 std::map<std::string, double> tiltsOf(const World& world, const Vector& asked) {
   std::map<std::string, double> tilts;
   for (const DivisionRecord& d : world.divisions) tilts[d.path.text()] = dot(d.axis, asked) / norm(asked);
@@ -73,7 +73,7 @@ void checkSame(const std::map<std::string, double>& a, const std::map<std::strin
   }
 }
 
-/// Not all the same: there is something to compare.
+/// Checks that the values vary by more than `by`, so that a comparison means something.
 void checkVaries(const std::map<std::string, double>& values, double by) {
   double least = INFINITY, most = -INFINITY;
   for (const auto& [path, value] : values) least = std::min(least, value), most = std::max(most, value);
@@ -91,12 +91,12 @@ TEST_CASE("The same cell has the same cycle, share and adhesion under every poli
   for (const auto& [name, scene] : all) {
     CAPTURE(name);
     const World world = ranToEnd(scene);
-    // Born at the first step behind the cycle; how long a step is depends on what touches.
+    // A cell is born at the first step after its cycle, and the step depends on contacts.
     double longest = 0;
     for (const auto& period : world.timeSteps) longest = std::max(longest, period.timeStep);
     for (const auto& period : first.timeSteps) longest = std::max(longest, period.timeStep);
-    checkSame(birthsOf(first), birthsOf(world), 3 * longest);  // one for each of three divisions
-    checkSame(sharesOf(first), sharesOf(world), 1e-12);        // fluid is shared out exactly; the rest is rounding
+    checkSame(birthsOf(first), birthsOf(world), 3 * longest);  // one step for each of three divisions
+    checkSame(sharesOf(first), sharesOf(world), 1e-12);        // fluid is shared out exactly, up to rounding
     checkSame(factorsOf(first), factorsOf(world), 0);
   }
   Scene other = all[0].second;
@@ -123,5 +123,5 @@ TEST_CASE("An axis is tilted by the same angle, whatever direction it is tilted 
   y.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::both, 0.2, {}};
   const auto a = tiltsOf(ranToEnd(x), {1, 0, 0}), b = tiltsOf(ranToEnd(y), {1, 2, 2});
   checkVaries(a, 1e-3);
-  checkSame(a, b, 1e-13);  // the angle is drawn, and then turned into place by products and a square root
+  checkSame(a, b, 1e-13);  // rounding of the products and root that turn the angle into place
 }

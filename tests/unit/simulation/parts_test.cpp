@@ -70,7 +70,7 @@ TEST_CASE("Contact of a cell that is alone changes nothing") {
   for (int i = 0; i < 100; ++i) {
     without.bodies->velocity[0] += 0.01;
     with.bodies->velocity[0] += 0.01;
-    // The time steps differ, for contact has a limit of its own.
+    // The time steps would differ: contact has a limit of its own. Both worlds take the same one.
     movePhysics(without, 0x1p-8);
     movePhysics(with, 0x1p-8);
   }

@@ -1,4 +1,4 @@
-// What division planes ask a living world for.
+// Facts of a living world that division planes ask for.
 #include "catch.h"
 #include "simulation/observation.h"
 #include "worlds.h"
@@ -7,7 +7,7 @@ using namespace morula;
 
 namespace {
 
-/// Balls of these radii at these places, at rest.
+/// Returns a world of balls at rest, with these radii and places.
 World balls(const Scene& scene, const std::vector<std::pair<double, Point>>& places) {
   std::vector<Body> cells;
   for (const auto& [radius, at] : places) {
@@ -25,7 +25,7 @@ Scene quiet() { return scenes::withBodies("START: a0\ng1(a0|a0)\n", 3); }
 }  // namespace
 
 TEST_CASE("the organism's centre is that of its volume") {
-  const World world = balls(quiet(), {{2, {1, 0, 0}}, {1, {-8, 9, 0}}});  // 8 : 1
+  const World world = balls(quiet(), {{2, {1, 0, 0}}, {1, {-8, 9, 0}}});  // volumes are 8 : 1
   const Observation now(world);
   CHECK(norm(now.cell(0).organismCentre() - Vector{0, 1, 0}) < 1e-12);
   CHECK(now.cell(1).organismCentre() == now.cell(0).organismCentre());
@@ -77,7 +77,7 @@ TEST_CASE("in a run polarities turn and are inherited, and what is kept of them 
   const World world = ranToEnd(scenes::turning());
   REQUIRE(world.polarities);
   const auto& kept = *world.polarities;
-  REQUIRE(kept.size() == 3);  // of the egg, A and B
+  REQUIRE(kept.size() == 3);  // polarities of the egg, A and B
   CHECK(kept[0].path.isEgg());
   CHECK(norm(kept[0].direction - Vector{1, 2, 3} / std::sqrt(14.0)) < 1e-14);
   CHECK(kept[1].path.text() == "A");

@@ -1,4 +1,4 @@
-// Births and deaths: what is kept, what is recorded, and what a failure leaves behind.
+// Births and deaths: which state is kept, which rows are recorded, and the world after a failure.
 #include "base/maths.h"
 #include "catch.h"
 #include "worlds.h"
@@ -30,7 +30,7 @@ TEST_CASE("A division makes two cells of one and records it, once the cycle's ti
   CHECK(entry(world, "").endedStep == world.clock.step);
   CHECK(entry(world, "A").born == world.clock.time);
   CHECK(entry(world, "B").bornStep == world.clock.step);
-  // Forces have been evaluated for the new cells: half a sphere each, at the mother's pressure.
+  // Forces have been evaluated for the new cells: half spheres at the mother's pressure.
   CHECK(world.bodies->volume[0] + world.bodies->volume[1] == Approx(volume).epsilon(1e-10));
   CHECK(world.bodies->volume[0] == Approx(volume / 2).epsilon(1e-6));
   CHECK(world.bodies->pressure[0] == Approx(pressure).margin(1e-6));
@@ -119,7 +119,7 @@ TEST_CASE("A division that cannot be done leaves the world as it was, other divi
   CHECK_THAT(failure->remedy, ContainsSubstring("the cells were not sane before: the outer side of cell B"));
   CHECK(stateHash(world) == before);
   CHECK(pathsOf(world) == std::vector<std::string>{"A", "B"});
-  // The same world still can do what can be done.
+  // Other divisions are still possible in the world.
   changePopulation(world, Observation(world), {CellChange::divides, CellChange::none});
   CHECK(pathsOf(world) == std::vector<std::string>{"AA", "AB", "B"});
 }

@@ -1,4 +1,4 @@
-// Against the definition, and what ranks promise.
+// Rank correlation against its definition, and properties of ranks.
 #include <cmath>
 
 #include "catch.h"
@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-/// 1 + how many are less + half of the others that are equal.
+/// Returns the rank: 1 + the number of smaller values + half the number of other equal values.
 double rankOf(const std::vector<double>& values, double value) {
   double rank = 0.5;
   for (double other : values) rank += other < value ? 1 : other == value ? 0.5 : 0;

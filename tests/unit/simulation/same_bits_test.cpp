@@ -1,4 +1,4 @@
-// One scene, one result: whatever the instruction set, the number of threads, and however often it is run.
+// One scene gives one result, on any instruction set and number of threads, however often it is run.
 #include "catch.h"
 #include "worlds.h"
 
@@ -24,7 +24,7 @@ std::vector<Scene> allScenes() {
     other.name += std::string(" by ") + nameOf(integrator);
     other.mechanics->physics.integrator = integrator;
     if (integrator == Integrator::xpbd) other.mechanics->physics.substeps = 3;
-    other.mechanics->physics.drag = 5;  // or explicit Euler's steps are tiny
+    other.mechanics->physics.drag = 5;  // without drag explicit Euler's steps are tiny
     other.stop.time = integrator == Integrator::explicitEuler ? 3.1 : 3.5;
     all.push_back(other);
   }
@@ -32,7 +32,7 @@ std::vector<Scene> allScenes() {
   return all;
 }
 
-/// Of the forces; in a run through time there is one in each step, at least.
+/// Returns the number of force evaluations, counting one for each step of a run through time.
 std::uint64_t evaluationsOf(const World& world) {
   std::uint64_t count = world.clock.step;
   if (world.settlings)
@@ -40,7 +40,7 @@ std::uint64_t evaluationsOf(const World& world) {
   return count;
 }
 
-/// The states of a run to its end, the first before any step, or `most` and one more.
+/// Returns the hashes of a run's states, from before the first step to the end or to `most` steps.
 std::vector<Hash> hashesOf(World& world, std::size_t most = SIZE_MAX) {
   std::vector<Hash> states{stateHash(world)};
   for (; !finished(world) && states.size() <= most; states.push_back(stateHash(world))) step(world);
@@ -58,7 +58,7 @@ TEST_CASE(
   for (const Scene& scene : allScenes()) {
     World first = makeWorld(scene, {Isa::scalar, 1});
     const std::vector<Hash> states = hashesOf(first);
-    // One after the other: threads that wait for work would take time from those that have some.
+    // Worlds run one after the other: waiting threads would take time from working ones.
     for (const Execution& other : others) {
       World world = makeWorld(scene, other);
       const std::vector<Hash> found = hashesOf(world, states.size());
@@ -67,7 +67,7 @@ TEST_CASE(
       CHECK(found == states);
     }
     CAPTURE(scene.name);
-    CHECK(evaluationsOf(first) > (first.settlings ? 50 : 300));  // balls settle soon
+    CHECK(evaluationsOf(first) > (first.settlings ? 50 : 300));  // balls settle in few evaluations
     CHECK(first.lineage.entries.size() >= 7);
     ranToEnd(scenes::lineageOnly(scenes::uniqueFour, 5));  // another world in between
     CHECK(stateHash(ranToEnd(scene)) == states.back());

@@ -1,4 +1,4 @@
-// How contacts are searched for changes speed, never a bit of the result.
+// The search for contacts changes the speed, never a bit of the result.
 #include "catch.h"
 #include "worlds.h"
 
@@ -6,7 +6,7 @@ using namespace morula;
 
 namespace {
 
-/// The hash of the last state, and how many searches it took to get there.
+/// The last state's hash, and how many steps and searches led to it.
 struct End {
   Hash hash;
   std::uint64_t steps, rebuilds;
@@ -19,7 +19,7 @@ End endOf(const Scene& scene, const Execution& how) {
 
 Scene shortPacked() {
   Scene scene = scenes::packed();
-  scene.stop.time = 3.25;  // eight cells, and a little of sixteen
+  scene.stop.time = 3.25;  // eight cells, and the first steps of sixteen
   return scene;
 }
 
@@ -33,7 +33,7 @@ TEST_CASE(
   for (ContactSearch search : valuesOf<ContactSearch>())
     for (Isa isa : availableIsas())
       for (int threads : {1, 3}) {
-        if (search == ContactSearch::bruteForce && isa != bestIsa()) continue;  // it has no kernels
+        if (search == ContactSearch::bruteForce && isa != bestIsa()) continue;  // brute force has no kernels
         const End end = endOf(scene, {isa, threads, {search, 0.15}});
         CAPTURE(nameOf(search), name(isa), threads);
         CHECK(end.hash == expected.hash);

@@ -1,5 +1,4 @@
-// What cells perceive of a world: against what is put there by hand; and turning, naming or reckoning otherwise
-// changes nothing.
+// Perceptions of cells against scenes laid out by hand. Turning, renaming or other execution changes nothing.
 #include <algorithm>
 #include <set>
 
@@ -20,7 +19,7 @@ SenseParameters sense(const char* substance, SenseKind kind, Threshold is, const
   return s;
 }
 
-/// Cells of the given substances; what each holds after its first cycle.
+/// Returns the substances that each cell holds after its first cycle, under the given senses.
 std::vector<std::string> statesAfterOneCycle(Scene scene, const std::vector<SenseParameters>& senses,
                                              const Execution& execution = {}) {
   scene.senses = senses;
@@ -41,13 +40,13 @@ Scene balls(std::vector<StartCell> cells, const std::string& dna, std::set<std::
 
 using Names = std::vector<std::string>;
 
-/// A rotation by which coordinates change places and signs, so that no number is rounded.
+/// Rotates by exchanging coordinates and signs, so that no number is rounded.
 Vector turned(const Vector& v) { return {v.y, -v.z, -v.x}; }
 
 }  // namespace
 
 TEST_CASE("Balls perceive who touches them, who has most of their contact and who is near") {
-  // In a row: source, target, other; two more far away.
+  // A row of source, target and other, with two more cells far away.
   const std::string dna = "START: s, t\ng1(t|t)\ng2(s|s)\ng3(x|touched, many, most, near, any)\n";
   const auto states = statesAfterOneCycle(
       [&] {
@@ -67,7 +66,7 @@ TEST_CASE("Balls perceive who touches them, who has most of their contact and wh
 }
 
 TEST_CASE("A ball perceives what others release, by e^(-r/range)/r") {
-  // At distance 2: 0.18394; at 4: 0.033834; both at 2 and 4: 0.21777
+  // Values: 0.18394 at distance 2, 0.033834 at 4, 0.21777 with both.
   const auto statesAbove = [](double bound) {
     return statesAfterOneCycle(balls({{.at = {0, 0, 0}, .substances = Names{"s"}},
                                       {.at = {0, 2, 0}, .substances = Names{"s"}},
@@ -95,9 +94,9 @@ TEST_CASE("A cell on the shell perceives the share of its surface that lies ther
   Scene scene = scenes::withBodies("START: a\ng1(a|a)\n", 2, scenes::scaled(makeIcosphere(2), 0.95));
   scene.mechanics->physics.shell = ShellParameters{{0.93, 0.93, 0.93}};
   const World world = ranTo(scene, 0.5);
-  // The egg more than fills it: its surface, 0.012 below its vertices, is pressed onto it everywhere.
+  // The egg more than fills the shell, which presses on its whole surface, 0.012 below its vertices.
   CHECK(ObservedCell(Observation(world), 0).shellShare() == Approx(1));
-  // Of an octahedron's eight faces, each vertex stands for a sixth of the area.
+  // Each vertex of an octahedron stands for a sixth of the area of its eight faces.
   BodyShape octahedron{};
   octahedron.surface.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (int z : {4, 5})
@@ -168,7 +167,7 @@ TEST_CASE("Turning a scene turns its result: cells perceive the same") {
     return statesOf(world);
   };
   const Names plain = run(false, {Isa::scalar, 1});
-  CHECK(std::set<std::string>(plain.begin(), plain.end()).size() > 3);  // they do not all perceive the same
+  CHECK(std::set<std::string>(plain.begin(), plain.end()).size() > 3);  // cells perceive different things
   CHECK(run(true, {Isa::scalar, 1}) == plain);
   CHECK(run(false, {bestIsa(), 3}) == plain);
 }

@@ -1,5 +1,5 @@
-// Quasi-static growth: where it ends, against forces added up by brute force and against a run through time that comes
-// to rest at the same place, and what it says when it does not get there.
+// Quasi-static growth: its end against forces added up by brute force and against a run through time that comes to
+// rest, and its messages when it does not settle.
 #include "simulation/settle.h"
 
 #include <numbers>
@@ -18,7 +18,7 @@ Scene settled(Scene scene, double tolerance, std::uint64_t evaluations = 200'000
   return scene;
 }
 
-/// As settle.h defines it, vertex by vertex.
+/// Returns the residual that settle.h defines, vertex by vertex.
 double residualOf(const World& world) {
   const Bodies& b = *world.bodies;
   double left = 0, pressure = 0;
@@ -36,7 +36,7 @@ double residualOf(const World& world) {
   return std::sqrt(left / vertices) / pressure;
 }
 
-/// Four cells in a shell that stop dividing then.
+/// Returns a scene in a shell whose cells stop dividing when they are four.
 Scene four() {
   Scene scene = scenes::packed();
   scene.stop = {.cycles = 3, .time = {}, .cells = {}};
@@ -67,7 +67,7 @@ TEST_CASE("Forces of a world at rest vanish to rounding: 1e-9 of what a spring e
     Scene scene = scenes::packed();
     scene.stop = {.cycles = {}, .time = {}, .cells = cells};
     World world = ranToEnd(settled(scene, 0.03));
-    // Only the last settling need go so far.
+    // Only the last settling has to go this far.
     world.bodies->parameters.settle.tolerance = 1e-10;
     step(world);
     const Bodies& b = *world.bodies;
@@ -100,14 +100,14 @@ TEST_CASE("How far from rest a settling ends is measured, and changes no bit") {
       CAPTURE(sticks, last.step);
       REQUIRE(last.energyLeft.has_value() == (last.step % 2 == 0));
       if (last.step % 2 != 0) continue;
-      // The same events, settled to a hundredth of the tolerance at once: the way goes through the same states.
+      // A second world takes the same steps and settles the last to a hundredth of the tolerance: the path is the same.
       World there = makeWorld(scene);
       while (there.clock.step + 1 < last.step) step(there);
       there.bodies->parameters.settle.tolerance = 0.0003;
       step(there);
       CHECK_THAT(*last.displacementLeft, Catch::Matchers::WithinRel(farthestApart(there, sampled), 1e-12));
       const double left = measureEnergy(sampled).total() - measureEnergy(there).total();
-      // A difference of energies that are some thousand times as large.
+      // The difference of energies some thousand times as large loses digits.
       CHECK_THAT(*last.energyLeft, Catch::Matchers::WithinRel(left, 1e-9));
       CHECK(*last.energyLeft > 0);
     }
@@ -126,7 +126,7 @@ TEST_CASE("How far from rest a settling ends is measured, and changes no bit") {
 }
 
 TEST_CASE("A cell comes to rest where a run through time with drag ends") {
-  // Cells that touch have many states of rest beside one another: they turn and fold with next to no force.
+  // Only a single cell: cells that touch have many states of rest close together, as they turn and fold almost freely.
   Scene scene = scenes::packed();
   scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "still.dna");
   scene.mechanics->physics.shell.reset();
@@ -142,8 +142,8 @@ TEST_CASE("A cell comes to rest where a run through time with drag ends") {
 }
 
 TEST_CASE("A cell that its gas presses against the shell comes to rest") {
-  // Without inertia that follows how often it goes uphill, some oscillate at half of what holds them in shape, without
-  // end.
+  // Some of these cells would oscillate forever, at half the forces that hold their shape, unless FIRE's inertia
+  // followed how often a cell goes uphill.
   for (const double radius : {0.9, 0.93, 0.95})
     for (const double outside : {16.0, 20.0, 25.0, 30.0})
       for (const std::uint64_t seed : {1, 2, 3}) {
@@ -188,7 +188,7 @@ TEST_CASE("Cells that wait for a size they do not grow to are asked as often as 
     times.push_back(world.clock.time);
   }
   CHECK(world.cells.path.size() == 1);
-  // The start, the cycle at 1 from which on the cell waits, and a round each 0.02/0.1 from there to the end.
+  // Times: the start, the cycle at 1 from which on the cell waits, and rounds every 0.02/0.1 to the end.
   CHECK(times.size() == 7);
   for (std::size_t i = 2; i < times.size(); ++i) CHECK(times[i] - times[i - 1] == Approx(0.2));
 }
@@ -212,7 +212,7 @@ TEST_CASE("Mass, drag, damping and friction change nothing") {
   other.mechanics->contact->damping = 1;
   other.mechanics->contact->friction = 0.8;
   CHECK(stateHash(ranToEnd(other)) == hash);
-  other.mechanics->physics.cell.mass *= 4;  // a power of two: no rounding
+  other.mechanics->physics.cell.mass *= 4;  // a power of two is exact
   const World heavy = ranToEnd(other), light = ranToEnd(scene);
   CHECK(heavy.bodies->position == light.bodies->position);
 }
@@ -254,7 +254,7 @@ TEST_CASE("Ten times the tolerance is not too far off to go on from") {
 
 TEST_CASE("The cell that is told where a settling ends far from rest is the one with the largest forces") {
   Scene scene = settled(four(), 1e-9);
-  scene.mechanics->division.rules = {{.of = {"a*"}, .share = 0.8}};  // so that masses differ
+  scene.mechanics->division.rules = {{.of = {"a*"}, .share = 0.8}};  // makes masses differ
   std::set<std::string> told;
   for (std::uint64_t evaluations = 2; evaluations < 60; evaluations += 3) {
     World world = makeWorld(scene, {Isa::scalar, 1});

@@ -1,4 +1,4 @@
-// Single precision beside double: the same scene, to the digits that a float has.
+// Single precision beside double: the same scene, to the digits of a float.
 #include "catch.h"
 #include "worlds.h"
 
@@ -14,10 +14,10 @@ TEST_CASE("With floats, cells go the same way to six digits until they have touc
   Worst volumes;
   for (int slot : wide.bodies->slots)
     volumes.see(std::abs(narrow.bodies->volume[slot] / wide.bodies->volume[slot] - 1));
-  // Twenty steps, each rounded to 6e-8 of an extent of about 1, with forces of 1e-7.
+  // Twenty steps, each rounded to 6e-8 of an extent of about 1, with forces rounded to 1e-7.
   CHECK(apart < 2e-5);
   CHECK(volumes < 2e-5);
-  CHECK(apart > 0);  // floats they are
+  CHECK(apart > 0);  // the numbers are floats
 }
 
 TEST_CASE("With floats, a whole life has the same lineage, and cells of the same volume") {
@@ -29,8 +29,8 @@ TEST_CASE("With floats, a whole life has the same lineage, and cells of the same
     wideVolume += wide.bodies->volume[slot];
     narrowVolume += narrow.bodies->volume[slot];
   }
-  // Which way cells tip in the crowd differs, and with it what they hold together: in doubles, too, where one vertex of
-  // the egg moved by 1e-9 to 5e-9 makes it 2.998 to 3.014.
+  // Rounding changes how cells tip in the crowd, and so their volume. In doubles, too: moving one vertex of the egg by
+  // 1e-9 to 5e-9 makes the volume 2.998 to 3.014.
   CHECK(narrowVolume == Approx(wideVolume).epsilon(8e-3));
 }
 
@@ -41,6 +41,6 @@ TEST_CASE("With floats, touching cells keep their momentum to the floats' roundi
   const Vector before = momentumOf(*world.bodies);
   for (int i = 0; i < 300; ++i) step(world);
   CHECK(world.contacts->rebuilds > 3);
-  // 8 · 42 · 300 roundings of 6e-8 in a speed of about 1, most of which cancel, over a mass of about 11.
+  // Expected: 8 · 42 · 300 roundings of 6e-8 in a speed of about 1, most of which cancel, over a mass of about 11.
   CHECK(norm(momentumOf(*world.bodies) - before) < 1e-4);
 }

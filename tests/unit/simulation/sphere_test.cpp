@@ -1,4 +1,4 @@
-// Cells as spheres: the same worlds, one vertex each.
+// Cells as spheres: the same worlds with one vertex per cell.
 #include <algorithm>
 #include <numbers>
 
@@ -27,7 +27,7 @@ double radiusOf(const World& world, int cell) {
 
 }  // namespace
 
-// Relative motion with reduced mass ½ on a spring K: depth u/ω sin ωt with ω² = 2K, for half a period.
+// The relative motion has the reduced mass ½ on a spring K: depth u/ω sin ωt with ω² = 2K, for half a period.
 TEST_CASE("Two spheres bounce as a spring between them does") {
   const double u = 2, omega = std::sqrt(60.0), meet = 1.0 / u;
   World world =
@@ -42,10 +42,10 @@ TEST_CASE("Two spheres bounce as a spring between them does") {
     worst = std::max(worst, std::abs(distance(world) - expected));
     deepest = std::max(deepest, 2 - distance(world));
   }
-  CHECK(worst < 2e-5);  // second order in a step of 2^-10, and up to one step from the meeting: ω²u Δt²/2 = 6e-5
+  CHECK(worst < 2e-5);  // second order in a step of 2^-10, and up to one step after the meeting: ω²u Δt²/2 = 6e-5
   CHECK(std::abs(deepest - u / omega) < 1e-5);
   CHECK(std::abs(velocityOf(world, 1).x - 1) < 2e-4);
-  CHECK(velocityOf(world, 0) == -velocityOf(world, 1));  // not a bit of momentum is lost
+  CHECK(velocityOf(world, 0) == -velocityOf(world, 1));  // exact to the bit
 }
 
 TEST_CASE("A crowd of spheres keeps its momentum to rounding, and each its size and mass") {
@@ -71,7 +71,7 @@ TEST_CASE("A sphere's medium, measures and surface are those of a ball") {
   Scene scene = looseBalls({{.at = {3, 2, 1}, .velocity = {1, 0, 0}, .scale = 0.5}});
   scene.mechanics->physics.drag = 4;
   const World world = ranTo(scene, 0.5);
-  CHECK(std::abs(velocityOf(world, 0).x - std::exp(-2.0)) < 2e-6);  // drag²·Δt²/… at second order: 16·2^-20/6
+  CHECK(std::abs(velocityOf(world, 0).x - std::exp(-2.0)) < 2e-6);  // error of second order in drag·Δt: 16·2^-20/6
   const CellMeasures m = measureCells(world)[0];
   CHECK(m.at("volume") == Approx(4 * pi / 3 / 8).epsilon(1e-14));
   CHECK(m.at("area") == Approx(pi).epsilon(1e-14));
@@ -79,7 +79,7 @@ TEST_CASE("A sphere's medium, measures and surface are those of a ball") {
   CHECK_FALSE(m["pressure"]);
   const Mesh surface = cellMesh(world, world.cells.path[0]);
   REQUIRE(surface.vertices.size() == 42);
-  // The mesh of these tests has radius 0.95; it is what the sphere is drawn as, at its scale.
+  // A sphere is drawn as the tests' mesh of radius 0.95, at its scale.
   for (const Point& x : surface.vertices)
     CHECK(std::abs(norm(x - Point{m.at("x"), m.at("y"), m.at("z")}) - 0.475) < 1e-13);
 }
@@ -87,7 +87,7 @@ TEST_CASE("A sphere's medium, measures and surface are those of a ball") {
 TEST_CASE("Spheres divide into halves inside their outline, and part until they touch") {
   Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a1|a1)\n", 8);
   scene.mechanics->physics.cell = {1, 3, CellModel::sphere};
-  scene.mechanics->physics.drag = 20;  // or they fly on: deep overlap is a stiff spring
+  scene.mechanics->physics.drag = 20;  // without drag they fly on: deep overlap is a stiff spring
   scene.mechanics->contact = scenes::pairContact;
   scene.mechanics->division = {DivisionPlane::axis, {0, 0, 2}};
   World world = makeWorld(scene);
@@ -99,7 +99,7 @@ TEST_CASE("Spheres divide into halves inside their outline, and part until they 
   CHECK(centreOf(world, "B").z == Approx(r - 1).epsilon(1e-14));
   CHECK(world.bodies->mass(0) + world.bodies->mass(1) == 3);
   runToEnd(world);
-  CHECK(distance(world) > 1.999 * r);  // the last of the way goes slowly
+  CHECK(distance(world) > 1.999 * r);  // the last of the way takes long
   CHECK(distance(world) < 2.3 * r);
 }
 
@@ -115,10 +115,10 @@ TEST_CASE("No sphere leaves a spherical shell") {
   }
   CHECK(world.cells.path.size() == 16);
   CHECK(outermost < 1 + 1e-14);
-  CHECK(outermost > 1 - 1e-9);  // some press against it
+  CHECK(outermost > 1 - 1e-9);  // some cells press against the shell
 }
 
-// Spheres of radii 1 and ½ at distance 1.2: the disc's plane is at (1.44 + 1 − 0.25)/2.4 = 0.9125.
+// The disc of spheres of radii 1 and ½ at distance 1.2 lies in the plane at (1.44 + 1 − 0.25)/2.4 = 0.9125.
 TEST_CASE("Spheres touch over the disc in which their surfaces meet") {
   World world = makeWorld(looseBalls({{.at = {0, 0, 0}}, {.at = {0, 1.2, 0}, .scale = 0.5}, {.at = {9, 0, 0}}}));
   const auto contacts = measureContacts(world);

@@ -41,7 +41,7 @@ TEST_CASE("Paths are those of an egg that divided at time 0, in the order of the
     const World world = makeWorld(withCells(cells));
     CHECK(pathsOf(world) == paths);
     for (std::size_t i = 0; i < paths.size(); ++i) CHECK(norm(centreOf(world, paths[i].c_str()) - cells[i].at) < 1e-12);
-    // A whole tree: every mother has divided, at once, before her daughters.
+    // The lineage is a whole tree: every mother divided at time 0, before her daughters.
     REQUIRE(world.lineage.entries.size() == 2 * paths.size() - 1);
     std::size_t divided = 0;
     for (std::size_t i = 0; i < world.lineage.entries.size(); ++i) {
@@ -63,7 +63,7 @@ TEST_CASE("A mesh is turned about an axis, and then stretched") {
                                            {.at = {9, 0, 0}, .turn = {0, 0, 360}}}));
   const Mesh& egg = world.model.mechanics->mesh;
   for (int v = 0; v < world.bodies->vertexCount(); ++v) {
-    // A few roundings: coordinates are 5 at most in the first two cells and 10 in the third.
+    // Tolerances allow a few roundings: coordinates are 5 at most in the first two cells and 10 in the third.
     const Point& x = egg.vertices[v];
     CHECK(norm(world.bodies->vertex(0, v) - Point{-3 - 2 * x.y, x.x, x.z}) < 2e-15);
     CHECK(norm(world.bodies->vertex(1, v) - Point{3 + x.y, x.z, x.x}) < 2e-15);

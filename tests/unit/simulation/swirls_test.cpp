@@ -11,7 +11,7 @@ using namespace morula;
 
 namespace {
 
-/// A cell that divides once, along an axis, at time 1; nothing touches.
+/// Returns a scene of one cell that divides once, along `axis`, at time 1, without contact.
 Scene pair(const Vector& axis, std::optional<Chirality> chirality, double drag = 100) {
   Scene s = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a1|a1)\n", 9);
   s.mechanics->physics.drag = drag;
@@ -23,8 +23,8 @@ Scene pair(const Vector& axis, std::optional<Chirality> chirality, double drag =
   return s;
 }
 
-/// [degree] About the axis, by which the first cell must turn to lie over the second as well as it can; both about
-/// their centres. Positive: clockwise seen along the axis.
+/// Returns the angle about `axis` [degree] that turns the first cell best onto the second, both about their centres. It
+/// is positive if clockwise seen along the axis.
 double turnOf(const World& from, const World& to, const char* path, Vector axis) {
   axis = axis / norm(axis);
   const auto placesOf = [&](const World& world) {
@@ -63,12 +63,12 @@ TEST_CASE("chirality: after one time constant 1/e of the angle is left") {
   Scene unturned = pair(oblique, {});
   unturned.stop.time = 1.4;
   const double turned = turnOf(ranToEnd(unturned), ranToEnd(scene), "A", oblique);
-  CHECK(turned == Approx(60 * (1 - std::exp(-1.0))).epsilon(0.05));  // the medium takes a moment to take it along
+  CHECK(turned == Approx(60 * (1 - std::exp(-1.0))).epsilon(0.05));  // the medium takes a moment to take the cell along
 }
 
 TEST_CASE("chirality: the other sign of the axis is the same hand, for it exchanges the daughters") {
   const World still = ranToEnd(pair(oblique, {})), turned = ranToEnd(pair(-oblique, Chirality{20, 0.2}));
-  // The half that oblique points to is B now.
+  // With −oblique, daughter B lies where `oblique` points.
   CHECK(turnOf(ranToEnd(pair(-oblique, {})), turned, "B", oblique) == Approx(20).epsilon(0.01));
   CHECK(turnOf(ranToEnd(pair(-oblique, {})), turned, "A", oblique) == Approx(-20).epsilon(0.01));
 }
@@ -118,7 +118,7 @@ TEST_CASE("chirality: of the division's rule alone, and for eight time constants
     return paths;
   };
   runTo(world, 1.5);
-  CHECK(youngOnes().empty());  // of the egg's division there is no rule
+  CHECK(youngOnes().empty());  // the egg's division has no rule
   while (world.cells.path.size() < 4) step(world);
   CHECK(youngOnes() == std::vector<std::string>{"BA", "BB"});
   const std::vector<Swirl> swirls = *world.swirls;

@@ -1,5 +1,5 @@
-// Two connected cells pull each other with a constant force [Nilsson 2008, eq. 4.9] through a medium: they
-// come to the speed at which drag balances it, v = k_c/(drag m) (1 − e^(−drag t)).
+// Two connected cells pull each other through a medium with a constant force [Nilsson 2008, eq. 4.9]. They approach the
+// speed at which drag balances the force, v = k_c/(drag m) (1 − e^(−drag t)).
 #include "catch.h"
 #include "worlds.h"
 

@@ -1,4 +1,4 @@
-// The time step: the scene's own, checked against the limits, or the largest dyadic one that is stable.
+// The time step: the scene's own, checked against the limits, or the largest stable power of two.
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
@@ -10,7 +10,7 @@ using namespace morula;
 
 TEST_CASE("auto is a power of two that follows cells and how hard contacts are pressed, and each change is on record") {
   Scene scene = scenes::packed();
-  scene.mechanics->contact->stiffness = 4;  // so that contacts are pressed deep
+  scene.mechanics->contact->stiffness = 4;  // makes contacts deep
   World world = makeWorld(scene);
   REQUIRE(world.timeSteps.size() == 1);
   CHECK(world.timeSteps[0].time == 0);
@@ -22,7 +22,7 @@ TEST_CASE("auto is a power of two that follows cells and how hard contacts are p
     const std::size_t cells = world.cells.path.size();
     const std::uint64_t epoch = world.clock.epochStep;
     step(world);
-    CHECK(world.clock.time == time + before);  // dyadic: not a bit is lost
+    CHECK(world.clock.time == time + before);  // dyadic steps add up exactly
     if (world.clock.timeStep == before) continue;
     if (world.cells.path.size() == cells) {
       const bool mayGrow = (world.clock.step - epoch) % 64 == 0;
@@ -106,7 +106,7 @@ TEST_CASE("A vertex that outruns its contacts ends the run, and the step that it
   scene.mechanics->physics.timeStep = told;
   World again = makeWorld(scene);
   CHECK_NOTHROW(step(again));
-  // Without contact nobody is to be outrun.
+  // Without contact, no vertex can outrun contacts.
   scene.mechanics->contact.reset();
   scene.mechanics->physics.timeStep.reset();
   World alone = makeWorld(scene);
@@ -127,7 +127,7 @@ TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is to
   CHECK(centreOf(world, "B").x > 0);
   scene.mechanics->physics.timeStep = usual;
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its contacts' reach in a time step of"));
-  scene.cells = {scene.cells[0]};  // there is none that it could meet
+  scene.cells = {scene.cells[0]};  // the cell has none to meet
   CHECK_NOTHROW(makeWorld(scene));
 }
 
@@ -135,14 +135,14 @@ TEST_CASE("Cells that pass through each other end the run, and name each other; 
   Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
   scene.mechanics->contact = scenes::pairContact;
   for (const auto& [speed, fixed] : {std::pair{30.0, 0.0}, {60.0, 0.0}, {30.0, 0x1p-12}}) {
-    if (fixed > 0) scene.mechanics->physics.timeStep = fixed;  // a shorter step sees it, too
+    if (fixed > 0) scene.mechanics->physics.timeStep = fixed;  // a shorter step notices it, too
     scene.cells = {{.at = {-3, 0, 0}, .velocity = {speed, 0, 0}}, {.at = {3, 0.2, 0}, .velocity = {-speed, 0, 0}}};
     World world = makeWorld(scene);
     CAPTURE(speed, fixed);
     CHECK_THROWS_WITH(runTo(world, 1), ContainsSubstring("of its volume with cell") &&
                                            ContainsSubstring("they pass through each other") &&
                                            ContainsSubstring("physics.contact.stiffness"));
-    CHECK(std::abs(centreOf(world, "A").x) < 1);  // it is seen while it happens
+    CHECK(std::abs(centreOf(world, "A").x) < 1);  // the run ends while the cells overlap
   }
   scene.mechanics->physics.timeStep.reset();
   scene.cells = {{.at = {-3, 0, 0}, .velocity = {30, 0, 0}}, {.at = {3, 1.95, 0}, .velocity = {-30, 0, 0}}};
@@ -201,7 +201,7 @@ TEST_CASE("A fixed step is used as it is, and on record from the start") {
   REQUIRE(world.timeSteps.size() == 1);
   CHECK(world.timeSteps[0].timeStep == 0.001);
   for (int i = 0; i < 1500; ++i) step(world);
-  CHECK(world.clock.time == Approx(1.5).epsilon(1e-15));  // a product, not a sum of rounded steps
+  CHECK(world.clock.time == Approx(1.5).epsilon(1e-15));  // the time is a product, not a sum of rounded steps
   CHECK(world.timeSteps.size() == 1);
   CHECK(world.cells.path.size() == 2);
 }
@@ -285,7 +285,7 @@ TEST_CASE("Limits far below 1 are named by digits, not by zeros") {
 TEST_CASE("A fixed step that only the daughters do not bear stops the run at the division") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9);
   const double first = makeWorld(scene).clock.timeStep;
-  // Just below what the egg bears: the daughters, half as heavy, do not.
+  // A step just below the egg's limit is too long for the daughters, which are half as heavy.
   double dt = 2 * first;
   for (;; dt *= 0.95) {
     scene.mechanics->physics.timeStep = dt;
@@ -309,7 +309,7 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   p.integrator = Integrator::xpbd;
   CHECK_THROWS_WITH(makeWorld(scene),
                     ContainsSubstring("this scene has none") && ContainsSubstring("give physics.time_step a number"));
-  p.timeStep = 1;  // any other integrator is refused
+  p.timeStep = 1;  // every other integrator refuses this step
   CHECK_NOTHROW(makeWorld(scene));
   p.timeStep.reset();
   scene.mechanics->contact = scenes::thesisContact;
@@ -342,7 +342,7 @@ TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps o
       try {
         movePhysics(world, world.clock.timeStep);
       } catch (const NumericalError&) {
-        return INFINITY;  // thrown so fast that it is noticed
+        return INFINITY;  // movePhysics noticed the cells' excessive speed
       }
       largest.see(measureWorld(world).at("kinetic_energy"));
     }
@@ -351,7 +351,7 @@ TEST_CASE("With XPBD contacts gain no energy up to their limit, with sub-steps o
   for (const std::uint64_t substeps : {1, 2, 8})
     for (const double damping : {0.0, 0.02}) {
       CAPTURE(substeps, damping);
-      CHECK(maxEnergy(substeps, damping, 0.95) < 1.01);               // they come with 1
-      if (substeps == 1) CHECK(maxEnergy(substeps, damping, 6) > 2);  // at 5: 1.9 and 5.3
+      CHECK(maxEnergy(substeps, damping, 0.95) < 1.01);               // the energy begins with 1
+      if (substeps == 1) CHECK(maxEnergy(substeps, damping, 6) > 2);  // at a factor of 5 the energies are 1.9 and 5.3
     }
 }

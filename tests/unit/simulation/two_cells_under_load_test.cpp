@@ -1,9 +1,7 @@
-// Two cells pressed together by a load F, the constant pull of a connection between them [Nilsson 2008,
-// eq. 4.9], at rest.
+// Two cells at rest, pressed together by a load F, the constant pull of a connection [Nilsson 2008, eq. 4.9].
 //
 //   spheres   overlap by F/K
-//   shells    share a disc of area A on which contents press with F: at its rim the membrane lies in its
-//   plane and
+//   shells    share a disc of area A on which contents press with F: at its rim the membrane lies in its plane and
 //             bears nothing. The pull is spread over the whole cell, so the disc's own share of it counts
 //             too: F = P A + F A/S, with S the cell's whole surface.
 #include <numbers>
@@ -46,7 +44,7 @@ void comeToRest(World& world, double speed) {
   } while (fastestVertex(*world.bodies) > speed);
 }
 
-/// A third of the faces around each vertex of the first cell that the other presses with at least half the pressure.
+/// Returns the area (a third of adjacent faces) of the first cell's vertices pressed with at least half the pressure.
 double pressedArea(const World& world, double pressure) {
   const Bodies& b = *world.bodies;
   std::vector<double> around(b.vertexCount(), 0.0);
@@ -67,7 +65,7 @@ double pressedArea(const World& world, double pressure) {
 TEST_CASE("Two spheres under a load overlap by load over stiffness") {
   for (const double load : {0.1, 0.7}) {
     World world = pressedTogether(CellModel::sphere, 1, load, 30, 1.99);
-    comeToRest(world, 1e-13);  // a speed of s is a place off by about s · drag · mass / K
+    comeToRest(world, 1e-13);  // a speed of s means a distance of about s · drag · mass / K from rest
     const double distance = norm(world.bodies->vertex(0, 0) - world.bodies->vertex(1, 0));
     CHECK(2 - distance == Approx(load / 30).epsilon(1e-10));
   }

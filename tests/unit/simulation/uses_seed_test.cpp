@@ -1,4 +1,4 @@
-// usesSeed: true exactly where two seeds give two results.
+// usesSeed is true exactly if two seeds give two results.
 #include <functional>
 
 #include "catch.h"
@@ -30,12 +30,12 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
   for (const auto& [name, scene] : scenes)
     for (const DivisionPlane plane : {DivisionPlane::longest, DivisionPlane::axis, DivisionPlane::random}) {
       Scene s = scene;
-      s.cycle.length = 0.0625;  // two cycles, and what they draw, are enough
+      s.cycle.length = 0.0625;  // two cycles of draws are enough
       s.stop = {.cycles = 2, .time = {}, .cells = {}};
       if (!s.mechanics && plane != DivisionPlane::longest) continue;
       if (s.mechanics) s.mechanics->division.otherwise.plane = plane;
       if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere && plane == DivisionPlane::longest)
-        continue;  // a sphere has none
+        continue;  // a sphere has no longest axis
       CAPTURE(name, static_cast<int>(plane));
       CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));
     }

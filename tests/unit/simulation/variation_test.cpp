@@ -1,4 +1,4 @@
-// What a seed varies: cycles, shares, the start; and unequal divisions of whole worlds.
+// Quantities that a seed varies: cycles, shares and the start; and unequal divisions of whole worlds.
 
 #include "base/random.h"
 #include "catch.h"
@@ -21,7 +21,7 @@ Scene varied(double cycle, std::uint64_t seed = 3) {
   return s;
 }
 
-/// [radii] By which a first cell stands off its place.
+/// [radii] Returns the deviate by which a first cell stands off its place.
 Vector startDeviate(const Scene& scene, const CellPath& path) {
   return {deviate(scene, path, Purpose::startVariation, 0), deviate(scene, path, Purpose::startVariation, 1),
           deviate(scene, path, Purpose::startVariation, 2)};
@@ -78,9 +78,9 @@ TEST_CASE("Bodies leave the lineage as it is, and the plane leaves the paces as 
   for (const auto& [path, born] : none) {
     CAPTURE(path);
     CHECK(bodies.at(path) >= born * (1 - 1e-12));
-    CHECK(bodies.at(path) <= born + a.timeSteps.front().timeStep + 1e-12);  // the first step at or after it
+    CHECK(bodies.at(path) <= born + a.timeSteps.front().timeStep + 1e-12);  // the first step after the cycle
   }
-  // The same deviation of the share from a half, which both planes are asked for.
+  // Shares deviate from a half by the same deviate under both planes.
   REQUIRE(a.divisions.size() == b.divisions.size());
   for (std::size_t i = 0; i < a.divisions.size(); ++i) {
     CHECK(a.divisions[i].path == b.divisions[i].path);
@@ -94,7 +94,7 @@ TEST_CASE("Automatic time steps are no longer than the shortest cycle that varia
   scene.cycle.length = 0.01;
   const double plain = makeWorld(scene).clock.timeStep;
   CHECK(plain == 0x1p-7);
-  scene.variation.cycle = 0.25;  // 0.25 of it at the least
+  scene.variation.cycle = 0.25;  // the shortest cycle is 0.25 of the mean
   CHECK(makeWorld(scene).clock.timeStep == 0x1p-9);
   scene.mechanics->physics.timeStep = 0x1p-7;
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("less variation.cycle"));
@@ -166,7 +166,7 @@ TEST_CASE("A state that was saved between two divisions goes on with the same de
 }
 
 TEST_CASE("A scene turned about turns its divisions: shares, paces and angles of tilts stay") {
-  // A turn by a third about (1, 1, 1), which changes no digit: (x, y, z) → (z, x, y).
+  // Turns by a third about (1, 1, 1), which rounds nothing: (x, y, z) → (z, x, y).
   const auto turn = [](const Vector& a) { return Vector{a.z, a.x, a.y}; };
   Scene scene = scenes::varied();
   scene.variation.start = 0;

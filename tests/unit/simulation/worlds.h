@@ -1,5 +1,5 @@
 #pragma once
-// Worlds for tests: of a scene, or of cells put together by hand.
+// Worlds for tests: from a scene, or from cells put together by hand.
 #include <cmath>
 #include <functional>
 #include <map>
@@ -37,7 +37,7 @@ inline World ranTo(const Scene& scene, double time, const Execution& execution =
   return world;
 }
 
-/// How what is done fails, if it does.
+/// Returns the NumericalError with which `what` fails, if it does.
 inline std::optional<NumericalError> failureOf(const std::function<void()>& what) {
   try {
     what();
@@ -45,7 +45,7 @@ inline std::optional<NumericalError> failureOf(const std::function<void()>& what
   } catch (const NumericalError& error) { return error; }
 }
 
-/// [length] The farthest that two worlds with the same cells have a vertex apart.
+/// Returns the largest distance of a vertex between two worlds with the same cells. [length]
 inline double farthestApart(const World& one, const World& other) {
   Worst farthest;
   for (int slot : one.bodies->slots)
@@ -54,7 +54,7 @@ inline double farthestApart(const World& one, const World& other) {
   return farthest;
 }
 
-/// A world in which the given bodies live, under paths of equal length, and never run a cell cycle.
+/// Returns a world in which the given bodies live under paths of equal length and never run a cell cycle.
 inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const Execution& execution = {},
                      std::unique_ptr<BiologicalUnit> biology = nullptr) {
   World world = biology ? makeWorld(scene, std::move(biology), execution) : makeWorld(scene, execution);
@@ -74,14 +74,14 @@ inline World worldOf(const Scene& scene, const std::vector<Body>& bodies, const 
   return world;
 }
 
-/// The same of cells of the scene's mesh, at rest round these places.
+/// Returns the world of balls with the scene's mesh, at rest about these places.
 inline World ballsAt(const Scene& scene, const std::vector<Vector>& places) {
   std::vector<Body> cells;
   for (const Vector& place : places) cells.push_back(ballAt(scene.mechanics->mesh, place, 200));
   return worldOf(scene, cells);
 }
 
-/// Spheres of radius 1 and mass 1 that never divide, without shell, drag, friction and damping.
+/// Returns a scene of spheres of radius 1 and mass 1 that never divide, without shell, drag, friction and damping.
 inline Scene looseBalls(std::vector<StartCell> cells) {
   Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1000);
   s.mechanics->physics.cell = {1, 1, CellModel::sphere};
@@ -91,7 +91,7 @@ inline Scene looseBalls(std::vector<StartCell> cells) {
   return s;
 }
 
-/// Cells of one state that want nothing; what is tested says more.
+/// Biology of cells with one state that want nothing; tests override what they need.
 struct IdleUnit : BiologicalUnit {
   StateId startState() const override { return 0; }
   double cycleLength(StateId) const override { return 1; }
@@ -104,8 +104,7 @@ struct IdleUnit : BiologicalUnit {
   std::string describe(StateId state) const override { return std::to_string(state); }
 };
 
-/// Balls on a cubic lattice of 2 × 2 × n with the given distance of their centres, each flying towards the
-/// middle and a little past it.
+/// Returns balls on a cubic lattice of 2 × 2 × n with centres `distance` apart, each aimed slightly past the middle.
 inline std::vector<Body> flyingCells(const Mesh& ball, int count, double distance, double speed) {
   std::vector<Body> cells;
   for (int i = 0; i < count; ++i) {
@@ -121,7 +120,7 @@ inline std::vector<Body> flyingCells(const Mesh& ball, int count, double distanc
   return cells;
 }
 
-/// As flyingCells, every second cell with the scene's first coarser mesh.
+/// Returns flyingCells, where every second cell has the scene's first coarser mesh.
 inline std::vector<Body> mixedCells(const Scene& scene, int count, double distance, double speed) {
   const MechanicsScene& m = *scene.mechanics;
   std::vector<Body> cells = flyingCells(m.mesh, count, distance, speed);
@@ -149,14 +148,14 @@ inline Point centreOf(const World& world, const char* path) {
   return measureCentroid(cellVertices(world, CellPath::parse(path)));
 }
 
-/// [time] When each cell was born, by path.
+/// Returns the time at which each cell was born, by path. [time]
 inline std::map<std::string, double> birthsOf(const World& world) {
   std::map<std::string, double> births;
   for (const LineageEntry& e : world.lineage.entries) births[e.path.text()] = e.born;
   return births;
 }
 
-/// The connected pairs as "AA-B".
+/// Returns the connected pairs as "AA-B".
 inline std::set<std::string> pairsOf(const World& world) {
   std::set<std::string> pairs;
   for (std::size_t i : world.connections->active) {
@@ -166,7 +165,7 @@ inline std::set<std::string> pairsOf(const World& world) {
   return pairs;
 }
 
-/// The substances of each living cell.
+/// Returns the substances of each living cell.
 inline std::vector<std::string> statesOf(const World& world) {
   std::vector<std::string> states;
   for (StateId state : world.cells.state) states.push_back(world.biology->describe(state));

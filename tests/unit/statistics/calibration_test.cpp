@@ -1,7 +1,7 @@
-// Every statement that a comparison can make, where it is known whether it is true: how often it is made wrongly, in
-// thousands of simulated studies with fixed seeds. "At 5 %" is held to 3.5 to 6.5 % from 5 seeds on (F tests of more than one
-// degree of freedom to 3.3: factorial.h) and to 10 % at most with 3; the counts of 4000 studies have a standard deviation of
-// 0.35 points.
+// Every statement of a comparison, where its truth is known: thousands of simulated studies with fixed seeds count how
+// often it is made wrongly. A level of 5 % must give 3.5 to 6.5 % from 5 seeds on, and at most 10 % with 3. F tests of
+// more than one degree of freedom may give as little as 3.3 % (factorial.h). Counts of 4000 studies have a standard
+// deviation of 0.35 points.
 #include <array>
 #include <cmath>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr int studies = 4000;
 const std::array<std::size_t, 4> seedCounts{3, 5, 10, 20};
 
-/// Independent numbers, in the order asked for.
+/// Independent random numbers, in the order of the calls.
 class Numbers {
  public:
   explicit Numbers(std::uint64_t seed) : seed_(seed) {}
@@ -45,7 +45,7 @@ std::vector<double> sample(std::size_t n, const Draw& draw) {
   return values;
 }
 
-/// In percent of the simulated studies.
+/// Returns how many of the simulated studies have the event, in percent.
 template <class Study>
 double percent(const Study& happens, int of = studies) {
   int count = 0;
@@ -59,8 +59,8 @@ void checkLevel(double found, std::size_t n, double least = 3.5, double most = 6
   CHECK(found <= (n >= 5 ? most : 10));
 }
 
-/// What each of two policies and five ways to hold on (which hardly matter) does to a measure: seeds place cells anew
-/// under the other policy, and almost alike under the others ways to hold on.
+/// Returns a measure of n seeds under two policies and five levels of a second axis, which hardly matters. A seed
+/// places cells anew under the other policy, and almost alike under the other levels.
 std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
   Numbers numbers(8'000'000 + 1000 * n + study);
   std::vector<double> values(10 * n);
@@ -72,7 +72,7 @@ std::vector<double> placedAnew(std::uint64_t study, std::size_t n) {
   return values;
 }
 
-/// Normal deviates of the levels' effects whose contrasts vary very differently, or alike.
+/// Returns normal deviates of levels whose contrasts vary very differently if `ratio` is small, or alike if it is 1.
 std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size_t levels, double ratio) {
   Numbers numbers(9'000'000 + 100'000 * levels + 1000 * n + study);
   std::vector<double> values(levels * n);
@@ -185,8 +185,7 @@ TEST_CASE("So it is with three and five levels of which some vary more than othe
           return *analyseFactorial(levels, levelsThatVary(study, n, count, ratio)).effects[0].p < 0.05;
         });
         INFO(count << " levels, ratio " << ratio);
-        // With few seeds nothing tells how eight contrasts vary beside each other: factorial.h says how far off that
-        // is.
+        // A few seeds cannot tell how eight contrasts vary relative to each other; factorial.h states the error.
         if (count < 9 || n > 5) checkLevel(found, n, 3.3);
         else CHECK(found <= (n == 5 ? 7.5 : 11));
       }
@@ -195,16 +194,16 @@ TEST_CASE("So it is with three and five levels of which some vary more than othe
 TEST_CASE(
     "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also where "
     "contrasts vary unlike") {
-  // Two axes, 2 × 3 levels; the first has the effect ±size, the second ±1 and 0. A seed moves all by a deviate of its
-  // own, and with `unlike` the third level of the second axis by three times what moves the others.
+  // Two axes, 2 × 3 levels: the first has the effect ±size, the second ±1 and 0. A seed shifts all cells by a deviate
+  // of its own. With `unlike`, the third level of the second axis varies three times as much as the others.
   const std::vector<std::size_t> levels{2, 3};
   constexpr int of = 2000;
   for (const double size : {0., 0.3, 2.})
     for (const bool unlike : {false, true})
       for (const std::size_t n : seedCounts) {
         const double deviations[] = {1, 1, unlike ? 3. : 1.};
-        const double error = unlike ? 11. / 3 : 1;      // of one degree of freedom
-        const double squares[] = {6 * size * size, 4};  // of one seed
+        const double error = unlike ? 11. / 3 : 1;      // error per degree of freedom
+        const double squares[] = {6 * size * size, 4};  // sums of squares per seed
         std::array<int, 2> held{};
         for (std::uint64_t study = 0; study < of; ++study) {
           Numbers numbers(11'000'000 + 100'000 * n + study + std::uint64_t(1e7 * size) + (unlike ? 50'000 : 0));
@@ -235,11 +234,11 @@ TEST_CASE("The exact test tries all choices of signs, and its smallest p is that
   CHECK(signFlipP(std::vector<double>{1, 1, 1, 1, 1}) == smallestSignFlipP(5));
   CHECK(signFlipP(std::vector<double>{0, 0, 0}) == 1);
   CHECK(signFlipP(std::vector<double>{1, -1}) == 1);
-  // Of the sums ±1 ± 1 ± 2: |4| of 2, |2| of 4 and 0 of 2 choices
+  // The sums ±1 ± 1 ± 2 are |4| in 2, |2| in 4 and 0 in 2 choices.
   CHECK(signFlipP(std::vector<double>{1, 1, 2}) == 0.25);
   CHECK(signFlipP(std::vector<double>{-1, 1, 2}) == 0.75);
   CHECK(signFlipP(std::vector<double>(30, 1.)) == smallestSignFlipP(30));
-  // Vectors along two axes: |(±1 ± 1, ±1)|² is 5 or 1, as often
+  // Vectors along two axes have |(±1 ± 1, ±1)|² = 5 or 1, equally often.
   CHECK(signFlipP(std::vector<double>{1, 0, 1, 0, 0, 1}, 2) == 0.5);
   CHECK(repeats(std::vector<double>{0.1, 0.2, 0.3 - 0.2 - 1e-17}));
   CHECK(repeats(std::vector<double>{0.1, -0.1}));

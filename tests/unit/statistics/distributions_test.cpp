@@ -1,4 +1,4 @@
-// The distributions against closed forms; tests/scipy holds them against SciPy.
+// Distributions against closed forms; tests/scipy compares them with SciPy.
 #include "statistics/distributions.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ TEST_CASE("Student's t has the closed forms of 1, 2 and 4 degrees of freedom") {
     error.see(std::abs(studentAbove(t, 4) - (0.5 - 0.25 * s * (3 - s * s))));
   }
   CHECK(error < 1e-14);
-  // Far out the value, not only the difference from 0, is right: P(T > t) ≈ 1/(π t) of one degree of freedom.
+  // Far out the tail itself is accurate, not only its difference from 0: P(T > t) ≈ 1/(π t) for one degree of freedom.
   CHECK(studentAbove(1e8, 1) == Approx(1 / (M_PI * 1e8)).epsilon(1e-12));
   CHECK(studentBeyond(INFINITY, 3) == 0);
   CHECK(studentAbove(0, 7) == 0.5);
@@ -46,7 +46,7 @@ TEST_CASE("Fisher's F of 1 and n degrees of freedom is the square of Student's t
 }
 
 TEST_CASE("Student's distribution comes to the normal one with many degrees of freedom") {
-  CHECK(studentQuantile(0.975, 1e6) == Approx(1.959963984540054).epsilon(3e-6));  // differs by z³/4 df
+  CHECK(studentQuantile(0.975, 1e6) == Approx(1.959963984540054).epsilon(3e-6));  // the difference is z³/4 df
 }
 
 TEST_CASE(
@@ -55,7 +55,7 @@ TEST_CASE(
   for (const double lambda : {0., 0.3, 5., 60., 900.})
     for (const double f : {0.1, 1., 7., 300.}) {
       const double y2 = f / (1 + f), y4 = f / (2 + f),
-                   mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
+                   mu = 0.5 * lambda;  // for 2 and 2, and for 2 and 4 degrees of freedom
       INFO("λ " << lambda << ", F " << f);
       CHECK(NoncentralFisher(f, 2, 2).above(lambda) == Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
       CHECK(NoncentralFisher(f, 2, 4).above(lambda) ==

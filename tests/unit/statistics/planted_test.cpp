@@ -1,15 +1,15 @@
-// Planted effects in simulated organisms: what is there is found, and what is not there is found about as often as the
-// level of the test says.
+// Planted effects in simulated organisms: real effects are found, and false ones about as often as the test's level
+// says.
 //
 // The scene has one line of descent that divides, on the side of daughter A in one policy and of daughter B in the
-// other. The outcome is when its second division happens: the cycle of the egg, which both policies share under one
-// seed, and the cycle of its daughter, whose deviation belongs to another lineage path. So the two policies are
-// statistically one and the same, but not bit for bit, and seeds pair them as they pair any two policies (the
-// correlation is ½). One whose cycles are longer by a standard deviation of the outcome is the planted effect.
+// other. The outcome is the time of its second division: the cycle of the egg, which both policies share under one
+// seed, and the cycle of its daughter, whose deviation belongs to another lineage path. So the policies are
+// statistically equal, but not bit for bit, and seeds pair them as any two policies (the correlation is ½). The planted
+// effect is a policy whose cycles are longer by a standard deviation of the outcome.
 //
-// Seeds are fixed, so the numbers are always the same. Of 200 repetitions at a level of 5 % ten false ones are
-// expected with a standard deviation of 3.1: that they are between 6 and 14 holds for four in five choices of seeds,
-// these among them; the test's own level is held against more repetitions below.
+// Seeds are fixed, so the numbers are always the same. Of 200 repetitions at a level of 5 %, ten false effects are
+// expected with a standard deviation of 3.1. Four in five choices of seeds give 6 to 14, these among them. A later test
+// checks the level itself with more repetitions.
 #include <array>
 #include <cmath>
 
@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t n = 20;
 constexpr int repetitions = 200;
 
-/// [time] When the line's second division happens.
+/// Returns the time of the line's second division. [time]
 double outcome(bool onSideB, double length, std::uint64_t seed) {
   Scene scene = scenes::lineageOnly(
       std::string("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(divide|a1,") + (onSideB ? "B" : "A") + ")\n", 4);
@@ -46,7 +46,7 @@ Sample sampleOf(bool onSideB, double length, std::uint64_t firstSeed) {
   return values;
 }
 
-/// The length of cycles with which the outcome is a standard deviation later.
+/// Returns the length of cycles with which the outcome is a standard deviation later.
 double shiftedLength() {
   std::vector<double> values;
   for (std::uint64_t seed = 1'000'000; seed < 1'001'000; ++seed) values.push_back(outcome(false, 1, seed));
@@ -59,7 +59,7 @@ double share(int found, int of = repetitions) { return double(found) / of; }
 
 TEST_CASE("A planted effect of one standard deviation is found with 20 seeds in 95 % of 200 studies and more") {
   const double length = shiftedLength();
-  CHECK(length == Approx(1 + std::sqrt(2.) * 0.1 * 0.9866 / 2).epsilon(0.06));  // two cycles of 10 %
+  CHECK(length == Approx(1 + std::sqrt(2.) * 0.1 * 0.9866 / 2).epsilon(0.06));  // two cycles, each with 10 %
   int found = 0, unpaired = 0;
   for (int r = 0; r < repetitions; ++r) {
     const auto a = sampleOf(false, 1, 1 + n * r), b = sampleOf(true, length, 1 + n * r);

@@ -1,4 +1,4 @@
-// Tests and effect sizes: worked examples, symmetries and what happens where nothing varies.
+// Tests and effect sizes: worked examples, symmetries, and samples without variation.
 #include <cmath>
 
 #include "base/random.h"
@@ -16,7 +16,7 @@ namespace {
 const std::vector<double> first{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
 const std::vector<double> second{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
 
-/// 3 × 2 cells of n values: main effects, an interaction of that size, and noise that a replicate shares between cells.
+/// Returns 3 × 2 cells of n values: main effects, an interaction, and noise, part of which a replicate's cells share.
 std::vector<double> designed(double interaction, double noise, double shared, std::size_t n = 6) {
   std::vector<double> values;
   for (int a = 0; a < 3; ++a)
@@ -36,7 +36,7 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   CHECK(paired.difference == Approx(1.58));
   CHECK(paired.t == Approx(4.0621).epsilon(1e-4));
   CHECK(studentBeyond(paired.t, 9) == Approx(0.002833).epsilon(1e-3));
-  CHECK(paired.p == 2. / 512);  // hours to one decimal repeat, so that the exact test counts: 2 of 512 choices of signs
+  CHECK(paired.p == 2. / 512);  // hours to one decimal repeat, so the exact test counts: 2 of 512 choices of signs
   CHECK(paired.interval->low == Approx(0.7001142).epsilon(1e-6));
   const auto unpaired = compareUnpaired(second, first);
   CHECK(unpaired.difference == Approx(1.58));
@@ -56,7 +56,7 @@ TEST_CASE("Where the difference does not vary it is as sure as an exact test of 
   CHECK(certain.p == 0.25);  // 2^(1 − 3)
   CHECK(std::isinf(certain.t));
   CHECK(certain.t < 0);
-  CHECK(comparePaired(two, one).t > 0);  // its sign is that of the difference, however small this is
+  CHECK(comparePaired(two, one).t > 0);  // the sign follows the difference, however small
   CHECK(!certain.interval);
   CHECK(comparePaired(std::vector<double>(10, 4.), std::vector<double>(10, 5.)).p == std::ldexp(1, -9));
   const auto same = comparePaired(a, a);
@@ -75,10 +75,10 @@ TEST_CASE("Hedges' factor is the closed form of few and tends to 1 − 3/(4 df �
   CHECK(hedgesFactor(2) == Approx(1 / std::sqrt(M_PI)));                         // Γ(1)/(1 · Γ(½))
   CHECK(hedgesFactor(4) == Approx(1 / std::sqrt(2) / (0.5 * std::sqrt(M_PI))));  // Γ(2)/(√2 Γ(3/2))
   CHECK(hedgesFactor(1000) == Approx(1 - 3. / 3999).epsilon(1e-6));
-  // Three pairs have 2 · (3 − 1) = 4 degrees of freedom; means 2 and 5, and the mean of the variances 1 and 4 is 5/2.
+  // Three pairs have 2 · (3 − 1) = 4 degrees of freedom. Means are 2 and 5; variances 1 and 4 have the mean 5/2.
   const auto sizes = effectSizes(std::vector<double>{1, 2, 3}, std::vector<double>{3, 7, 5});
   CHECK(*sizes.d == Approx(-3 / std::sqrt(2.5)));
-  CHECK(*sizes.g == Approx(*sizes.d * std::sqrt(2 / M_PI)));  // the factor of 4 above
+  CHECK(*sizes.g == Approx(*sizes.d * std::sqrt(2 / M_PI)));  // hedgesFactor(4)
 }
 
 TEST_CASE("Equivalent is what the margin holds, different what lies beyond it, and the rest is not decided") {
@@ -86,14 +86,14 @@ TEST_CASE("Equivalent is what the margin holds, different what lies beyond it, a
     const auto e = testEquivalence(d, margin);
     return std::string(nameOf(verdictOf(e.p, e.pBeyond)));
   };
-  const auto sleep = comparePaired(second, first);  // 1.58, 90 % interval 0.87 to 2.29
+  const auto sleep = comparePaired(second, first);  // mean 1.58, 90 % interval 0.87 to 2.29
   CHECK(verdict(sleep, 0.5) == "different");
   CHECK(verdict(sleep, 1.5) == "not decided");
   CHECK(verdict(sleep, 2) == "not decided");
   CHECK(verdict(sleep, 2.5) == "equivalent");
   CHECK(verdict(comparePaired(first, second), 2.5) == "equivalent");
   CHECK(verdict(comparePaired(first, second), 0.5) == "different");
-  for (const double margin : {0.3, 0.87, 1.3, 2.29, 2.5}) {  // the tests and the interval say the same
+  for (const double margin : {0.3, 0.87, 1.3, 2.29, 2.5}) {  // tests and interval agree
     const auto e = testEquivalence(sleep, margin);
     CHECK((e.p < 0.05) == (e.interval->low > -margin && e.interval->high < margin));
   }
@@ -104,7 +104,7 @@ TEST_CASE("Equivalent is what the margin holds, different what lies beyond it, a
   CHECK(verdict(comparePaired(ones, twos), 0.3) == "equivalent");
   CHECK(verdict(comparePaired(ones, twos), 0.2) == "different");
   CHECK(verdict(comparePaired(ones, ones), 1e-12) == "equivalent");
-  const MeanDifference exact{.difference = -0.25};  // one run each, which no seed changes
+  const MeanDifference exact{.difference = -0.25};  // one run each, as seeds change nothing
   CHECK(verdict(exact, 0.3) == "equivalent");
   CHECK(verdict(exact, 0.2) == "different");
 }
@@ -123,12 +123,12 @@ TEST_CASE("Holm's correction is the worked one") {
 TEST_CASE("Effects that add up have no interaction, and shares of all effects sum to one without noise") {
   const auto analysis = analyseFactorial(threeByTwo, designed(0, 0, 0));
   REQUIRE(analysis.effects.size() == 3);
-  // Σ (2a − 2)² over 12 values each = 12 · 8, and 36 · 2.5²
+  // Expected: Σ (2a − 2)² over 12 values each = 12 · 8, and 36 · 2.5².
   CHECK(analysis.effects[0].squares == Approx(96));
   CHECK(analysis.effects[1].squares == Approx(225));
   CHECK(analysis.effects[2].squares == Approx(0).margin(1e-12));
   CHECK(analysis.effects[0].share + analysis.effects[1].share == Approx(1));
-  CHECK(!analysis.effects[0].f);  // nothing varies in the cells: no error to test against
+  CHECK(!analysis.effects[0].f);  // cells do not vary: there is no error to test against
   CHECK(levelMeans(threeByTwo, designed(0, 0, 0), 0) == std::vector<double>{2.5, 4.5, 6.5});
   CHECK(levelMeans(threeByTwo, designed(0, 0, 0), 1) == std::vector<double>{2, 7});
 }
@@ -160,6 +160,6 @@ TEST_CASE("Two levels of one factor are a paired t test") {
   CHECK(*analysis.effects[0].f == Approx(paired.t * paired.t));
   CHECK(*analysis.effects[0].p == Approx(paired.p));
   CHECK(analysis.effects[0].epsilon == 1);
-  // Partial η² by t: t²/(t² + df)
+  // Partial η² follows from t: t²/(t² + df).
   CHECK(*analysis.effects[0].partial == Approx(paired.t * paired.t / (paired.t * paired.t + 9)));
 }

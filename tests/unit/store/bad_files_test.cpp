@@ -1,4 +1,4 @@
-// Files that cannot be used: each is refused with its reason, and left as it was.
+// Unusable files: each is refused with its reason, and left as it was.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -110,7 +110,7 @@ TEST_CASE("a file that another process is writing to") {
     REQUIRE_THROWS_WITH(store.begin(exampleRecord()), ContainsSubstring("another process holds it"));
   }
   REQUIRE(store.runs().empty());
-  store.begin(exampleRecord());  // and once it has finished, all is well
+  store.begin(exampleRecord());  // works once the other process has finished
   REQUIRE(store.runs().size() == 1);
 }
 

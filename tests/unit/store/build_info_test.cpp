@@ -1,4 +1,4 @@
-// What the program knows of its making.
+// The program's knowledge of its build.
 #include "store/build_info.h"
 
 #include "base/hash.h"
@@ -31,7 +31,7 @@ TEST_CASE("the build is described completely") {
   std::string before;
   for (const auto& [library, version] : build.libraries) {
     INFO(library << ' ' << version);
-    CHECK(before < library);  // by name, each once
+    CHECK(before < library);  // sorted by name, each once
     CHECK(version.find_first_of("0123456789") == 0);
     before = library;
   }

@@ -1,4 +1,4 @@
-// What a run that was stopped goes on from.
+// Checkpoints from which a stopped run is resumed.
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
@@ -11,7 +11,7 @@ Checkpoint checkpointAt(std::uint64_t step) { return {step, 0.25, 64, "state at 
 
 RunEnd killedAt(std::uint64_t step) { return {.status = RunStatus::killed, .steps = step}; }
 
-/// Samples and hashes only, as of a run that goes on.
+/// Returns samples and hashes only, as of a run that continues.
 RunResults recordsUpTo(std::uint64_t step) {
   RunResults all = exampleResults(), records;
   records.stateTexts = all.stateTexts;
@@ -37,8 +37,8 @@ TEST_CASE_METHOD(BegunRun, "a run goes on from its last checkpoint, with what wa
   CHECK(count("step_hash") == 1);
   int asked = 0;
   store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(3, &asked));
-  CHECK(asked == 2);                    // the first one is there
-  store = Store::openForWriting(file);  // as if killed
+  CHECK(asked == 2);                    // the first frame is stored already
+  store = Store::openForWriting(file);  // as after a kill
   CHECK(count("checkpoint") == 1);
   CHECK(count("sample") == 2);
   CHECK(count("step_hash") == 2);
@@ -127,6 +127,6 @@ TEST_CASE_METHOD(BegunRun, "records that were made in another way are replaced a
 
 TEST_CASE("a value that SQLite cannot take is refused, not stored as nothing") {
   Database db("values", Database::Mode::temporary, std::chrono::milliseconds(0));
-  constexpr std::size_t tooMuch = 2'000'000'000;  // its length is looked at before its bytes
+  constexpr std::size_t tooMuch = 2'000'000'000;  // SQLite checks the length before it reads bytes
   CHECK_THROWS_AS(Statement(db, "SELECT ?").run(std::string_view("x", tooMuch)), StoreError);
 }

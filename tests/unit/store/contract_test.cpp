@@ -1,4 +1,4 @@
-// The tables as other programs meet them: names, types, keys and numbers, asked for in plain SQL.
+// The tables as other programs see them: names, types, keys and numbers, through plain SQL.
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
@@ -64,7 +64,7 @@ TEST_CASE_METHOD(Filled, "plain SQL reads what was stored") {
   REQUIRE(first(db, "SELECT hash FROM step_hash WHERE step = 512") == "ffffffffffffffff0000000000000000");
   REQUIRE(first(db, "SELECT typeof(content) FROM document LIMIT 1") == "blob");
   REQUIRE(first(db, "SELECT libraries FROM run").find("SQLite 3.") != std::string::npos);
-  // The start was measured without a shell: not 0 % full, but nothing to fill.
+  // The start was measured without a shell, so shell_fill is NULL and not 0.
   REQUIRE(first(db, "SELECT (shell_fill IS NULL AND volume > 4) || '' FROM sample WHERE time = 0") == "1");
 }
 
@@ -90,7 +90,7 @@ TEST_CASE_METHOD(Filled, "the tables refuse what they are not made for") {
   refuses("INSERT INTO time_step VALUES (" + run + ", 9, 'half', 1)", "cannot store TEXT value in REAL column");
   refuses("INSERT INTO time_step VALUES ('nobody', 9, 0, 1)", "FOREIGN KEY");
   refuses("INSERT INTO time_step VALUES (" + run + ", 0, 0, 1)", "UNIQUE");
-  refuses("INSERT INTO time_step VALUES (" + run + ", 9, NULL, 1)", "NOT NULL");  // what a NaN would become
+  refuses("INSERT INTO time_step VALUES (" + run + ", 9, NULL, 1)", "NOT NULL");  // a NaN would become NULL
   refuses("UPDATE run SET status = 'ready'", "CHECK");
   refuses("UPDATE cell SET fate = 'lost'", "CHECK");
   refuses("UPDATE check_result SET kind = 'guess'", "CHECK");

@@ -1,5 +1,5 @@
 #pragma once
-// A run with something in every table, made by hand, and numbers that are easily lost on the way; files that hold it.
+// A run made by hand, with something in every table and numbers that are easily lost, and files that hold the run.
 #include <limits>
 
 #include "store/store.h"
@@ -104,18 +104,18 @@ struct ResultsFile {
   std::filesystem::path file = folder / "runs.db";
   Store store = Store::openForWriting(file);
 
-  /// To look into the file in plain SQL.
+  /// Opens the file for plain SQL.
   Database database() const { return Database(file, Database::Mode::existing, std::chrono::seconds(1)); }
   std::int64_t count(const std::string& rows) const { return database().integer("SELECT count(*) FROM " + rows); }
 };
 
-/// In which the run is begun.
+/// A file of results in which the run has begun.
 struct BegunRun : ResultsFile {
   std::string id = store.begin(exampleRecord());
   void finish(const RunResults& results = exampleResults()) { store.finish(id, exampleEnd(), results); }
 };
 
-/// In which it is finished.
+/// A file of results in which the run is finished.
 struct FinishedRun : BegunRun {
   FinishedRun() { finish(); }
 };

@@ -1,4 +1,4 @@
-// running → done, failed or killed; and what happens when the same run comes again.
+// The life of a run: running → done, failed or killed; and results when the same run is computed again.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -81,7 +81,7 @@ TEST_CASE("a process that dies leaves a run that shows as running, and a whole f
     Database db(file, Database::Mode::existing, std::chrono::seconds(1));
     std::optional<Transaction> transaction;
     if (midTransaction) {
-      db.execute("PRAGMA cache_size = 1");  // so that half of the transaction reaches the file
+      db.execute("PRAGMA cache_size = 1");  // forces half of the transaction into the file
       transaction.emplace(db);
       Statement insert(db, "INSERT INTO time_step VALUES (?, ?, 0.0, 1.0)");
       for (int i = 0; i < 100'000; ++i) insert.run(id, i);
@@ -100,7 +100,7 @@ TEST_CASE("a process that dies leaves a run that shows as running, and a whole f
   REQUIRE(db.integer("SELECT count(*) FROM time_step") == 0);
   REQUIRE(db.integer("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'") == 1);
 
-  // And the run can be done again.
+  // The run can be computed again.
   Store again = Store::openForWriting(file);
   const std::string id = again.begin(exampleRecord());
   again.finish(id, exampleEnd(), exampleResults());
@@ -112,7 +112,7 @@ TEST_CASE_METHOD(FinishedRun, "the same run twice is one run, verified") {
   RunRecord again = exampleRecord();
   again.threads = 5;
   REQUIRE(store.begin(again) == id);
-  REQUIRE(store.find(id).status == RunStatus::done);  // the first result stands until the second is there
+  REQUIRE(store.find(id).status == RunStatus::done);  // the first result stays until the second is complete
   REQUIRE(store.results(id).lineage.size() == 3);
   RunResults fewer = exampleResults();
   fewer.samples.clear();

@@ -16,7 +16,7 @@ using namespace morula;
 
 namespace {
 
-/// Two of each record, none with a NULL where there may be a value.
+/// Returns two of each record, without NULL in a column that may have a value.
 RunResults fullResults() {
   RunResults r = exampleResults();
   for (Sample& s : r.samples) {
@@ -50,7 +50,7 @@ Golden goldenOf(const RunResults& results, std::vector<ToleranceRule> rules = {}
   return readGolden(writeGolden(golden), golden.file);
 }
 
-/// Changes the column with this number of a record, if it holds it in a way that can be changed.
+/// Changes the column of a record with this number, if its type can be changed.
 struct ChangeColumn {
   int column;  // counted down
   bool changed = false;
@@ -112,7 +112,7 @@ TEST_CASE("one changed value of any column of any table fails the check, and the
   REQUIRE(compareGolden(golden, dataOf(results)).passed());
   std::set<std::string> held;
   for (const auto* column : all<GoldenColumn>(golden.data)) held.insert(column->name);
-  // Changes go through the lists of fields, as rows do into tables: so a column that a table gains is tried, too.
+  // Changes go through the lists of fields, as rows go into tables, so a new column is tried, too.
   std::set<std::string> tried;
   const auto tryRow = [&](std::uint64_t step, const auto& original, const auto&... context) {
     using Row = std::remove_cvref_t<decltype(original)>;
@@ -210,7 +210,7 @@ TEST_CASE("a table of many rows is held without them") {
   REQUIRE(compareGolden(golden, dataOf(results)).passed());
   results.connections[50].made += 1;
   CHECK_FALSE(compareGolden(golden, dataOf(results)).passed());
-  results.connections.resize(3);  // few again: the columns tell it, not every row
+  results.connections.resize(3);  // with few rows, columns and not rows report the difference
   const std::string told = describe(compareGolden(golden, dataOf(results)));
   CHECK(told.find("column connection/made: rows: expected '102', actual '3'") != std::string::npos);
   CHECK(told.find("connection/0") == std::string::npos);
@@ -230,7 +230,7 @@ TEST_CASE("a golden of format 1 says what it does not hold, one of format 2 with
   CHECK(report.passed());
   CHECK(describe(report).find("--    tables: recorded tables") != std::string::npos);
   std::string text = writeGolden(goldenOf(results));
-  text.replace(0, text.find('\n'), "morula golden 1");  // the format is part of what was accepted
+  text.replace(0, text.find('\n'), "morula golden 1");  // the golden's seal covers its format
   CHECK_THROWS_AS(readGolden(text, "x.golden"), InputError);
 }
 

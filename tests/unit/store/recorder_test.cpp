@@ -1,4 +1,4 @@
-// What is taken from a run: what was asked for, at its times, and no more.
+// Records of a run: everything that was requested, at its times, and no more.
 #include "store/recorder.h"
 
 #include <algorithm>
@@ -85,8 +85,8 @@ TEST_CASE("samples are taken when so many cells live for the first time, beside 
     const RunResults results = run.recorder.take(run.world);
     std::vector<double> cells;
     for (const Sample& s : results.samples) cells.push_back(s.world.at("cells"));
-    CHECK(cells == std::vector<double>{1, 2, 4, 4});  // 3 is passed with 4; the last is the end's
-    for (std::size_t i = 1; i < 3; ++i) {             // the very instant of the birth
+    CHECK(cells == std::vector<double>{1, 2, 4, 4});  // 3 is passed together with 4; the last sample is the end's
+    for (std::size_t i = 1; i < 3; ++i) {             // exactly at the birth
       const double time = results.samples[i].world.time;
       CHECK(std::ranges::count_if(results.lineage, [&](const LineageEntry& e) { return e.born == time; }) ==
             static_cast<int>(cells[i]));
@@ -147,7 +147,7 @@ TEST_CASE("measures on demand are taken at every sample, and come back from the 
   const RunResults results = run.recorder.take(run.world);
   REQUIRE(results.samples.size() == 5);
   CHECK(results.samples[0].more.size() == 1);  // the egg's age
-  CHECK(results.samples[4].more.size() > 6);   // two of the world, four ages, contacts
+  CHECK(results.samples[4].more.size() > 6);   // two measures of the world, four ages, contacts
   CHECK(results.names.size() == 7);
   CHECK(results.names.at(CellPath::parse("AB")) == "nAB");
 
@@ -170,7 +170,7 @@ TEST_CASE("a sample that falls on the end is taken once") {
 }
 
 TEST_CASE("a step over several multiples gives one sample") {
-  Run run(fourCells(false), {.every = 0.03125, .hashEvery = {}});  // lineage only: from cycle to cycle, 0.125 each
+  Run run(fourCells(false), {.every = 0.03125, .hashEvery = {}});  // lineage only: steps of a cycle, 0.125 each
   const RunResults results = run.recorder.take(run.world);
   CHECK(results.samples.size() == run.world.clock.step + 1);
   CHECK(results.samples.back().cells.empty());
@@ -253,8 +253,8 @@ TEST_CASE_METHOD(BegunRun, "a recorded run can be stored") {
 
 namespace {
 
-/// Three balls of radius 1, AA, AB and B, with B beside AB at the times 1, 2, 4 and 5 and away from it otherwise. Who
-/// looks only then does not see that they part in between.
+/// Returns three balls of radius 1, AA, AB and B, for putAt, which puts B beside AB at the times 1, 2, 4 and 5 and away
+/// from AB otherwise. Samples at these times alone do not show the separation.
 World threeBalls() {
   Scene scene;
   scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "test.dna");
@@ -281,7 +281,7 @@ void putAt(World& world, double time) {
 }
 
 std::vector<double> durationsOf(const RunResults& results, const std::string& a, const std::string& b) {
-  std::vector<double> all;  // -1: they do not touch
+  std::vector<double> all;  // -1: no contact
   for (const Sample& s : results.samples) {
     all.push_back(-1);
     for (const TakenMeasure& m : s.more)
@@ -294,7 +294,7 @@ std::vector<double> durationsOf(const RunResults& results, const std::string& a,
 
 TEST_CASE("how long two cells have touched counts from the first of the samples in a row, also in a resumed run") {
   const RecordOptions options{.every = 1, .measures = {"contact_duration"}};
-  // 1.5: between two samples with contact; 0.5, 3.5: what only a stop sees; 3: at a sample without
+  // 1.5 lies between two samples with contact; only a stop sees 0.5 and 3.5; 3 is a sample without contact
   for (const double stopped : {-1.0, 0.5, 1.0, 1.5, 3.0, 3.5, 4.5, 5.0}) {
     CAPTURE(stopped);
     World world = threeBalls();
@@ -334,7 +334,7 @@ TEST_CASE("daughters have touched nobody before they were born") {
 
 namespace {
 
-/// Many samples with surfaces: half a megabyte.
+/// Options for many samples with surfaces: half a megabyte.
 const RecordOptions much{
     .every = 0.001, .hashEvery = 1, .atCells = {2}, .measures = {"contact_duration"}, .meshes = 0.001};
 
@@ -365,7 +365,7 @@ TEST_CASE("what is recorded goes to the store while the run goes on, and is the 
   }
   CHECK(times >= 2);
   CHECK(most < 1.5e5);
-  CHECK(poured.store.results(poured.id).samples.empty());  // until it ends
+  CHECK(poured.store.results(poured.id).samples.empty());  // no sample is visible before the end
   poured.store.finish(poured.id, endOf(world, RunStatus::done), recorder.take(world));
   requireSame(poured, atOnce);
 }
@@ -382,7 +382,7 @@ TEST_CASE("a run that is stopped and goes on takes as much memory for its record
     const RecordSink sink = pours ? [&](const RunResults& r) { kept.store.record(kept.id, r); } : RecordSink();
     Recorder first(much, sink, 1e5);
     first.observe(world);
-    for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, and more that is lost
+    for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, each followed by steps that are lost
       while (world.clock.time < until) step(world), first.observe(world);
       kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"}, first.records());
     }

@@ -1,4 +1,4 @@
-// What goes into a file comes out again, to the last bit.
+// Values written to a file come back to the last bit.
 #include <bit>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
-/// What was not measured comes back as not measured.
+/// Returns true if both values have the same bits, or both are absent.
 bool sameBits(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? sameBits(*a, *b) : a == b;
 }
@@ -134,7 +134,7 @@ TEST_CASE("the lineage alone comes back in order of birth, whatever order it was
   REQUIRE(out.samples.empty());
 }
 
-// The two numbers that SQLite does not keep; docs and comments promise exactly this.
+// SQLite does not keep these two numbers; docs and comments promise exactly this.
 TEST_CASE("−0 comes back as 0 and what is not a number as not measured") {
   RunResults in = exampleResults();
   in.samples[1].cells[0]["x"] = -0.0;

@@ -1,4 +1,4 @@
-// Rows that were changed since they were stored are found, whatever their table and column.
+// Rows changed after they were stored are found, whatever their table and column.
 #include "store/seal.h"
 
 #include <set>
@@ -48,7 +48,7 @@ TEST_CASE("A value that was changed in any column of any table of a run is found
     for (const auto* columns : {&table->context, &table->own})
       for (const SqlColumn& c : *columns) {
         CAPTURE(name, c.name);
-        Transaction transaction(db);  // rolled back
+        Transaction transaction(db);  // is rolled back
         const std::string other = c.type.starts_with("INTEGER") ? "ifnull(" + sqlName(c.name) + " + 1000000, 1)"
                                   : c.type.starts_with("REAL")  ? "ifnull(" + sqlName(c.name) + " * 0.5 + 1, 1.0)"
                                   : c.type.starts_with("BLOB")  ? "CAST('x' AS BLOB)"

@@ -1,4 +1,4 @@
-// Surfaces in the database: how exact they are, when they are kept, and what a file may not hold.
+// Surfaces in the database: their precision, the times at which they are kept, and files that are refused.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +14,7 @@ using namespace morula;
 
 namespace {
 
-/// Half a step, and what rounding adds: three operations on numbers no larger than the coordinates.
+/// Returns the max error: half a step, and rounding of three operations on numbers no larger than the coordinates.
 double bound(double step, double low, double x) {
   return step / 2 + 4 * 0x1p-53 * std::max({std::abs(low), std::abs(x), 65535 * step});
 }
@@ -34,7 +34,7 @@ std::vector<Point> moved(Mesh mesh, const Vector& scale, const Vector& by) {
   return mesh.vertices;
 }
 
-/// Surfaces as they are at each step, until the end.
+/// A world, its recorder, and the exact surfaces at each step until the end.
 struct Watched {
   World world;
   Recorder recorder;
@@ -99,7 +99,7 @@ TEST_CASE("numbers and faces are the same as bytes, in 16 or 32 bits") {
     std::vector<Face> faces;
     REQUIRE(facesFrom(bytes, vertices, faces));
     CHECK(faces == mesh.faces);
-    CHECK_FALSE(facesFrom(bytes, 65535, faces));  // no such vertex, or another size of corner
+    CHECK_FALSE(facesFrom(bytes, 65535, faces));  // an unknown vertex, or another size of corners
     CHECK_FALSE(facesFrom(bytes.substr(1), vertices, faces));
   }
 }
@@ -117,12 +117,12 @@ TEST_CASE("surfaces are kept at their times, of every living cell, and at the en
     REQUIRE(s.cells.size() == exact.size());
     for (const CellSurface& c : s.surfaces) requireWithinBound(c, exact.at(c.path).vertices);
   }
-  REQUIRE(kept.size() == 7);  // 0, 0.75, … 4.5, which is the end
+  REQUIRE(kept.size() == 7);  // at 0, 0.75, … 4.5, which is the end
   for (std::size_t i = 0; i < kept.size(); ++i) {
     CHECK(kept[i] >= 0.75 * double(i));
     CHECK(kept[i] < 0.75 * double(i) + dt);
   }
-  CHECK(results.samples.size() == 7 + 3);  // and at 1, 2 and 4; 0 and 3 are the same
+  CHECK(results.samples.size() == 7 + 3);  // further samples at 1, 2 and 4; 0 and 3 have surfaces, too
   REQUIRE(results.meshes.size() == 1);
   CHECK(results.meshes[0].faces == makeIcosphere(1).faces);
 }
@@ -167,7 +167,7 @@ TEST_CASE("each mesh's faces are kept once, and cells say which is theirs; spher
   REQUIRE(round.meshes.size() == 1);
   CHECK(round.samples.back().surfaces.size() == 2);
   const Bodies& b = *spheres.world.bodies;
-  for (const CellSurface& c : round.samples.back().surfaces) {  // on the ball, in the directions of the egg's vertices
+  for (const CellSurface& c : round.samples.back().surfaces) {  // vertices on the ball, where the egg has them
     const int slot = b.slots[cellNumber(spheres.world.cells, c.path)];
     std::vector<Point> exact = cellMesh(spheres.world, c.path).vertices;
     for (Point& p : exact) {
@@ -196,7 +196,7 @@ TEST_CASE_METHOD(BegunRun, "what the database has of surfaces is what was given 
   CHECK(read.samples[0].surfaces.empty());
   CHECK(read.samples[1].surfaces == withSurfaces().samples[1].surfaces);
   store.begin(exampleRecord());
-  finish();  // in their place
+  finish();  // replaces the surfaces
   CHECK(store.results(id).meshes.empty());
   CHECK(store.results(id).samples[1].surfaces.empty());
 }
@@ -243,7 +243,7 @@ TEST_CASE("a run that goes on keeps the surfaces that were due, not those of whe
   const RecordOptions options{.every = 1, .meshes = 0.75};
   Watched whole(scene, options);
   const RunResults all = whole.recorder.take(whole.world);
-  for (const double stop : {1.3, 1.0}) {  // 1: where a sample is due, and no surfaces
+  for (const double stop : {1.3, 1.0}) {  // at 1 a sample without surfaces is due
     World world = makeWorld(scene);
     Recorder first(options);
     for (first.observe(world); world.clock.time < stop; first.observe(world)) step(world);

@@ -1,4 +1,4 @@
-// Tables made of records' lists of fields: what SQLite has, and what is said of it.
+// Tables made from records' lists of fields: SQLite's columns, and their descriptions.
 #include <algorithm>
 
 #include "catch.h"
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// "table.column TYPE", sorted.
+/// Returns "table.column TYPE" of each column, sorted.
 std::vector<std::string> columnsIn(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, 1s);
   std::vector<std::string> columns;

@@ -1,4 +1,4 @@
-// Plans: all combinations, each distinct run once, ids that follow from content alone.
+// Plans: all combinations, each distinct run once, and ids that follow from content alone.
 #include "study/plan.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "studies.h"
-// Last, because of CHECK:
+// Included last, because of CHECK:
 #include "catch.h"
 
 using namespace morula;
@@ -19,7 +19,7 @@ std::vector<std::string> idsOf(const Plan& plan) {
   return ids;
 }
 
-/// What a plan's file does not hold of its conditions, and reading it makes anew.
+/// Checks the parts of conditions that a plan's file does not hold, and that are made anew when it is read.
 void checkMadeAnew(const Plan& a, const Plan& b) {
   REQUIRE(a.conditions.size() == b.conditions.size());
   for (std::size_t i = 0; i < a.conditions.size(); ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("Conditions that mean the same share their runs, however they are writ
   CHECK(groups[1] == std::vector<std::size_t>{4, 5, 6});
   CHECK(plan.replicates.size() == 24);
   CHECK(plan.tasks.size() == 8);
-  // Where pictures are kept, colours count.
+  // Colours count if pictures are kept.
   const Plan pictures = planIn(
       folder, ballStudyWith("connections: {none: {}", "connections: {none: {}, colour: {colours: {a0: '#102030'}}") +
                   "keep: {pictures: all}\n");
@@ -184,7 +184,7 @@ TEST_CASE("What measures compare with counts where one is taken, and is gone whe
   CHECK(conditionsThatShare(without) == std::vector<std::vector<std::size_t>>{{0, 1, 2}});
   CHECK(!without.conditions[0].scenario.check.reference);
   for (const Plan* plan : {&with, &without})
-    for (const Task& task : plan->tasks) {  // what a database keeps can be read again
+    for (const Task& task : plan->tasks) {  // scenarios in a database can be read again
       const Scenario run = scenarioOf(*plan, task);
       CHECK(readScenario(run.resolved, "resolved.json", "").resolved == run.resolved);
     }
@@ -274,7 +274,7 @@ TEST_CASE("Costs: every condition has one, and the sum is that of the distinct r
   CHECK(totalCost(plan)->seconds == Approx(seconds));
   CHECK(totalCost(plan)->memory == memory);
   CHECK_FALSE(totalCost(planIn(folder)));
-  // Without any time for rehearsals the first condition alone is tried, and the others are as it.
+  // Without time for rehearsals the first condition alone is tried, and the others take its costs.
   const Plan poor = makePlan(loadStudy(folder / "s.study.yaml"), {.predict = true, .rehearsal = 0});
   CHECK(poor.costs[0].tried);
   CHECK_FALSE(poor.costs[3].tried);
@@ -289,7 +289,7 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   CHECK(plan.settled[0].settled > 0);
   CHECK(plan.settled[0].seconds == plan.costs[0].seconds);
   CHECK_THAT(describe(plan), ContainsSubstring("from rest to rest") && ContainsSubstring(" or more, not "));
-  CHECK(planIn(folder).settled.empty());  // nothing is foreseen
+  CHECK(planIn(folder).settled.empty());  // no prediction was requested
   const auto first = [&](const std::string& keys) {
     return planIn(folder,
                   "morula-study: 1\nname: one\nbase: balls.yaml\nvary: {a: {b: {" + keys +
@@ -300,7 +300,7 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   REQUIRE(crawling.settled.size() == 1);
   CHECK_THAT(crawling.settled[0].refused, ContainsSubstring("physics.motility: integrator fire"));
   CHECK_THAT(describe(crawling), ContainsSubstring("does not go: physics.motility"));
-  CHECK(first("physics.integrator: fire").settled.empty());  // it does so already
+  CHECK(first("physics.integrator: fire").settled.empty());  // the integrator settles already
 }
 
 TEST_CASE("Ten thousand runs are planned") {

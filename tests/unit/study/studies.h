@@ -7,11 +7,11 @@
 
 namespace morula {
 
-/// A tree of four cells, without bodies: the cheapest scene there is.
+/// A tree of four cells without bodies: the cheapest scene.
 inline const std::string lineageScenario =
     "morula: 1\nname: tree\nseed: 1\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 2}\n";
 
-/// Balls that divide and touch, in well under a millisecond.
+/// Balls that divide and touch; a run takes well under a millisecond.
 inline const std::string ballScenario =
     "morula: 1\nname: balls\nseed: 1\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 3}\n"
     "physics:\n  cell: {model: sphere, radius: 0.5, mass: 1}\n  drag: 20\n  shell: {sphere: 1}\n  contact: "
@@ -25,7 +25,7 @@ inline const std::string ballStudy =
     "  connections: {none: {}, both: {connections.make: at-division, connections.on-division: both}}\n"
     "seeds: 1..3\nmeasures: [sister-contact, clone_radius]\n";
 
-/// The same as `ballStudy`, with one text put for another.
+/// Returns `ballStudy` with `text` replaced by `by`.
 inline std::string ballStudyWith(const std::string& text, const std::string& by) {
   std::string study = ballStudy;
   const auto at = study.find(text);

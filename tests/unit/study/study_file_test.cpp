@@ -1,4 +1,4 @@
-// Study files: every form that a value may have, and the mistakes beside tests/bad_studies.
+// Study files: every form of a value, and the mistakes in tests/bad_studies.
 #include <algorithm>
 #include <filesystem>
 
@@ -10,7 +10,7 @@
 #include "study/study_schema.h"
 #include "study/study_table.h"
 #include "yaml/source_text.h"
-// Last, because of CHECK:
+// Included last, because of CHECK:
 #include "catch.h"
 
 using namespace morula;
@@ -19,7 +19,7 @@ namespace {
 
 Study studyOf(const std::string& text) { return studyIn(TemporaryFolder(), text); }
 
-/// The usual study with these measures instead.
+/// Returns the usual study with these measures instead.
 Study measuring(const std::string& measures) {
   return studyOf(ballStudyWith("[sister-contact, clone_radius]", measures));
 }
@@ -32,7 +32,7 @@ scenario::Node nodeOf(const std::string& text) {
   return node;
 }
 
-/// Kind, style and text, without places.
+/// Returns kind, style and text of a node, without places.
 std::string shapeOf(const scenario::Node& node) {
   std::string text = std::to_string(int(node.kind)) + (node.isPlain() ? "p" : "q") + node.text;
   for (const auto& item : node.items) text += "[" + shapeOf(item) + "]";
@@ -95,7 +95,7 @@ TEST_CASE("Every measure of every table has one name in studies, and finds its r
   CHECK(names.size() == measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
-  CHECK(!findMeasure("volume"));  // of the organism, or of a cell?
+  CHECK(!findMeasure("volume"));  // ambiguous: of the organism, or of a cell
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
@@ -134,7 +134,7 @@ TEST_CASE("A selection has the cells that it says") {
   CHECK(has("skin", "A", "s1 skin"));
   CHECK(!has("skin", "A", "s1 skins"));
   CHECK(has("s*", "A", "b s1"));
-  CHECK(!has("ABC", "AB", "AB"));  // a substance
+  CHECK(!has("ABC", "AB", "AB"));  // ABC is a substance
   CHECK(has("clones", "AB", ""));
   CHECK(!has("clones", "A", ""));
   for (const char* text : {"AB", "AB*", "generation 2", "skin", "s*", "clones"})

@@ -1,4 +1,4 @@
-// The file of a task, and all of them in one: what is stored comes back, what was changed is found.
+// A task's file, and all files merged: stored values come back, and changes are found.
 #include "study_store/task_file.h"
 
 #include "catch.h"

@@ -1,4 +1,4 @@
-// Other programs in processes of their own, by shell scripts that behave well and badly.
+// Child processes, by shell scripts that behave well and badly.
 #include "system/child_process.h"
 
 #include <sys/time.h>
@@ -19,7 +19,7 @@ ChildEnd shell(const std::string& script, const ChildOptions& options = {}) {
   return runChild({"sh", "-c", script}, options);
 }
 
-/// While it lives a signal comes every millisecond, and calls that wait are not taken up again by themselves.
+/// Sends this process a signal every millisecond during its lifetime; interrupted system calls are not restarted.
 class Interruptions {
  public:
   Interruptions() {
@@ -48,7 +48,7 @@ TEST_CASE("A child hears its text to the end, and all that it says is heard") {
   const ChildEnd end = runChild({"cat"}, {.input = text});
   CHECK(end.well());
   CHECK(end.said == text);
-  CHECK(shell("echo some; exec true", {.input = text}).said == "some\n");  // nobody reads the text
+  CHECK(shell("echo some; exec true", {.input = text}).said == "some\n");  // the child reads none of the text
 }
 
 TEST_CASE("How a child ended is told") {
@@ -76,7 +76,7 @@ TEST_CASE("Where there is no memory for what a child says, it is ended and waite
   if (!memoryCanBeLimited) return;
   const auto work = []() -> ForkedAnswer {
     try {
-      runChild({"cat", "/dev/zero"}, {.input = std::string(300'000, 'x')});  // which reads none of it
+      runChild({"cat", "/dev/zero"}, {.input = std::string(300'000, 'x')});  // cat reads none of the text
     } catch (const std::bad_alloc&) { return {::waitpid(-1, nullptr, WNOHANG) < 0 ? 71 : 1, ""}; }
     return {0, ""};
   };

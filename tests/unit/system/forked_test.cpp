@@ -1,4 +1,4 @@
-// Work in processes of its own: what it answers, how it ends, what limits it.
+// Forked processes: their answers, ends and limits.
 #include "system/forked.h"
 
 #include <signal.h>
@@ -30,7 +30,7 @@ TEST_CASE("what a process answers arrives, at most 16 KiB of it") {
   CHECK(talker.wait().answer.text == std::string(16384, 'x'));
 }
 
-#if !defined(__SANITIZE_THREAD__)  // which has a thread of its own, so nothing is refused
+#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer runs a thread of its own, so Forked refuses nothing
 TEST_CASE("a process is not forked while others of its threads run") {
   std::atomic<bool> over = false;
   std::thread other([&] {
@@ -43,7 +43,7 @@ TEST_CASE("a process is not forked while others of its threads run") {
 #endif
 
 TEST_CASE("a signal that comes as soon as a process is made ends it as if it came later") {
-  // What this process does at a signal is not for the new one: it would end with 99.
+  // The new process does not inherit this process's signal handler, with which it would end with 99.
   struct sigaction before {
   }, here{};
   here.sa_handler = [](int) { ::_exit(99); };
@@ -78,14 +78,14 @@ TEST_CASE("those that have ended are told apart from those that run") {
   CHECK(ended == std::vector<std::size_t>{1});
   processes[0].stop(SIGTERM);
   CHECK(processes[0].wait().signal == SIGTERM);
-  // The other one is ended with its owner.
+  // The other process is ended with its owner.
 }
 
 TEST_CASE("limits end a process and no other") {
   Forked slow({.cpuSeconds = 0.5}, []() -> ForkedAnswer { loopForEver(); });
   const ForkedEnd end = slow.wait();
   CHECK(end.signal == SIGXCPU);
-  CHECK(end.cpuSeconds > 0);  // how much before the signal comes is the system's affair
+  CHECK(end.cpuSeconds > 0);  // the system decides how much time passes before the signal
   CHECK(signalName(SIGXCPU) == "SIGXCPU");
   if (!memoryCanBeLimited) return;
   const auto allocate = [] {

@@ -1,4 +1,4 @@
-// JSON of strangers, and records as JSON.
+// JSON from outside, and records as JSON.
 #include "system/json.h"
 
 #include <limits>

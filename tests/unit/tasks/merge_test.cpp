@@ -1,4 +1,4 @@
-// Merging: in any order, from anywhere, and nothing that cannot be right.
+// Merging: in any order, from anywhere, and without invalid files.
 #include <algorithm>
 
 #include "catch.h"
@@ -49,7 +49,7 @@ TEST_CASE("shards in any order, some of them twice, make the same bytes") {
   c.merge(shards, "a.db");
   CHECK(plain(c.folder / "a.db") == whole);
   std::ranges::reverse(shards);
-  c.merge(shards, "a.db");  // once more, into what is there
+  c.merge(shards, "a.db");  // merges again into the existing file
   CHECK(plain(c.folder / "a.db") == whole);
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("what is damaged or of another study is left out and told") {
   Database(c.file(2), Database::Mode::existing, 1s).execute("UPDATE result SET value = value + 1");
   std::filesystem::resize_file(c.file(3), 1000);
   std::filesystem::copy(c.file(4), c.folder / "renamed.db");
-  std::filesystem::rename(c.file(4), c.file(5));  // one task in another's place
+  std::filesystem::rename(c.file(4), c.file(5));  // a task's file in another task's place
   writeText(c.folder / "out/tasks/0123456789abcdef.db", "");
   const MergeReport report = c.merge();
   CHECK(report.damaged.size() == 3);
@@ -77,7 +77,7 @@ TEST_CASE("one task with two results is nondeterminism, and nothing is written")
   CHECK(c.merge({again.folder.path().string()}).differing.empty());
   const std::string before = readText(c.folder / "study.db");
   {
-    // Changed with care: its own hash follows from what it holds.
+    // A careful change: the file's own hash follows its content.
     Database db(fileOf(again, 3), Database::Mode::existing, 1s);
     db.execute("UPDATE result SET value = value + 1 WHERE measure = 'generation'");
     Statement(db, "UPDATE task SET result_hash = ?").run(resultHash(db, there.run().id).text());

@@ -1,4 +1,4 @@
-// Tasks are computed once, failures are results, and what was stopped is computed again.
+// Tasks are computed once, failures are results, and stopped tasks are computed again.
 
 #include "catch.h"
 #include "files/folders.h"
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 TEST_CASE("a study is computed, and computed once") {
   const SmallStudy s;
   const PlannedStudy study = s.open();
-  // 2 lengths with 3 seeds, and 2 without variation, whose seeds change nothing
+  // There are 2 lengths with 3 seeds each, and 2 scenes without variation, whose seeds change nothing.
   REQUIRE(study.plan.replicates.size() == 12);
   REQUIRE(study.plan.tasks.size() == 8);
   CHECK(s.run(study, {1, 4}).computed == 2);
@@ -70,7 +70,7 @@ TEST_CASE("a picture is kept of the first seed of each condition, if asked for")
 }
 
 TEST_CASE("a failure is a result with its reason") {
-  // It divides until there is no more memory for it.
+  // The cell divides until its memory limit is reached.
   const SmallStudy s(singleStudy + "limits: {memory-per-run: 20M}\n",
                      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 40}\n");
   const PlannedStudy study = s.open();
@@ -123,7 +123,7 @@ TEST_CASE("a changed study is not mixed with what was planned before") {
   const PlannedStudy updated = openStudy(update, {.predict = false});
   CHECK(updated.isNew);
   CHECK(updated.plan.id != study.plan.id);
-  CHECK(openStudy(resume, {}).plan.id == study.plan.id);  // until it is kept
+  CHECK(openStudy(resume, {}).plan.id == study.plan.id);  // until the changed study is kept
   CHECK(openStudy({(s.folder / "out").string(), ""}, {}).plan.id == study.plan.id);
   CHECK_THROWS_AS(openStudy({s.folder.path().string(), ""}, {}), FileError);
 }

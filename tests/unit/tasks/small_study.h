@@ -1,5 +1,5 @@
 #pragma once
-// A study of some hundredths of a second, in a folder of its own.
+// A study that takes some hundredths of a second, in a folder of its own.
 #include "study/plan.h"
 #include "study/study_file.h"
 #include "tasks/merge.h"
@@ -16,10 +16,10 @@ inline const std::string smallStudy =
     "  length: {usual: {}, long: {cycle.length: 2}}\n  vary: {yes: {}, no: {variation: null}}\n"
     "seeds: 1..3\nmeasures: [cells, generation]\n";
 
-/// One run of the scenario.
+/// A study with one run of the scenario.
 inline const std::string singleStudy = "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n";
 
-/// The file of a task's result.
+/// Returns the file of a task's result.
 inline std::filesystem::path fileOf(const PlannedStudy& study, std::size_t task) {
   return study.folder.task(study.plan.tasks[task].id);
 }

@@ -1,4 +1,4 @@
-// One number for each measure and time, beside sums by hand.
+// One number for each measure and time, against sums by hand.
 #include <array>
 
 #include "base/error.h"
@@ -17,7 +17,7 @@ TEST_CASE("a measure of cells is their mean, of the world itself, and what is no
   end.cells.resize(3);
   for (int i = 0; i < 3; ++i) end.cells[std::size_t(i)].path = CellPath::parse(std::array{"A", "BA", "BB"}[i]);
   end.cells[0]["sphericity"] = 0.5;
-  end.cells[1]["sphericity"] = 0.75;  // the third was not measured
+  end.cells[1]["sphericity"] = 0.75;  // the third cell was not measured
   end.more = {{Scope::world, "lineage_space", {}, {}, 0.25},
               {Scope::cell, "generation", CellPath::parse("A"), {}, 1},
               {Scope::cell, "generation", CellPath::parse("BA"), {}, 2},
@@ -58,7 +58,7 @@ TEST_CASE("a measure of some cells is the mean over these, and of pairs with one
   CHECK(value("count of g*") == 2);
   CHECK(value("count of s1") == 2);
   CHECK(value("count of AAB*") == 0);
-  CHECK(valuesOf({sample}, states, {"sphericity of AAB*"}).empty());  // there was nothing to measure
+  CHECK(valuesOf({sample}, states, {"sphericity of AAB*"}).empty());  // nothing was measured
 }
 
 TEST_CASE("names that two tables have are told apart") {

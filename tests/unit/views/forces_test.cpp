@@ -1,4 +1,4 @@
-// Which forces act on vertices: the kinds add up to what moves the cells.
+// Forces on vertices by kind: together they are the forces that move the cells.
 #include <cmath>
 
 #include "base/error.h"
@@ -22,7 +22,7 @@ Scenario scenario(const std::string& physics) {
       "forces.yaml", "");
 }
 
-/// Two cells, some time after a division.
+/// Returns the scene's world at `time`: two cells, some time after a division.
 World worldOf(const Scenario& scenario, double time) {
   World world = makeWorld(scenario.scene);
   while (world.clock.time < time) step(world);
@@ -59,7 +59,7 @@ TEST_CASE("the kinds of forces add up to mass times acceleration, and nothing is
         borne += norm(forces[cell][std::size_t(ForceKind::shell)][v]);
         CHECK(norm(all - whole) <= 1e-12 * most);
       }
-      // The kernels sum in another order: rounding of some hundred terms.
+      // The kernels sum some hundred terms in another order, so rounding differs.
       CHECK(norm(sum - net) <= 1e-10 * most);
       if (!dragged) CHECK(unnamed <= 1e-10 * most);
       if (bodies.parameters.shell) CHECK(borne > 0);
@@ -96,7 +96,7 @@ TEST_CASE("the arrows of a cell add up to its net force", "[forces]") {
   PictureMaker maker(s, wishes);
   maker.add(world);
   const OrganismPicture picture = maker.take()[0];
-  forcesByKind(world);  // so that the accelerations are those at the end of the step
+  forcesByKind(world);  // brings the accelerations to the end of the step
   REQUIRE(picture.instruments.arrowKey);
   const double scale = picture.instruments.arrowKey->lengthPerUnit;
   const Bodies& bodies = *world.bodies;
@@ -120,7 +120,7 @@ TEST_CASE("the arrows of a cell add up to its net force", "[forces]") {
   }
   CHECK(arrows == picture.lines.size());
   CHECK(longest < 1);
-  CHECK(picture.legend.size() < kinds.size());  // nothing sticks together here
+  CHECK(picture.legend.size() < kinds.size());  // no cells stick together in this scene
 }
 
 TEST_CASE("pictures of several times have their forces on one scale, and looking at them changes nothing", "[forces]") {
@@ -155,10 +155,10 @@ TEST_CASE("pictures of several times have their forces on one scale, and looking
     CHECK(norm(drawn - sum) <= 1e-9 * most);
   }
   CHECK(longest == Approx(scale * most));
-  CHECK(longest < 0.8 * 0.95);  // of a mean radius
+  CHECK(longest < 0.8 * 0.95);  // an arrow is at most 0.8 mean radii long
   std::vector<std::string> words;
   for (const LegendEntry& entry : pictures[0].legend) words.push_back(entry.label);
-  CHECK(words == std::vector<std::string>{"contact force", "shell force"});  // nothing sticks
+  CHECK(words == std::vector<std::string>{"contact force", "shell force"});  // no cells stick together
 }
 
 TEST_CASE("an integrator without forces between its steps says so", "[forces]") {
@@ -187,7 +187,7 @@ TEST_CASE("cells are coloured by measures, generations and clones, and the bar's
   for (const CellMeasures& cell : measureCells(world))
     low = std::min(low, cell.at("volume")), high = std::max(high, cell.at("volume"));
   CHECK(volume.instruments.colourBar->low == low);
-  CHECK(volume.instruments.colourBar->high == Approx(high).epsilon(1e-9));  // rounding is no difference
+  CHECK(volume.instruments.colourBar->high == Approx(high).epsilon(1e-9));  // up to rounding
   CHECK(volume.instruments.colourBar->title == "volume [length³]");
   CHECK(pictureBy("volume_over_rest").instruments.colourBar);
   const OrganismPicture generation = pictureBy("generation");

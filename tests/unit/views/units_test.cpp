@@ -1,4 +1,4 @@
-// Charts in the units that people see.
+// Charts in the units of the scenario.
 #include "catch.h"
 #include "views/run_charts.h"
 
