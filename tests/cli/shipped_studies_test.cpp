@@ -293,7 +293,7 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
   const std::string database = databaseOf(temporary, "models");
   const Json json = jsonOf({"study", "check", database});
   CHECK(json["missing"] == 0);
-  REQUIRE(json["claims"].size() == 3);
+  REQUIRE(json["claims"].size() == 10);
   for (const Json& claim : json["claims"]) {
     INFO(claim.dump());
     CHECK(claim["holds"] == true);
@@ -305,7 +305,7 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
          "condition))");
   const auto failing = endsWith(1, {"study", "check", database, "--reports", temporary / "reports"});
   CHECK_THAT(failing.out,
-             ContainsSubstring("models: 2 of 3 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
+             ContainsSubstring("models: 9 of 10 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
                                "within 5%\n        clone_radius: 64 % wider under shell") &&
                  ContainsSubstring("; different within "));
   CHECK_THAT(readWhole(temporary / "reports/junit.xml"),
