@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "base/number_text.h"
 #include "biology/substances.h"
 #include "division/rules.h"
 #include "files/text.h"
-#include "tracks/delimited_text.h"
+#include "tracks/embryo_sizes.h"
 
 namespace morula::tracks {
 namespace {
 
 constexpr std::size_t framesOfAxis = 3, maxStages = 100;
-constexpr double usualFill = 0.9, largestFill = 0.95;  // more than a mesh of 162 vertices can
-constexpr double usualLife = 4;                        // [time] the median; cells then come to rest between divisions
+constexpr double usualLife = 4;  // [time] the median; cells then come to rest between divisions
 
-double ballRadius(double volume) { return std::cbrt(volume / (4 * std::numbers::pi / 3)); }
-double boxVolume(const std::array<double, 3>& axes) { return axes[0] * axes[1] * axes[2]; }
 double powerOfTwoNear(double a) { return std::exp2(std::round(std::log2(a))); }
 
 class EmbryoMaker {
@@ -29,7 +25,9 @@ class EmbryoMaker {
     e_.lineage = std::move(lineage);
     e_.assumed = e_.lineage.assumed;
     const auto isPlaced = [](const TrackedCell& c) { return !c.seen.empty() || c.axis.x == c.axis.x; };
-    e_.hasBodies = options.shell || options.areSpheres || std::ranges::any_of(cells(), isPlaced);
+    e_.areSpheres = options.areSpheres;
+    e_.hasBodies =
+        options.shell || options.areSpheres || e_.lineage.founders > 1 || std::ranges::any_of(cells(), isPlaced);
   }
 
   Embryo make() {
@@ -38,15 +36,15 @@ class EmbryoMaker {
     findSubstances();
     findDivisions();
     findStages();
-    if (e_.hasBodies) findSizes();
+    findSizes(e_, options_);
     for (auto& stage : e_.stages)
-      for (auto& [cell, place] : stage.places) place = (place - centre_) / e_.length;
+      for (auto& [cell, place] : stage.places) place = (place - e_.centre) / e_.length;
     return std::move(e_);
   }
 
  private:
   const std::vector<TrackedCell>& cells() const { return e_.lineage.cells; }
-  void assume(std::string sentence) { e_.assumed.push_back(std::move(sentence)); }
+  void say(std::string sentence) { e_.assumed.push_back(std::move(sentence)); }
 
   void findTimes() {
     const Lineage& lineage = e_.lineage;
@@ -122,11 +120,12 @@ class EmbryoMaker {
       if (word != cell.name) changed.push_back(cell.name + " is " + word);
       e_.substance.push_back(word);
     }
-    if (!changed.empty())
-      assume(countOf(changed, "name is", "names are") +
-             " no name of a substance: the DNA and the rules say it with letters, digits and _");
+    assume(e_.assumed,
+           "substances have names of letters, digits and _, so names of cells are changed in the DNA and in rules",
+           changed);
   }
 
+  /// The mean of A − B over three frames, weighted 3 : 2 : 1, since daughters begin to turn as soon as they are born.
   std::optional<Vector> axisOf(const TrackedCell& mother) const {
     Vector axis = mother.axis;
     if (axis.x != axis.x || axis.y != axis.y || axis.z != axis.z) {
@@ -138,7 +137,7 @@ class EmbryoMaker {
       for (std::size_t i = 0, k = 0; i < a.size() && k < b.size() && frames < framesOfAxis;)
         if (isTimed && a[i].time < b[k].time) ++i;
         else if (isTimed && b[k].time < a[i].time) ++k;
-        else axis += a[i++].place - b[k++].place, ++frames;
+        else axis += (a[i++].place - b[k++].place) * static_cast<double>(framesOfAxis - frames++);
     }
     const double length = norm(axis);
     return length > 0 ? std::optional(axis / length) : std::nullopt;
@@ -158,14 +157,11 @@ class EmbryoMaker {
       else if (*division.share != a / (a + b)) extreme.push_back(cell.name);
     }
     if (!e_.hasBodies) return;
-    if (!withoutAxis.empty())
-      assume(countOf(withoutAxis, "division has", "divisions have") + " no axis in the table: division.plane decides");
-    if (!withoutShare.empty())
-      assume(countOf(withoutShare, "division has", "divisions have") +
-             " no volumes of both daughters: they get a half each");
-    if (!extreme.empty())
-      assume(countOf(extreme, "division gives", "divisions give") +
-             " a daughter less than a tenth, which no cut can: she gets a tenth");
+    assume(e_.assumed, "the table gives no axis for these divisions: division.plane decides", withoutAxis);
+    assume(e_.assumed, "the table does not give the volumes of both daughters of these cells: each gets a half",
+           withoutShare);
+    assume(e_.assumed, "a daughter of these cells has less than a tenth, which no cut can give: she gets a tenth",
+           extreme);
   }
 
   /// Finds for each number of cells the longest time in which so many live.
@@ -189,17 +185,16 @@ class EmbryoMaker {
       std::ranges::sort(e_.stages, std::ranges::greater(), [](const Stage& s) { return s.end - s.begin; });
       e_.stages.resize(maxStages);
       std::ranges::sort(e_.stages, {}, &Stage::cells);
-      assume("of all numbers of cells, the " + std::to_string(maxStages) + " that last longest have a reference");
+      say("of all numbers of cells, the " + std::to_string(maxStages) + " that last longest have a reference");
     }
     for (Stage& stage : e_.stages) findPlaces(stage);
   }
 
   void findPlaces(Stage& stage) {
     const double middle = 0.5 * (stage.begin + stage.end);
-    const auto lives = [&](const TrackedCell& c) { return c.birth <= stage.begin && !(c.end <= stage.begin); };
     double moment = unsaid;  // the frame nearest to the middle
     for (const TrackedCell& cell : cells()) {
-      if (!lives(cell) || cell.seen.empty() || e_.lineage.form != Form::frames) continue;
+      if (!livesIn(cell, stage) || cell.seen.empty() || e_.lineage.form != Form::frames) continue;
       const auto after = std::ranges::lower_bound(cell.seen, middle, {}, &Sighting::time);
       for (auto at = after == cell.seen.begin() ? after : after - 1; at != cell.seen.end() && at <= after; ++at)
         if (at->time >= stage.begin && at->time < stage.end &&
@@ -207,7 +202,7 @@ class EmbryoMaker {
           moment = at->time;
     }
     for (std::size_t i = 0; i < cells().size(); ++i) {
-      if (!lives(cells()[i])) continue;
+      if (!livesIn(cells()[i], stage)) continue;
       const auto& seen = cells()[i].seen;
       const auto at =
           e_.lineage.form == Form::frames ? std::ranges::lower_bound(seen, moment, {}, &Sighting::time) : seen.begin();
@@ -216,97 +211,14 @@ class EmbryoMaker {
     }
   }
 
-  /// The volume of all cells, in the mean over stages of which all volumes are known; 0 if there is none.
-  double meanVolume() const {
-    double sum = 0, time = 0;
-    for (const Stage& stage : e_.stages) {
-      double volume = 0;
-      for (const TrackedCell& c : cells())
-        if (c.birth <= stage.begin && !(c.end <= stage.begin)) volume += c.volume;
-      if (volume == volume) sum += volume * (stage.end - stage.begin), time += stage.end - stage.begin;
-    }
-    return time > 0 ? sum / time : 0;
-  }
-
-  void findSizes() {
-    std::vector<Point> centres;
-    Point low{INFINITY, INFINITY, INFINITY}, high = -low;
-    for (const TrackedCell& cell : cells())
-      for (const Sighting& s : cell.seen) {
-        centres.push_back(s.place);
-        low = {std::min(low.x, s.place.x), std::min(low.y, s.place.y), std::min(low.z, s.place.z)};
-        high = {std::max(high.x, s.place.x), std::max(high.y, s.place.y), std::max(high.z, s.place.z)};
-      }
-    if (!centres.empty()) centre_ = (low + high) / 2;
-    const int most = e_.stages.empty() ? 1 : e_.stages.back().cells;
-    e_.shell = options_.shell;
-    if (!e_.shell && most > 1 && norm(high - low) > 0) {
-      e_.shell = fitShell(centres, centre_, most);
-      const auto& a = *e_.shell;
-      assume("the shell is fitted to the cells' centres: semi-axes of " + numberText(a[0], 3) + ", " +
-             numberText(a[1], 3) + " and " + numberText(a[2], 3) + "; --shell gives measured ones");
-    }
-    const double volume = meanVolume(), shell = e_.shell ? 4 * std::numbers::pi / 3 * boxVolume(*e_.shell) : 0;
-    e_.fill = volume > 0 && shell > 0 ? volume / shell : usualFill;
-    if (e_.fill > largestFill) {
-      assume("the cells have " + numberText(e_.fill, 3) + " of the shell's volume: they are taken to fill " +
-             numberText(largestFill) + " of it");
-      e_.fill = largestFill;
-    } else if (!(volume > 0)) {
-      assume("the cells are taken to fill " + numberText(usualFill) +
-             " of the shell, since the table has no volumes of all cells");
-    }
-    e_.length = shell > 0 ? ballRadius(e_.fill * shell) : volume > 0 ? ballRadius(volume) : 1;
-    findStart(volume);
-  }
-
-  void findStart(double volume) {
-    const auto founders = static_cast<std::size_t>(e_.lineage.founders);
-    if (founders == 1) return;
-    double sum = 0;
-    for (std::size_t i = 0; i < founders; ++i) sum += cells()[i].volume;
-    const bool areKnown = volume > 0 && sum == sum;
-    for (std::size_t i = 0; i < founders; ++i) {
-      const auto& seen = cells()[i].seen;
-      const double share = areKnown ? cells()[i].volume / sum : 1.0 / static_cast<double>(founders);
-      const Point place =
-          seen.empty() ? Point{static_cast<double>(i), 0, 0} : (seen.front().place - centre_) / e_.length;
-      e_.start.emplace_back(place, std::cbrt(share));
-    }
-    assume(std::to_string(founders) +
-           " cells have no mother: the scenario begins with all of them; --root takes one and its descendants");
-  }
-
   const EmbryoOptions& options_;
   Embryo e_;
-  Point centre_;
 };
 
 }  // namespace
 
 Embryo makeEmbryo(Lineage lineage, const EmbryoOptions& options) {
   return EmbryoMaker(std::move(lineage), options).make();
-}
-
-std::array<double, 3> fitShell(const std::vector<Point>& centres, const Point& centre, int n) {
-  std::array<double, 3> far{};
-  for (const Point& p : centres) {
-    const Vector d = p - centre;
-    far = {std::max(far[0], std::abs(d.x)), std::max(far[1], std::abs(d.y)), std::max(far[2], std::abs(d.z))};
-  }
-  std::array<double, 3> axes;
-  axes.fill(norm({far[0], far[1], far[2]}));
-  for (int round = 0; round < 200; ++round) {  // the error falls by n^⅓ in each
-    const double radius = std::cbrt(boxVolume(axes) / n);
-    for (std::size_t i = 0; i < 3; ++i) axes[i] = far[i] + radius;
-  }
-  double out = 1;
-  for (const Point& p : centres) {
-    const Vector d = p - centre;
-    out = std::max(out, norm({d.x / axes[0], d.y / axes[1], d.z / axes[2]}));
-  }
-  for (double& axis : axes) axis *= out;
-  return axes;
 }
 
 }  // namespace morula::tracks

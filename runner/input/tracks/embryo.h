@@ -23,9 +23,14 @@ struct EmbryoOptions {
 /// The cells between two births or deaths, and where they are in the middle.
 struct Stage {
   int cells = 0;
-  double begin = 0, end = 0;
+  double begin = 0, end = 0;                  // the table's
   std::vector<std::pair<int, Point>> places;  // of those that the table has then
 };
+
+/// Returns true if the cell lives while the stage lasts. Times are the table's.
+inline bool livesIn(const TrackedCell& cell, const Stage& stage) {
+  return cell.birth <= stage.begin && !(cell.end <= stage.begin);
+}
 
 /// What a division is like; absent: the table does not say.
 struct Division {
@@ -41,25 +46,21 @@ struct Embryo {
   std::vector<double> life;  // unsaid: it has no end
   std::vector<Division> division;
 
-  double length = 1, time = 1;                  // of the table's, one of the scene's
-  double stop = 0;                              // when the table ends, and half a frame
-  double firstCycle = 0;                        // a newborn's, which makes its substance
-  bool hasBodies = true;                        // false: the table has neither places nor axes
-  std::optional<std::array<double, 3>> shell;   // semi-axes, as the table's lengths; absent: a sphere
+  double length = 1, time = 1;  // of the table's, one of the scene's
+  double stop = 0;              // when the table ends, and half a frame
+  double firstCycle = 0;        // a newborn's, which makes its substance
+  bool areSpheres = false;
+  double egg = 1;         // radius of the body of all cells together; less than 1 of balls in a shell
+  bool hasBodies = true;  // false: the table has neither places nor axes
+  Point centre;           // of the shell, as the table's places
+  std::optional<std::array<double, 3>> shell;   // semi-axes, as the table's lengths; absent: a sphere about the egg
   double fill = 0.9;                            // the egg's share of the shell
-  std::vector<std::pair<Point, double>> start;  // place and radius of each founder, if there are several
+  std::vector<std::pair<Point, double>> start;  // place and scale of each founder, if there are several
   CellNames names;
   std::vector<Stage> stages;         // rising by number of cells
   std::vector<std::string> assumed;  // sentences for people
 };
 
 Embryo makeEmbryo(Lineage lineage, const EmbryoOptions& options);
-
-/// The semi-axes of an ellipsoid about `centre`, along x, y and z, that holds cells of which `n` fill it:
-///
-///   aᵢ = hᵢ + (a₁ a₂ a₃ / n)^⅓,   hᵢ the farthest centre along i
-///
-/// where the second part is the radius of a cell's ball. It is then made larger until it holds all centres. n > 1.
-std::array<double, 3> fitShell(const std::vector<Point>& centres, const Point& centre, int n);
 
 }  // namespace morula::tracks

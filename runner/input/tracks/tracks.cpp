@@ -5,6 +5,7 @@
 
 #include "base/cell_path.h"
 #include "base/number_text.h"
+#include "files/text.h"
 #include "tracks/delimited_text.h"
 #include "tracks/rows_by_cell.h"
 #include "values/cell_names.h"
@@ -97,10 +98,8 @@ class LineageMaker {
       }
       waiting.insert(waiting.end(), track.daughters.begin(), track.daughters.end());
     }
-    if (!joined.empty())
-      assume(countOf(joined, "track is the only daughter of another, and is",
-                     "tracks are the only daughters of others, and are") +
-             " taken for its mother's own, which goes on");
+    assume(lineage_.assumed,
+           "each of these tracks is the only daughter of another, and is taken to be her mother, who goes on", joined);
   }
 
   /// Returns false, and says so, if the track begins before its mother's ends.
@@ -145,9 +144,8 @@ class LineageMaker {
     std::vector<std::string> late;
     for (const int i : founders)
       if (tracks_[i].birth > lineage_.begin) late.push_back(tracks_[i].name), tracks_[i].birth = lineage_.begin;
-    if (!late.empty())
-      assume(countOf(late, "cell without a mother is", "cells without a mother are") +
-             " first seen later, and taken to be there from the start");
+    assume(lineage_.assumed,
+           "each of these cells without a mother is first seen later, and is taken to be there from the start", late);
   }
 
   void add(int index, int mother) {
@@ -171,6 +169,7 @@ class LineageMaker {
     if (!follows(a, mother) || !follows(b, mother)) return false;
     const double first = std::fmin(a.birth, b.birth);
     if (lineage_.form != Form::cells || !isSaid(mother.end)) mother.end = first;
+    if (!isSaid(mother.birth)) return false;  // a problem of the founder
     if (!isSaid(mother.end) || !(mother.end > mother.birth)) {
       complain(mother,
                isSaid(mother.end) ? inQuotes(mother.name) + " divides at " + numberText(mother.end) +
@@ -203,12 +202,12 @@ class LineageMaker {
   }
 
   void finish() {
-    if (!late_.empty())
-      assume(countOf(late_, "daughter is", "daughters are") +
-             " first seen after the sister, and taken to be born with her");
-    if (!lost_.empty())
-      assume(countOf(lost_, "cell ends", "cells end") +
-             " before the table does, without daughters: they live on; 'dies' in a column fate lets cells die");
+    assume(lineage_.assumed, "each of these cells is first seen after her sister, and is taken to be born with her",
+           late_);
+    assume(
+        lineage_.assumed,
+        "each of these cells ends before the table does, without daughters, and lives on ('dies' in a column fate lets a cell die)",
+        lost_);
     for (std::size_t i = 0; i < order_.size(); ++i) {
       Track& track = tracks_[order_[i]];
       TrackedCell& cell = lineage_.cells[i];
@@ -231,8 +230,6 @@ class LineageMaker {
                       "give each cell a name of its own");
     }
   }
-
-  void assume(std::string sentence) { lineage_.assumed.push_back(std::move(sentence)); }
 
   std::vector<Track> tracks_;
   scenario::Problems& problems_;
@@ -265,10 +262,12 @@ bool precedes(std::string_view a, std::string_view b) {
   return a.size() < b.size();
 }
 
-std::string countOf(const std::vector<std::string>& names, const std::string& singular, const std::string& plural) {
-  std::string text = std::to_string(names.size()) + " " + (names.size() == 1 ? singular : plural) + " (";
-  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 3); ++i) text += (i > 0 ? ", " : "") + names[i];
-  return text + (names.size() > 3 ? ", …)" : ")");
+void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells) {
+  constexpr std::size_t shown = 3;
+  if (cells.empty()) return;
+  std::vector<std::string> first(cells.begin(), cells.begin() + static_cast<long>(std::min(cells.size(), shown)));
+  const std::string rest = cells.size() > shown ? " and " + std::to_string(cells.size() - shown) + " more" : "";
+  sentences.push_back(what + ": " + join(first) + rest);
 }
 
 }  // namespace morula::tracks

@@ -46,7 +46,7 @@ Lineage makeLineage(const CellTable& table, const std::string& root, scenario::P
 /// Returns true if a comes before b: by letters, and by value where both have digits, so that 9 comes before 10.
 bool precedes(std::string_view a, std::string_view b);
 
-/// "3 cells ('AB', 'MS' and 1 more)"
-std::string countOf(const std::vector<std::string>& names, const std::string& singular, const std::string& plural);
+/// Adds "What is assumed: AB, MS, E and 2 more" for the cells of which it is; nothing if there are none.
+void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells);
 
 }  // namespace morula::tracks

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "files/printable.h"
 #include "files/text.h"
+#include "mesh/mesh.h"
 #include "scenario/scenario.h"
 #include "yaml/problems.h"
 
@@ -70,6 +71,7 @@ class Writer {
     files_.push_back({"scenario", stem_ + ".yaml", scenario()});
     files_.push_back({"dna", stem_ + ".dna", dna()});
     if (hasNamesFile_) files_.push_back({"names", stem_ + "-names.txt", names()});
+    if (e_.shell && e_.areSpheres) files_.push_back({"shell", stem_ + "-shell.obj", shell()});
     for (const Stage* stage : stages_)
       files_.push_back({"reference", fmt::format("real/{}.txt", stage->cells), reference(*stage)});
     return std::move(files_);
@@ -103,9 +105,8 @@ class Writer {
   std::string start() const {
     std::string text = "cells:\n";
     for (std::size_t i = 0; i < e_.start.size(); ++i)
-      text += fmt::format("  - {{{}scale: {}, substances: [{}]}}\n",
-                          e_.hasBodies ? "at: " + triple(e_.start[i].first) + ", " : "", rounded(e_.start[i].second, 4),
-                          word(e_.substance[i]));
+      text += fmt::format("  - {{at: {}, scale: {}, substances: [{}]}}\n", triple(e_.start[i].first),
+                          rounded(e_.start[i].second, 4), word(e_.substance[i]));
     return text;
   }
 
@@ -133,18 +134,31 @@ class Writer {
   }
 
   std::string physics() const {
-    const bool isBall = options_.areSpheres;
     std::string text = "\nphysics:\n";
-    if (!isBall) text += "  mesh: {icosphere: 2}\n";
-    text += isBall ? "  cell: {model: sphere, radius: 1, mass: 1}\n"
-                   : "  cell: {radius: 1, mass: 1}\n"
-                     "  membrane: {stiffness: 10, damping: 0.02}\n"
-                     "  pressure: {constant: 828, outside: 192}\n";
-    text += "  drag: 10\n  shell: {" + (e_.shell ? fmt::format("ellipsoid: [{}, {}, {}], ", numberText((*e_.shell)[0]),
-                                                               numberText((*e_.shell)[1]), numberText((*e_.shell)[2]))
-                                                 : "sphere: 1, ");
-    return text + "fill: " + rounded(e_.fill) +
-           "}  # a shape, and the egg's share of it\n  contact: {stiffness: 30, damping: 0.02}\n\n";
+    text += e_.areSpheres ? "  cell: {model: sphere, radius: " + rounded(e_.egg) + ", mass: 1}\n"
+                          : "  mesh: {icosphere: 2}\n"
+                            "  cell: {radius: 1, mass: 1}\n"
+                            "  membrane: {stiffness: 10, damping: 0.02}\n"
+                            "  pressure: {constant: 828, outside: 192}\n";
+    text += "  drag: 10\n  contact: {stiffness: 30, damping: 0.02}\n";
+    if (e_.shell && e_.areSpheres) text += "  shell: {mesh: " + yamlText(stem_ + "-shell.obj") + "}\n";
+    else if (e_.shell)
+      text += fmt::format(
+          "  shell: {{ellipsoid: [{}, {}, {}], fill: {}}}  # a shape, and the share of it that cells fill\n",
+          numberText((*e_.shell)[0]), numberText((*e_.shell)[1]), numberText((*e_.shell)[2]), rounded(e_.fill));
+    else if (e_.start.empty()) text += fmt::format("  shell: {{sphere: 1, fill: {}}}\n", rounded(e_.fill));
+    return text + "\n";
+  }
+
+  /// The ellipsoid as a polyhedron, whose faces touch balls where they are.
+  std::string shell() const {
+    std::string text = comment(fmt::format("The shell of {}.yaml, in its lengths.", stem_));
+    const Mesh sphere = makeIcosphere(2);
+    for (const Point& p : sphere.vertices)
+      text += fmt::format("v {:.4f} {:.4f} {:.4f}\n", p.x * (*e_.shell)[0] / e_.length,
+                          p.y * (*e_.shell)[1] / e_.length, p.z * (*e_.shell)[2] / e_.length);
+    for (const auto& face : sphere.faces) text += fmt::format("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+    return text;
   }
 
   std::string division() const {
@@ -156,8 +170,8 @@ class Writer {
                (share ? ", share: " + rounded(*share) : "") + "}\n";
     }
     const bool divides = std::ranges::any_of(cells_, [](const TrackedCell& c) { return !c.daughters.empty(); });
-    const std::string plane = options_.areSpheres ? "random" : "longest";
-    if (!divides) return options_.areSpheres ? "division: {plane: random}\n\n" : "";
+    const std::string plane = e_.areSpheres ? "random" : "longest";
+    if (!divides) return e_.areSpheres ? "division: {plane: random}\n\n" : "";
     if (rules.empty()) return "division: {plane: " + plane + "}\n\n";
     return "division:\n  plane: " + plane + "\n  rules:  # axes point to daughter A, and shares are hers\n" + rules +
            "\n";
