@@ -1,10 +1,13 @@
 // morula init: a scenario, a DNA or a study to begin with.
 #include <filesystem>
+#include <tuple>
 
 #include "base/error.h"
 #include "biology/full_tree.h"
 #include "cli/verbs.h"
 #include "files/folders.h"
+#include "files/read_file.h"
+#include "files/text.h"
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
@@ -13,6 +16,8 @@
 #include "study/study_file.h"
 #include "study/study_schema.h"
 #include "system/console.h"
+#include "system/usage_error.h"
+#include "tracks/write_embryo.h"
 
 namespace morula::cli {
 namespace {
@@ -20,6 +25,8 @@ namespace {
 struct InitOptions {
   std::string file, output, dna, study, base = "my-organism.yaml";
   int levels = 10;
+  std::string from;
+  tracks::EmbryoOptions embryo;
   bool force = false;
 };
 
@@ -41,8 +48,62 @@ std::string readDnaKind(const std::string& text) {
   return text;
 }
 
+constexpr std::uint64_t maxTableBytes = std::uint64_t{1} << 30;
+
+/// Writes a scenario and its files from a table of tracks: all of them or none.
+int writeFromTable(const InitOptions& options, const std::filesystem::path& scenario) {
+  if (!scenario.string().ends_with(".yaml"))
+    throw UsageError("--from writes several files: name the scenario, as embryo.yaml");
+  std::vector<std::string> assumed;
+  const auto files = tracks::embryoFromTable(readFile(options.from, maxTableBytes), options.from, options.embryo,
+                                             scenario.stem().string(), assumed);
+  const auto pathOf = [&](const tracks::EmbryoFile& file) { return scenario.parent_path() / file.path; };
+  for (const auto& file : files)
+    if (!options.force && fileExists(pathOf(file)))
+      throw FileError("'" + pathOf(file).string() + "' is there already; --force writes over it");
+  for (const std::string& sentence : assumed) tell(sentence, false);
+  // The scenario comes last: where it is, the files are that it names.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) {
+    makeFolder(pathOf(*file).parent_path());
+    overwriteFile(pathOf(*file), file->text);
+  }
+  tell("wrote " + scenario.string() + " and " + std::to_string(files.size() - 1) + " files that it goes with", false);
+  return fine;
+}
+
+/// "27,15,14"
+std::array<double, 3> readShell(const std::string& text) {
+  std::array<double, 3> axes;
+  const std::vector<std::string> parts = partsOf(text, ',');
+  if (parts.size() != 3) throw InputError("'" + text + "' is no shell; needs three semi-axes, as 27,15,14");
+  for (std::size_t i = 0; i < 3; ++i) axes[i] = number(scenario::Range{.low = 1e-30, .high = 1e30})(parts[i]);
+  return axes;
+}
+
+/// "µm,min"; "0.5µm,2min": one length of the table is 0.5 µm, one time 2 min.
+Units readUnits(const std::string& text) {
+  const std::string example = "needs a length and a time, as µm,min, or 0.5µm,2min where one of the table is so many";
+  const std::vector<std::string> parts = partsOf(text, ',');
+  if (parts.size() != 2) throw InputError("'" + text + "' are no units; " + example);
+  Units units;
+  for (const auto& [part, name, factor] :
+       {std::tuple(parts[0], &units.length, &units.perLength), {parts[1], &units.time, &units.perTime}}) {
+    const std::size_t begin = std::min(part.find_first_not_of("0123456789."), part.size());
+    if (begin > 0) *factor = number(scenario::Range{.low = 1e-30, .high = 1e30})(part.substr(0, begin));
+    *name = part.substr(begin);
+    if (!isCellName(*name)) throw InputError("'" + part + "' is no unit; " + example);
+  }
+  return units;
+}
+
+bool readModel(const std::string& text) {
+  if (text != "mesh" && text != "sphere") throw InputError("'" + text + "' is not known; needs mesh or sphere");
+  return text == "sphere";
+}
+
 int act(const InitOptions& options) {
   const auto file = options.file + options.output;
+  if (!options.from.empty()) return writeFromTable(options, file);
   if (!options.dna.empty()) return write(makeFullTreeDna(options.levels), file, options.force);
   // Written files have no mistakes: a name or a base that would cause one is rejected here.
   if (!options.study.empty()) {
@@ -71,8 +132,21 @@ void addInit(CLI::App& app, Action& action) {
              "Divisions from the egg to the leaves of the full tree, 1 to 16");
   verb.takes("--study", options.study, "NAME", "Write a study of this name instead of a scenario");
   verb.takes("--base", options.base, "FILE", "The scenario that the study varies, from the study's folder");
+  verb.takes(
+      "--from", options.from, "TABLE",
+      "Write the scenario of tracked cells: CSV with a row per cell and frame (track_id, t, z, y, x, "
+      "parent_track_id; name, volume or radius) or a row per cell (cell, parent, birth, division), or man_track.txt");
+  verb.takes("--units", options.embryo.units, "LENGTH,TIME", readUnits,
+             "Units of the table: µm,min; 0.5µm,2min where one of it is so many");
+  verb.takes("--shell", options.embryo.shell, "X,Y,Z", readShell,
+             "Semi-axes of the shell along x, y and z, as the table's lengths; default: fitted to the cells");
+  verb.takes("--root", options.embryo.root, "CELL", "Only this cell of the table and its descendants");
+  verb.takes("--model", options.embryo.areSpheres, "NAME", readModel,
+             "Bodies of cells: mesh, or sphere, which is faster and coarser");
+  verb.showDefault("--model", "mesh");
   verb.oneOf({"file", "--output"});
-  verb.oneOf({"--dna", "--study"});
+  verb.oneOf({"--dna", "--study", "--from"});
+  verb.onlyWith({"--units", "--shell", "--root", "--model"}, {"--from"});
   verb.onlyWith({"--levels"}, {"--dna"});
   verb.onlyWith({"--base"}, {"--study"});
   verb.takes("--force", options.force, "Replace an existing file");

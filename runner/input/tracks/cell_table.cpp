@@ -1,0 +1,204 @@
+#include "tracks/cell_table.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "files/text.h"
+#include "tracks/delimited_text.h"
+#include "yaml/numbers.h"
+
+namespace morula::tracks {
+namespace {
+
+/// In the order of TableReader::Column, the headers by which trackers call a column, the best first: in small letters, without anything but letters and
+/// digits, and without a unit in brackets. A header serves one column, and a column takes one header.
+const std::array<std::vector<std::string_view>, 15> headers{{
+    {"trackid", "track", "cellid", "cell", "id", "label", "particle"},
+    {"parenttrackid", "parentid", "parent", "motherid", "mother", "parenttrack", "parentcell", "mothercell"},
+    {"name", "cellname", "trackname", "cell"},
+    {"t", "time", "frame", "positiont", "timepoint", "frameid"},
+    {"birth", "born", "birthtime", "birthframe", "begin", "start"},
+    {"division", "divisiontime", "divisionframe", "end", "ended", "death", "deathtime", "endtime"},
+    {"x", "positionx", "posx", "xum", "centroid2"},
+    {"y", "positiony", "posy", "yum", "centroid1"},
+    {"z", "positionz", "posz", "zum", "centroid0"},
+    {"axisx"},
+    {"axisy"},
+    {"axisz"},
+    {"volume", "volumeum3", "vol"},
+    {"radius", "radiusum"},
+    {"fate"},
+}};
+
+const scenario::Range usable{.low = -1e30, .high = 1e30}, size{.low = 1e-30, .high = 1e30};
+
+std::string normalized(std::string_view header) {
+  std::string word;
+  for (const char c : header.substr(0, header.find_first_of("[(")))
+    if (c >= 'A' && c <= 'Z') word += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
+  return word;
+}
+
+bool isNumber(std::string_view text) { return scenario::parseReal(text).wrong.empty(); }
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, scenario::Problems& problems) : text_(text, problems), problems_(problems) {
+    column_.fill(-1);
+  }
+
+  CellTable read() {
+    bool hasHeader = false;
+    while (text_.next()) {
+      if (hasHeader) readRow();
+      else if (!readHeader()) return std::move(table_);
+      else if (table_.form == Form::manTrack) readRow();
+      hasHeader = true;
+    }
+    if (table_.rows.empty() && problems_.empty())
+      text_.complain({}, hasHeader ? "there is no row below the header" : "the file is empty",
+                     "needs a header such as track_id,t,z,y,x,parent_track_id, and rows");
+    table_.unquoted = text_.takeUnquoted();
+    return std::move(table_);
+  }
+
+ private:
+  enum Column { cell, parent, name, time, birth, end, x, y, z, axisX, axisY, axisZ, volume, radius, fate, columnCount };
+
+  const std::vector<std::string_view>& fields() const { return text_.fields(); }
+  std::string_view field(int at) const { return fields()[static_cast<std::size_t>(at)]; }
+
+  bool readHeader() {
+    if (std::ranges::all_of(fields(), isNumber)) {
+      table_.form = Form::manTrack;
+      column_[cell] = 0, column_[birth] = 1, column_[end] = 2, column_[parent] = 3;
+      headerCount_ = 4;
+      if (text_.separator() != ' ' || fields().size() != 4)
+        text_.complain({}, "there is no header",
+                       "name the columns in the first line, as track_id,t,z,y,x,parent_track_id");
+      return problems_.empty();
+    }
+    headerCount_ = fields().size();
+    std::vector<std::string> words;
+    for (const auto field : fields()) words.push_back(normalized(field));
+    std::vector<bool> isUsed(words.size(), false);
+    for (int c = 0; c < columnCount; ++c)
+      for (const auto& header : headers[static_cast<std::size_t>(c)]) {
+        const auto found = std::ranges::find(words, header);
+        const auto at = static_cast<std::size_t>(found - words.begin());
+        if (found == words.end() || isUsed[at] || column_[static_cast<std::size_t>(c)] >= 0) continue;
+        column_[static_cast<std::size_t>(c)] = static_cast<int>(at);
+        isUsed[at] = true;
+        if (std::find(found + 1, words.end(), header) != words.end())
+          text_.complain(fields()[at], "two columns are called " + inQuotes(fields()[at]), "rename or remove one");
+      }
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (!isUsed[i]) table_.ignored.emplace_back(fields()[i]);
+    return requireColumns();
+  }
+
+  void require(Column column, const std::string& names) {
+    if (column_[column] >= 0) return;
+    std::vector<std::string> has;
+    for (const auto field : fields()) has.push_back(inQuotes(field));
+    text_.complain({}, "there is no column " + names + "; the header has " + join(has),
+                   "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, division");
+  }
+
+  bool requireColumns() {
+    const bool hasTimes = column_[birth] >= 0 || column_[end] >= 0;
+    if (column_[time] >= 0 && hasTimes)
+      text_.complain({},
+                     "there is " + inQuotes(field(column_[time])) + " as in a row per frame, and " +
+                         inQuotes(field(std::max(column_[birth], column_[end]))) + " as in a row per cell",
+                     "remove one of the two");
+    table_.form = column_[time] >= 0 ? Form::frames : Form::cells;
+    require(cell, "track_id, cell or id");
+    if (!hasTimes) require(time, "t, as a row per frame has, nor birth or division, as a row per cell has");
+    require(parent, "parent_track_id, parent or mother");
+    const bool hasPlaces = column_[x] >= 0 || column_[y] >= 0 || column_[z] >= 0;
+    if (table_.form == Form::frames || hasPlaces) require(x, "x or POSITION_X"), require(y, "y or POSITION_Y");
+    const bool hasAxis = column_[axisX] >= 0 || column_[axisY] >= 0 || column_[axisZ] >= 0;
+    if (hasAxis) require(axisX, "axis_x"), require(axisY, "axis_y"), require(axisZ, "axis_z");
+    table_.isFlat = column_[x] >= 0 && column_[z] < 0;
+    return problems_.empty();
+  }
+
+  std::string_view fieldOf(Column column) const {
+    return column_[column] < 0 ? std::string_view() : field(column_[column]);
+  }
+
+  /// Reads a number, which may be absent unless `must`.
+  double number(Column column, bool must, const scenario::Range& range = usable) {
+    if (column_[column] < 0) return unsaid;
+    const std::string_view field = fieldOf(column);
+    const char* const called = headers[column].front().data();
+    if (field.empty()) {
+      if (must) text_.complain({}, std::string("there is no ") + called, "fill it in, or remove the row");
+      return unsaid;
+    }
+    const auto [value, wrong] = scenario::parseReal(field);
+    if (!wrong.empty())
+      text_.complain(
+          field, inQuotes(field) + " " + wrong,
+          must ? "needs a number such as 1.5" : "needs a number such as 1.5, or nothing where it is not known", called);
+    else if (!range.holds(value))
+      text_.complain(field, inQuotes(field) + (&range == &size ? " is no size" : " is no usable number"),
+                     "needs a number " + range.text(), called);
+    else return value;
+    return unsaid;
+  }
+
+  Vector vector(Column first, bool must) {
+    const auto part = [&](int i) { return number(static_cast<Column>(first + i), must); };
+    return {part(0), part(1), part(2)};
+  }
+
+  void readRow() {
+    if (fields().size() != headerCount_)
+      return text_.complain(
+          {}, "has " + std::to_string(fields().size()) + " fields where the header has " + std::to_string(headerCount_),
+          "fill in or remove fields; decimals follow a point, and a name with a separator stands in quotes");
+    const bool isFrame = table_.form == Form::frames;
+    Row row{text_.line(), fieldOf(cell), fieldOf(parent), fieldOf(name)};
+    if (row.cell.empty())
+      text_.complain({}, "the row does not say which cell it is of", "fill in its track_id or cell");
+    row.time = number(time, true);
+    row.birth = number(birth, table_.form == Form::manTrack), row.end = number(end, table_.form == Form::manTrack);
+    row.place = vector(x, isFrame);
+    if (table_.isFlat && row.place.x == row.place.x) row.place.z = 0;
+    row.axis = vector(axisX, false);
+    row.volume = number(volume, false, size);
+    const double r = number(radius, false, size);
+    if (row.volume != row.volume) row.volume = 4 * std::numbers::pi / 3 * r * r * r;
+    readFate(row);
+    table_.rows.push_back(row);
+  }
+
+  void readFate(Row& row) {
+    const std::string word = normalized(fieldOf(fate));
+    const auto isOneOf = [&](std::initializer_list<std::string_view> words) {
+      return std::ranges::find(words, word) != words.end();
+    };
+    row.dies = isOneOf({"dies", "died", "die", "death", "dead", "apoptosis"});
+    if (!row.dies && !isOneOf({"", "divides", "divided", "division", "lives", "alive", "end"}))
+      text_.complain(fieldOf(fate), inQuotes(fieldOf(fate)) + " is no fate", "needs divides, dies or lives, or nothing",
+                     "fate");
+  }
+
+  DelimitedText text_;
+  scenario::Problems& problems_;
+  CellTable table_;
+  std::array<int, columnCount> column_;  // among the fields of a row; -1: there is none
+  std::size_t headerCount_ = 0;
+};
+
+}  // namespace
+
+CellTable readCellTable(std::string_view text, scenario::Problems& problems) {
+  return TableReader(text, problems).read();
+}
+
+}  // namespace morula::tracks

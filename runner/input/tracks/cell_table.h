@@ -1,0 +1,47 @@
+#pragma once
+// Tables of tracked cells: CSV, TSV or blanks between fields, and man_track.txt of the Cell Tracking Challenge.
+#include <deque>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec3.h"
+#include "yaml/problems.h"
+
+namespace morula::tracks {
+
+inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
+
+/// One row. A number that the table does not give is `unsaid`, a text is "". Texts are views into the table's text, or
+/// into CellTable::unquoted.
+struct Row {
+  int line = 0;                         // in the file, from 1
+  std::string_view cell, parent, name;  // cell: never ""
+  double time = unsaid;                 // of a row per frame
+  double birth = unsaid, end = unsaid;  // of a row per cell
+  Point place{unsaid, unsaid, unsaid};  // without a column z in the plane z = 0
+  Vector axis{unsaid, unsaid, unsaid};  // of the cell's own division, towards daughter A
+  double volume = unsaid;               // > 0
+  bool dies = false;                    // at its end
+};
+
+enum class Form {
+  frames,    // a row per cell and frame
+  cells,     // a row per cell, with times
+  manTrack,  // a row per track: its first and last frame
+};
+
+struct CellTable {
+  Form form = Form::frames;
+  std::vector<Row> rows;
+  bool isFlat = false;               // there are places, and no column z
+  std::vector<std::string> ignored;  // columns that are not read
+  std::deque<std::string> unquoted;  // fields that had quotes in quotes
+};
+
+/// Reads a table. Lines that begin with '#' are comments. A byte order mark is passed over. Mistakes are problems with
+/// their places; reading ends after some twenty of them.
+CellTable readCellTable(std::string_view text, scenario::Problems& problems);
+
+}  // namespace morula::tracks

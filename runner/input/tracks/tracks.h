@@ -1,0 +1,52 @@
+#pragma once
+// From rows to a lineage: who descends from whom, when, where and of what volume.
+#include <string>
+#include <vector>
+
+#include "tracks/cell_table.h"
+
+namespace morula::tracks {
+
+/// The place of a cell at a time of the table.
+struct Sighting {
+  double time;
+  Point place;
+  int line;  // in the file
+};
+
+/// A cell from birth to end. Times, lengths and volumes are the table's.
+struct TrackedCell {
+  std::string id, name;  // the name is the id where the table gives none
+  int line = 0;          // the first in the file
+  int mother = -1;
+  std::vector<int> daughters;  // none, or A and B
+  double birth = unsaid;       // of a founder: when the table begins
+  double end = unsaid;         // of its division or death; unsaid: it lives on
+  bool dies = false;           // at its end
+  std::vector<Sighting> seen;  // by time; of a row per cell one at most
+  double volume = unsaid;      // the mean of those given
+  Vector axis{unsaid, unsaid, unsaid};
+
+  bool hasEnd() const { return end == end; }
+};
+
+struct Lineage {
+  Form form = Form::frames;
+  std::vector<TrackedCell> cells;  // by generation: the founders, their daughters A and B, …
+  int founders = 0;
+  double begin = 0, end = 0;         // when the table begins and ends
+  double frame = 0;                  // the shortest time between two frames; 0 of a row per cell
+  std::vector<std::string> assumed;  // sentences for people
+};
+
+/// Makes a lineage of a table; with `root` of the cell of that name or id and its descendants alone. What no lineage
+/// can have is a problem with the row's place.
+Lineage makeLineage(const CellTable& table, const std::string& root, scenario::Problems& problems);
+
+/// Returns true if a comes before b: by letters, and by value where both have digits, so that 9 comes before 10.
+bool precedes(std::string_view a, std::string_view b);
+
+/// Adds "What is assumed: AB, MS, E and 2 more" for the cells of which it is; nothing if there are none.
+void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells);
+
+}  // namespace morula::tracks
