@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Redraws the pictures of the README from shipped scenarios into reports/gallery, in half a minute. The film needs
+# Redraws the pictures of the READMEs from shipped scenarios into reports/gallery, in half a minute. The film needs
 # ffmpeg.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."

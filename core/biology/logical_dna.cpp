@@ -308,7 +308,7 @@ void LogicalDna::setGene(const std::string& name, bool on) {
     for (WaitingGene& gene : genes)
       if (gene.name == name) gene.isOn = on, isKnown = true;
   if (!isKnown) throw InputError("the DNA has no gene '" + name + "'");
-  // What was kept of states follows from the genes, and cycle lengths of newborns do, too.
+  // Values kept with states follow from the genes, as cycle lengths of newborns do.
   for (State& state : states_) state.next = unknown, state.nextOnSensing.clear();
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Substances substances = states_[i].substances;

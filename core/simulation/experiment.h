@@ -1,5 +1,5 @@
 #pragma once
-// What is done to an organism while it grows: which cells, what, and when (Scene::experiments).
+// Experiments on an organism while it grows: the cells, the deed and the time (Scene::experiments).
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -10,7 +10,7 @@ namespace morula {
 
 struct World;
 
-/// What was done to a cell, or to all cells alike; a row with `cells` = 0 says that no cell was found.
+/// A deed that was done to a cell, or to all cells alike; a row with `cells` = 0 says that no cell was found.
 struct ExperimentRecord {
   std::uint64_t number = 0;  // the place of the experiment in the scene's list, from 1
   double time = 0;           // [time] what the clock showed

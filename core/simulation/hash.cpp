@@ -79,7 +79,7 @@ struct PartHasher : SavedParts {
   void operator()(const char* name, const std::vector<ConnectionRecord>& connections) {
     parts.connections = hashRows(name, connections);
   }
-  /// What was done decides how the scene goes on; the clock comes before.
+  /// Adds the deeds that were done to the part of the clock, which comes before: they decide how the scene goes on.
   void operator()(const char* name, const std::vector<ExperimentRecord>& records) {
     parts.clock = Hasher().add(parts.clock).add(hashRows(name, records)).digest();
   }

@@ -161,6 +161,8 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
     if (const std::string distance = distanceText(settlings); !distance.empty())
       findings.push_back({Kind::note, distance});
   }
+  for (const std::string& line : experimentLines(facts.scenario, facts.results.experiments))
+    findings.push_back({Kind::note, "Experiment: " + line});
   judgeAgain(facts, findings);
   judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())

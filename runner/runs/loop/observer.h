@@ -1,5 +1,5 @@
 #pragma once
-// What looks at a run's world while the run goes on: samples, frames, checks, checkpoints, progress.
+// Observers look at a run's world while the run goes on: samples, frames, checks, checkpoints, progress.
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -15,7 +15,7 @@ struct World;
 /// An observer that only looks at the start, at the end, or when another observer is due, waits for so many steps.
 inline constexpr std::uint64_t neverDue = std::numeric_limits<std::uint64_t>::max();
 
-/// What a stopped run left behind, for its observers to go on from.
+/// The records of a stopped run, from which its observers go on.
 struct Resumed {
   std::function<void(const RecordSink&)> eachRecord;  // passes on samples and hashes, in parts
   std::vector<std::string> frames;                    // of the sequence of pictures (frame_file.h)

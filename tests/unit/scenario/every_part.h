@@ -36,6 +36,7 @@ division:
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5, release-age: 4, most: 3}
 senses: {}
+experiments: [{kill: path A, at: 1}]
 record: {every: 0.25, pictures: 0.5, meshes: 0.75, at-cells: [2, 3], measures: [contact_f1, position_rmsd]}
 names: {egg: P0, daughters: [l, r], cells: {A: AB}}
 units: {length: um, per-length: 27, time: min, per-time: 4}

@@ -138,6 +138,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"division.size", "{sizer: 0.25}"},
       {"division.size", "{adder: 0.5}"},
       {"connections.release-age", "3"},
+      {"experiments", "[{kill: path B, at: 1}]"},
       {"connections.most", "4"},
       {"connections.make", "both"},
       {"connections.on-division", "plane"},
