@@ -85,7 +85,7 @@ std::string ownVerdict(const World& world) {
       std::vector<Point> inside;
       // The mesh of a ball has the ball's volume, so its vertices stand out. A shell that holds the surface of a mesh's
       // volume acts on vertices as if its half-axes were longer by the sag, which unit/physics tests.
-      const double* a = b.parameters.shell->semiAxes;
+      const double* a = b.parameters.shell->semiAxes.data();
       const bool holdsVertices = b.parameters.shell->mesh || b.parameters.shell->holds == Held::vertices;
       const double sag = sphere || holdsVertices ? 0 : b.sag[slot];
       if (sphere) {

@@ -111,8 +111,8 @@ TEST_CASE("Each part names the line that asks for it, or says that it is a defau
   CHECK(parts["contact"].what == "the thesis' law");
   CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has no friction, whatever its coefficient
   CHECK(parts["connections"].why == "test.yaml:31:14: connections");
-  CHECK(parts["samples"].why == "test.yaml:33:17: record.every");
-  CHECK(parts["hashes"].why == "test.yaml:36:8: check");
+  CHECK(parts["samples"].why == "test.yaml:34:17: record.every");
+  CHECK(parts["hashes"].why == "test.yaml:37:8: check");
   parts = byName(read(sceneOf(8), {{"physics.drag", "2", "--set physics.drag"}}));
   CHECK(parts["drag"].why == "--set physics.drag");
   CHECK(parts["springs"].why == "default");
