@@ -33,10 +33,10 @@ class LineageMaker {
     for (const int founder : founders) add(founder, -1);
     lineage_.founders = static_cast<int>(founders.size());
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      const std::vector<int> daughters = tracks_[order_[i]].daughters;
-      if (daughters.size() == 2 && divide(order_[i]))
+      const std::vector<int>& daughters = tracks_[order_[i]].daughters;
+      if (daughters.empty()) end(order_[i]);
+      else if (daughters.size() == 2 && divide(order_[i]))
         for (const int daughter : daughters) add(daughter, static_cast<int>(i));
-      else if (daughters.empty()) end(order_[i]);
     }
     finish();
     return std::move(lineage_);
