@@ -6,6 +6,7 @@
 
 #include "files/text.h"
 #include "tracks/delimited_text.h"
+#include "tracks/wording.h"
 #include "yaml/numbers.h"
 
 namespace morula::tracks {

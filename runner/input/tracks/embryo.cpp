@@ -10,6 +10,7 @@
 #include "division/rules.h"
 #include "files/text.h"
 #include "tracks/embryo_sizes.h"
+#include "tracks/wording.h"
 
 namespace morula::tracks {
 namespace {

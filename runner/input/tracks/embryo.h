@@ -32,7 +32,7 @@ inline bool livesIn(const TrackedCell& cell, const Stage& stage) {
   return cell.birth <= stage.begin && !(cell.end <= stage.begin);
 }
 
-/// What a division is like; absent: the table does not say.
+/// The geometry of a division; absent: the table does not say.
 struct Division {
   std::optional<Vector> axis;   // to daughter A, of length 1
   std::optional<double> share;  // of the volume, for A

@@ -7,7 +7,7 @@
 
 namespace morula::tracks {
 
-/// What the rows of one track say.
+/// A track, as its rows say.
 struct Track {
   std::string id, name;
   int line = 0;  // the first in the file

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "tracks/embryo_sizes.h"
+#include "tracks/wording.h"
 #include "tracks/write_embryo.h"
 // Last, because of CHECK:
 #include "catch.h"
