@@ -6,6 +6,7 @@
 
 #include "files/text.h"
 #include "tracks/delimited_text.h"
+#include "tracks/wording.h"
 #include "yaml/numbers.h"
 
 namespace morula::tracks {
@@ -71,7 +72,7 @@ class TableReader {
   std::string_view field(int at) const { return fields()[static_cast<std::size_t>(at)]; }
 
   bool readHeader() {
-    if (std::ranges::all_of(fields(), isNumber)) {
+    if (isNumber(fields()[0])) {
       table_.form = Form::manTrack;
       column_[cell] = 0, column_[birth] = 1, column_[end] = 2, column_[parent] = 3;
       headerCount_ = 4;

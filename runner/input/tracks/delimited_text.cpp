@@ -5,6 +5,7 @@
 
 #include "base/text_marks.h"
 #include "base/utf8.h"
+#include "tracks/wording.h"
 
 namespace morula::tracks {
 namespace {
@@ -22,8 +23,6 @@ char separatorOf(std::string_view line) {
 }
 
 }  // namespace
-
-std::string inQuotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 DelimitedText::DelimitedText(std::string_view text, scenario::Problems& problems)
     : text_(withoutByteOrderMark(text)), problems_(problems) {

@@ -11,8 +11,6 @@ namespace morula::tracks {
 
 inline constexpr std::size_t maxProblems = 20;  // reading ends after so many
 
-std::string inQuotes(std::string_view text);
-
 /// Goes through a text line by line. A byte order mark, empty lines and lines that begin with '#' are passed over; line
 /// ends are LF, CR LF or CR. The first line decides what separates fields: a tab, else ';', else ',', else blanks.
 /// Fields may stand in quotes. A line that cannot be read is a problem with its place.

@@ -10,6 +10,7 @@
 #include "division/rules.h"
 #include "files/text.h"
 #include "tracks/embryo_sizes.h"
+#include "tracks/wording.h"
 
 namespace morula::tracks {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t framesOfAxis = 3, maxStages = 100;
 constexpr double usualLife = 4;  // [time] the median; cells then come to rest between divisions
 
+Vector directionOf(const Vector& v) { return norm(v) > 0 ? v / norm(v) : v; }
 double powerOfTwoNear(double a) { return std::exp2(std::round(std::log2(a))); }
 
 class EmbryoMaker {
@@ -125,7 +127,7 @@ class EmbryoMaker {
            changed);
   }
 
-  /// The mean of A − B over three frames, weighted 3 : 2 : 1, since daughters begin to turn as soon as they are born.
+  /// The mean direction from B to A over three frames, weighted 3 : 2 : 1: daughters turn as soon as they are born.
   std::optional<Vector> axisOf(const TrackedCell& mother) const {
     Vector axis = mother.axis;
     if (axis.x != axis.x || axis.y != axis.y || axis.z != axis.z) {
@@ -137,7 +139,7 @@ class EmbryoMaker {
       for (std::size_t i = 0, k = 0; i < a.size() && k < b.size() && frames < framesOfAxis;)
         if (isTimed && a[i].time < b[k].time) ++i;
         else if (isTimed && b[k].time < a[i].time) ++k;
-        else axis += (a[i++].place - b[k++].place) * static_cast<double>(framesOfAxis - frames++);
+        else axis += directionOf(a[i++].place - b[k++].place) * static_cast<double>(framesOfAxis - frames++);
     }
     const double length = norm(axis);
     return length > 0 ? std::optional(axis / length) : std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "tracks/delimited_text.h"
+#include "tracks/wording.h"
 
 namespace morula::tracks {
 namespace {

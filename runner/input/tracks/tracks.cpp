@@ -5,9 +5,8 @@
 
 #include "base/cell_path.h"
 #include "base/number_text.h"
-#include "files/text.h"
-#include "tracks/delimited_text.h"
 #include "tracks/rows_by_cell.h"
+#include "tracks/wording.h"
 #include "values/cell_names.h"
 
 namespace morula::tracks {
@@ -33,10 +32,10 @@ class LineageMaker {
     for (const int founder : founders) add(founder, -1);
     lineage_.founders = static_cast<int>(founders.size());
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      const std::vector<int> daughters = tracks_[order_[i]].daughters;
-      if (daughters.size() == 2 && divide(order_[i]))
+      const std::vector<int>& daughters = tracks_[order_[i]].daughters;
+      if (daughters.empty()) end(order_[i]);
+      else if (daughters.size() == 2 && divide(order_[i]))
         for (const int daughter : daughters) add(daughter, static_cast<int>(i));
-      else if (daughters.empty()) end(order_[i]);
     }
     finish();
     return std::move(lineage_);
@@ -246,28 +245,6 @@ Lineage makeLineage(const CellTable& table, const std::string& root, scenario::P
   std::vector<Track> tracks = tracksOf(table, times, problems);
   if (!problems.empty()) return {};
   return LineageMaker(std::move(tracks), table, problems).make(root, times);
-}
-
-bool precedes(std::string_view a, std::string_view b) {
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto digits = [&](std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::find_if_not(text, isDigit) - text.begin());
-  };
-  while (!a.empty() && !b.empty()) {
-    const std::size_t m = digits(a), n = digits(b);
-    if (m > 0 && n > 0 && m != n) return m < n;
-    if (a[0] != b[0]) return a[0] < b[0];
-    a.remove_prefix(1), b.remove_prefix(1);
-  }
-  return a.size() < b.size();
-}
-
-void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells) {
-  constexpr std::size_t shown = 3;
-  if (cells.empty()) return;
-  std::vector<std::string> first(cells.begin(), cells.begin() + static_cast<long>(std::min(cells.size(), shown)));
-  const std::string rest = cells.size() > shown ? " and " + std::to_string(cells.size() - shown) + " more" : "";
-  sentences.push_back(what + ": " + join(first) + rest);
 }
 
 }  // namespace morula::tracks

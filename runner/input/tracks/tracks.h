@@ -43,10 +43,4 @@ struct Lineage {
 /// can have is a problem with the row's place.
 Lineage makeLineage(const CellTable& table, const std::string& root, scenario::Problems& problems);
 
-/// Returns true if a comes before b: by letters, and by value where both have digits, so that 9 comes before 10.
-bool precedes(std::string_view a, std::string_view b);
-
-/// Adds "What is assumed: AB, MS, E and 2 more" for the cells of which it is; nothing if there are none.
-void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells);
-
 }  // namespace morula::tracks

@@ -6,57 +6,16 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "files/printable.h"
 #include "files/text.h"
 #include "mesh/mesh.h"
 #include "scenario/scenario.h"
+#include "tracks/wording.h"
 #include "yaml/problems.h"
 
 namespace morula::tracks {
 namespace {
 
-constexpr std::size_t width = 110, maxNames = 60;
-
-/// A name as a person writes it: in quotes only where YAML or the reader would take it for something else.
-std::string word(const std::string& text) {
-  const bool isPlain = isMadeOf(text, "_") && isMadeOf(text.substr(0, 1), "") && text[0] >= 'A';
-  std::string small = text;
-  for (char& c : small) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  for (const char* taken : {"y", "n", "yes", "no", "on", "off", "true", "false", "null"})
-    if (small == taken) return yamlText(text);
-  return isPlain ? text : yamlText(text);
-}
-
-std::string rounded(double a, int decimals = 3) {
-  const double scale = std::pow(10, decimals), value = std::round(a * scale) / scale;
-  return numberText(value == 0 ? 0 : value, 12);
-}
-
-std::string triple(const Vector& v, int decimals = 3) {
-  return "[" + rounded(v.x, decimals) + ", " + rounded(v.y, decimals) + ", " + rounded(v.z, decimals) + "]";
-}
-
-/// "{a: 1, b: 2}", over several lines where it is long.
-std::string flow(const std::vector<std::string>& entries, char open, char close) {
-  std::string text(1, open), line = join(entries);
-  if (line.size() < width - 20) return text + line + close;
-  line = "\n   ";
-  for (const std::string& entry : entries) {
-    if (line.size() + entry.size() > width) text += line, line = "\n   ";
-    line += " " + entry + (&entry == &entries.back() ? "" : ",");
-  }
-  return text + line + "\n  " + close;
-}
-
-/// A comment of lines that are not too long.
-std::string comment(const std::string& text) {
-  std::string lines, line = "#";
-  for (const std::string& w : wordsOf(printableLine(text))) {
-    if (line.size() + w.size() > width) lines += line + "\n", line = "#";
-    line += " " + w;
-  }
-  return lines + line + "\n";
-}
+constexpr std::size_t maxNames = 60;  // more stand in a file of their own
 
 class Writer {
  public:
@@ -284,7 +243,8 @@ std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string
   std::vector<NamedFile> named;
   for (auto at = files.rbegin(); at != files.rend(); ++at)
     named.push_back({at->role, at->path, at->text});  // the last reference first
-  readScenario(files[0].text, stem + ".yaml", "", {}, named);
+  // Reading checks each rule against all substances: with very many cells that takes minutes.
+  if (embryo.substance.size() <= 10'000) readScenario(files[0].text, stem + ".yaml", "", {}, named);
   return files;
 }
 
