@@ -128,8 +128,7 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   add("seed", seed);
   if (mechanics) {
     add("physics", decisive(mechanics->physics));
-    add("physics.mesh", mechanics->mesh);
-    add("physics.mesh.coarsen", mechanics->coarser);
+    add("physics.mesh", std::vector<std::vector<Mesh>>{{mechanics->mesh}, mechanics->coarser});
     if (mechanics->contact) add("physics.contact", *mechanics->contact);
     add("division", mechanics->division);
     if (mechanics->connections) add("connections", *mechanics->connections);

@@ -135,7 +135,7 @@ TEST_CASE("Any flipped bit of a checkpoint is noticed") {
     for (int bit = 0; bit < 8; ++bit)
       if (complaint(world, withByte(whole, at, 1 << bit)).empty()) FAIL("byte " << at << ", bit " << bit);
   CHECK_THAT(complaint(world, withByte(whole, 0, 1)), ContainsSubstring("these bytes are not a checkpoint"));
-  CHECK_THAT(complaint(world, withByte(whole, 8, 1)), ContainsSubstring("has format 2"));
+  CHECK_THAT(complaint(world, withByte(whole, 8, 1)), ContainsSubstring("has format 5"));
   CHECK_THAT(complaint(world, withByte(whole, headSize + 50, 1)), ContainsSubstring("damaged"));
 }
 
