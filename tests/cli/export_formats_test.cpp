@@ -68,8 +68,8 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
   CHECK(stored.files("series-of-one") == Words{"0000.glb", "cells.csv", "states.csv", "times.csv"});
   CHECK(stored.exported("csv", "tables").code == 0);
   CHECK(stored.files("tables") == Words{"cell_samples.csv", "cells.csv", "checks.csv", "connections.csv",
-                                        "contacts.csv", "divisions.csv", "runs.csv", "samples.csv", "settlings.csv",
-                                        "time_steps.csv"});
+                                        "contacts.csv", "divisions.csv", "experiments.csv", "runs.csv", "samples.csv",
+                                        "settlings.csv", "time_steps.csv"});
   const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
   CHECK(json["format"] == "newick");
   CHECK(json["runs"][0]["run_id"] == stored.id);
