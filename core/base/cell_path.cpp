@@ -54,6 +54,13 @@ NumericalError::NumericalError(std::string failed, std::uint64_t at, std::string
       remedy(std::move(advice)),
       want(missing) {}
 
+NumericalError::NumericalError(std::uint64_t at, std::string what, std::string advice, Want missing)
+    : std::runtime_error("step " + std::to_string(at) + ": " + what + "; " + advice),
+      step(at),
+      quantity(std::move(what)),
+      remedy(std::move(advice)),
+      want(missing) {}
+
 NumericalError::NumericalError(const std::string& told, Want missing) : std::runtime_error(told), want(missing) {}
 
 }  // namespace morula

@@ -26,9 +26,11 @@ struct InputError : std::runtime_error {
 struct NumericalError : std::runtime_error {
   NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy,
                  Want want = Want::nothing);
+  /// A failure of no one cell.
+  NumericalError(std::uint64_t step, std::string quantity, std::string remedy, Want want = Want::nothing);
   /// Takes the full message of a failure that was reported before.
   NumericalError(const std::string& told, Want want);
-  std::string cell;  // path of the cell
+  std::string cell;  // path of the cell; also "" if the failure is of no one cell
   std::uint64_t step = 0;
   std::string quantity, remedy;
   Want want;

@@ -10,17 +10,19 @@
 
 /// Defines `members`, a tuple of references to all members in the order of the struct, and `memberNames`, their names
 /// in a text: "rate, until".
-#define MORULA_MEMBERS(Struct, ...)                                         \
-  template <::morula::IsA<Struct> MorulaOwner>                              \
-  auto members(MorulaOwner& morulaOwner) {                                  \
-    auto& [__VA_ARGS__] = morulaOwner;                                      \
-    return std::tie(__VA_ARGS__);                                           \
-  }                                                                         \
+#define MORULA_MEMBERS(Struct, ...)            \
+  template <::morula::IsA<Struct> MorulaOwner> \
+  auto members(MorulaOwner& morulaOwner) {     \
+    auto& [__VA_ARGS__] = morulaOwner;         \
+    return std::tie(__VA_ARGS__);              \
+  }                                            \
   constexpr const char* memberNames(const Struct*) { return #__VA_ARGS__; }
 
 namespace morula {
 
 template <class T>
-concept HasMembers = requires(T& value) { members(value); };
+concept HasMembers = requires(T& value) {
+  members(value);
+};
 
 }  // namespace morula

@@ -65,6 +65,23 @@ Body makeEgg(const Bodies& b, int meshLevel) {
 
 }  // namespace
 
+KernelParameters kernelParametersOf(const PhysicsParameters& parameters) {
+  const double* a = parameters.shell ? parameters.shell->semiAxes.data() : nullptr;
+  const auto* planes = parameters.shell && parameters.shell->mesh ? &parameters.shell->mesh->planes : nullptr;
+  return {.stiffness = parameters.membrane.stiffness,
+          .damping = parameters.membrane.damping,
+          .outsidePressure = parameters.pressure.outside,
+          .drag = parameters.drag,
+          .semiAxes = {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
+          .substeps = static_cast<int>(parameters.substeps.value_or(1)),
+          .shapeStiffness = parameters.shapeMatching.stiffness,
+          .shapeLinear = parameters.shapeMatching.linear,
+          .shapeDamping = parameters.shapeMatching.damping,
+          .radius = parameters.cell.radius,
+          .planes = planes ? planes->data() : nullptr,
+          .planeCount = planes ? static_cast<int>(planes->size()) : 0};
+}
+
 Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads, const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
@@ -77,20 +94,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }
-  const double* a = parameters.shell ? parameters.shell->semiAxes.data() : nullptr;
-  const auto* planes = parameters.shell && parameters.shell->mesh ? &parameters.shell->mesh->planes : nullptr;
-  b.kernelParameters = {.stiffness = parameters.membrane.stiffness,
-                        .damping = parameters.membrane.damping,
-                        .outsidePressure = parameters.pressure.outside,
-                        .drag = parameters.drag,
-                        .semiAxes = {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
-                        .substeps = static_cast<int>(parameters.substeps.value_or(1)),
-                        .shapeStiffness = parameters.shapeMatching.stiffness,
-                        .shapeLinear = parameters.shapeMatching.linear,
-                        .shapeDamping = parameters.shapeMatching.damping,
-                        .radius = parameters.cell.radius,
-                        .planes = planes ? planes->data() : nullptr,
-                        .planeCount = planes ? static_cast<int>(planes->size()) : 0};
+  b.kernelParameters = kernelParametersOf(b.parameters);
   if (b.model().hasRestShape) {
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);

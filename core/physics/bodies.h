@@ -102,6 +102,9 @@ struct Bodies {
   BlockView block(int index, int thread);
 };
 
+/// Returns what kernels read of the parameters, which must outlive it if the shell is a mesh.
+KernelParameters kernelParametersOf(const PhysicsParameters& parameters);
+
 /// Makes storage without cells, with `threads` sets of scratch. `coarser`: meshes of the egg's shape that cells may
 /// take. The vertices of each are some of the vertices of the mesh before it.
 Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,

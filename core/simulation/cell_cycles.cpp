@@ -83,7 +83,7 @@ void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
   if (!(world.clock.time > double(maxCyclesForCells) * longestCycle(scene.cycle))) return;
-  throw NumericalError("", world.clock.step,
+  throw NumericalError(world.clock.step,
                        "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
                            std::to_string(maxCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +
                            " live",

@@ -164,10 +164,11 @@ class StateReader {
     if (column[row] > 0) value = column[row];
   }
   void take(const Texts& column, std::size_t row, CellPath& path) { path = CellPath::parse(column[row]); }
-  void take(const Texts& column, std::size_t row, ReleaseCause& cause) {
-    const auto known = valueNamed<ReleaseCause>(column[row]);
-    demand(known.has_value(), "a connection of an unknown cause of its end");
-    cause = *known;
+  template <HasChoices E>
+  void take(const Texts& column, std::size_t row, E& value) {
+    const auto known = valueNamed<E>(column[row]);
+    demand(known.has_value(), "'" + column[row] + "' is none of " + namesOf<E>());
+    value = *known;
   }
   void take(const Numbers& column, std::size_t row, StateNumbers<StateId> state) {
     demand(column[row] < states_.size(), "a cell has no state");

@@ -117,7 +117,7 @@ class StateWriter {
   void put(Columns& column, const Vector& u) { column.insert(column.end(), {u.x, u.y, u.z}); }
   void put(Columns& column, const std::optional<double>& value) { column.push_back(value.value_or(0)); }
   void put(Texts& column, const CellPath& path) { column.push_back(path.text()); }
-  void put(Texts& column, ReleaseCause cause) { column.push_back(nameOf(cause)); }
+  void put(Texts& column, HasChoices auto value) { column.push_back(nameOf(value)); }
   void put(Numbers& column, StateNumbers<const StateId> state) { column.push_back(describe(state.of)); }
   void put(Numbers& column, std::uint64_t value) { column.push_back(value); }
   void put(Numbers& column, Fate fate) { column.push_back(static_cast<std::uint64_t>(fate)); }

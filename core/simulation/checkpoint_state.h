@@ -33,8 +33,8 @@ template <>
 struct OnFile<CellPath> {
   using Column = Texts;
 };
-template <>
-struct OnFile<ReleaseCause> : OnFile<CellPath> {};
+template <HasChoices E>
+struct OnFile<E> : OnFile<CellPath> {};
 template <class T>
 using ColumnOf = typename OnFile<std::remove_const_t<T>>::Column;
 

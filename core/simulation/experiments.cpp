@@ -23,7 +23,7 @@ bool wasDone(const World& world, std::uint64_t number) {
 
 bool wasDoneTo(const World& world, std::uint64_t number, const CellPath& path) {
   return std::ranges::any_of(*world.experiments, [&](const ExperimentRecord& record) {
-    return record.number == number && record.cells > 0 && record.path == path;
+    return record.number == number && record.to == DoneTo::cell && record.path == path;
   });
 }
 
@@ -75,9 +75,8 @@ std::vector<std::size_t> cellsOf(const World& world, std::uint64_t number, doubl
   return cells;
 }
 
-void note(World& world, std::uint64_t number, std::uint64_t cells, const CellPath& path = {},
-          const CellPath& other = {}) {
-  world.experiments->push_back({number, world.clock.time, world.clock.step, cells, path, other});
+void note(World& world, std::uint64_t number, DoneTo to, const CellPath& path = {}, const CellPath& other = {}) {
+  world.experiments->push_back({number, world.clock.time, world.clock.step, to, path, other});
 }
 
 /// Throws NumericalError: none of the cells that an experiment is for lives at its time.
@@ -93,10 +92,10 @@ void note(World& world, std::uint64_t number, std::uint64_t cells, const CellPat
           lives = "; " + cellName(entry.path.text()) + " lived from " + numberText(entry.born) + " to " +
                   numberText(entry.ended);
   }
-  throw NumericalError("", world.clock.step,
+  throw NumericalError(world.clock.step,
                        std::string("experiments[") + std::to_string(number - 1) + "]." + nameOf(e.deed) + " at time " +
-                           numberText(world.clock.time) + ": " + (who.empty() ? "no cell" : who) + " does not live then" +
-                           lives,
+                           numberText(world.clock.time) + ": " + (who.empty() ? "no cell" : who) +
+                           " does not live then" + lives,
                        "give another time, or after-birth or at-cells in place of at");
 }
 
@@ -106,31 +105,14 @@ void kill(World& world, const std::vector<std::size_t>& cells, double time) {
   changePopulation(world, Observation(world, time), changes);
 }
 
-/// The scene's parameter in the world; null if the scene has no such part.
-double* parameterOf(World& world, const std::string& path) {
-  PhysicsParameters& physics = world.bodies->parameters;
-  KernelParameters& kernel = world.bodies->kernelParameters;
-  ContactParameters* const contact = world.contacts ? &world.contacts->parameters : nullptr;
-  if (path == "physics.drag") return &(kernel.drag = physics.drag, physics.drag);
-  if (path == "physics.membrane.stiffness") return &physics.membrane.stiffness;
-  if (path == "physics.membrane.damping") return &physics.membrane.damping;
-  if (path == "physics.pressure.outside") return &physics.pressure.outside;
-  if (path == "physics.growth.rate") return physics.growth ? &physics.growth->rate : nullptr;
-  if (path == "physics.contact.stiffness") return contact ? &contact->stiffness : nullptr;
-  if (path == "physics.contact.damping") return contact ? &contact->damping : nullptr;
-  if (path == "physics.contact.adhesion.strength")
-    return contact && contact->adhesion ? &contact->adhesion->strength : nullptr;
-  return nullptr;
-}
-
 void setParameter(World& world, const Experiment& e) {
-  double* const value = world.bodies ? parameterOf(world, e.name) : nullptr;
+  MORULA_CHECK(world.bodies, "a parameter of an experiment exists in its scene");
+  PhysicsParameters& physics = world.bodies->parameters;
+  const ChangeableParameter* const row = changeableParameter(e.name);
+  double* const value = row ? row->of(physics, world.contacts ? &world.contacts->parameters : nullptr) : nullptr;
   MORULA_CHECK(value, "a parameter of an experiment exists in its scene");
   *value = e.value;
-  const PhysicsParameters& p = world.bodies->parameters;
-  KernelParameters& kernel = world.bodies->kernelParameters;
-  kernel.stiffness = p.membrane.stiffness, kernel.damping = p.membrane.damping;
-  kernel.outsidePressure = p.pressure.outside, kernel.drag = p.drag;
+  world.bodies->kernelParameters = kernelParametersOf(physics);
 }
 
 /// Brings genes and parameters to what the experiment says. Returns true if it is about these.
@@ -158,26 +140,26 @@ void connectCells(World& world, std::uint64_t number) {
       else if (areConnected(*world.connections, a, b))
         release(*world.connections, a, b, world.clock.time, ReleaseCause::experiment);
       else continue;
-      note(world, number, 2, a, b);
+      note(world, number, DoneTo::pair, a, b);
       some = true;
     }
   if (!some && e.deed == Deed::connect) refuseNoCell(world, number);
-  if (!some) note(world, number, 0);
+  if (!some) note(world, number, DoneTo::nobody);
 }
 
 void doOne(World& world, std::uint64_t number, double time) {
   const Experiment& e = listOf(world)[number - 1];
   if (applyToAll(world, e)) {
-    note(world, number, 3);
+    note(world, number, DoneTo::all);
     if (e.deed == Deed::set) beginWithBodies(world);
     return;
   }
   if (e.deed == Deed::connect || e.deed == Deed::release) return connectCells(world, number);
   const std::vector<std::size_t> cells = cellsOf(world, number, time);
-  for (const std::size_t cell : cells) note(world, number, 1, world.cells.path[cell]);
+  for (const std::size_t cell : cells) note(world, number, DoneTo::cell, world.cells.path[cell]);
   if (cells.empty()) {
     if (e.share >= 1 && e.deed != Deed::cycles) refuseNoCell(world, number);
-    note(world, number, 0);
+    note(world, number, DoneTo::nobody);
   }
   if (e.deed == Deed::delay)
     for (const std::size_t cell : cells) world.cells.lastCycle[cell] += e.value;
@@ -205,9 +187,9 @@ double experimentalPace(const World& world, const CellPath& path, StateId state)
   for (std::uint64_t number = 1; number <= listOf(world).size(); ++number) {
     const Experiment& e = listOf(world)[number - 1];
     if (e.deed != Deed::cycles) continue;
-    const bool holds = e.afterBirth ? wasDoneTo(world, number, path)
-                                    : wasDone(world, number) && selects(e, world, path, state) &&
-                                          isChosen(e, world, number, path);
+    const bool holds =
+        e.afterBirth ? wasDoneTo(world, number, path)
+                     : wasDone(world, number) && selects(e, world, path, state) && isChosen(e, world, number, path);
     if (holds) pace *= e.value;
   }
   return pace;
@@ -216,7 +198,8 @@ double experimentalPace(const World& world, const CellPath& path, StateId state)
 void restoreExperiments(World& world) {
   if (!world.experiments) return;
   for (const ExperimentRecord& record : *world.experiments)
-    if (record.number >= 1 && record.number <= listOf(world).size()) applyToAll(world, listOf(world)[record.number - 1]);
+    if (record.number >= 1 && record.number <= listOf(world).size())
+      applyToAll(world, listOf(world)[record.number - 1]);
 }
 
 }  // namespace morula

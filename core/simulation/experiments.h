@@ -1,23 +1,35 @@
 #pragma once
 // Experiments in a running world: when the next one is due, what has been done, and doing it.
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/cell_path.h"
+#include "base/choice.h"
 #include "biology/state.h"
 
 namespace morula {
 
 struct World;
 
-/// A deed that was done to a cell, or to all cells alike; a row with `cells` = 0 says that no cell was found.
+/// The cells that a deed was done to.
+enum class DoneTo { nobody, cell, pair, all };
+template <>
+inline constexpr auto choices<DoneTo> = std::to_array<Choice<DoneTo>>({
+    {DoneTo::nobody, "nobody", "no cell was chosen, or none lives"},
+    {DoneTo::cell, "cell", "one cell"},
+    {DoneTo::pair, "pair", "the two cells of a connection"},
+    {DoneTo::all, "all", "all cells alike"},
+});
+
+/// A deed that was done.
 struct ExperimentRecord {
   std::uint64_t number = 0;  // the place of the experiment in the scene's list, from 1
   double time = 0;           // [time] what the clock showed
   std::uint64_t step = 0;
-  std::uint64_t cells = 0;  // 0: none was found; 1: `path`; 2: also `other`; 3: all cells alike
-  CellPath path{};
-  CellPath other{};
+  DoneTo to = DoneTo::nobody;
+  CellPath path{};   // of the cell, or of one of the pair
+  CellPath other{};  // of the other one of the pair
   friend bool operator==(const ExperimentRecord&, const ExperimentRecord&) = default;
 };
 

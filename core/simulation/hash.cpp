@@ -29,9 +29,10 @@ class StateTexts {
 void add(Hasher& h, StateTexts&, const CellPath& p) { h.add(p.high()).add(p.low()).add(p.depth()); }
 void add(Hasher& h, StateTexts&, std::uint32_t number) { h.add(std::uint64_t{number}); }
 void add(Hasher& h, StateTexts&, Fate fate) { h.add(static_cast<int>(fate)); }
-void add(Hasher& h, StateTexts&, ReleaseCause cause) { h.add(nameOf(cause)); }
+void add(Hasher& h, StateTexts&, HasChoices auto value) { h.add(nameOf(value)); }
 void add(Hasher& h, StateTexts& texts, StateNumbers<const StateId> state) { h.add(texts(state.of)); }
 template <class T>
+requires(!HasChoices<T>)
 void add(Hasher& h, StateTexts&, const T& value) {
   h.add(value);
 }

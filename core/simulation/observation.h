@@ -100,7 +100,7 @@ class BodyUnit final : public PhysicalUnit {
   mutable std::optional<BodyShape> shape_;
 };
 
-/// One of an observation's cells, as policies and measures see it.
+/// A cell of an observation, as policies and measures see it.
 class ObservedCell final : public CellContext {
  public:
   ObservedCell(const Observation& observation, int number);

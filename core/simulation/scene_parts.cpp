@@ -25,7 +25,8 @@ bool sameMembers(const T& a, const T& b) {
   const auto these = members(a), those = members(b);
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
     return (same(std::get<i>(these), std::get<i>(those)) && ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
 }
 
 template <class T>
@@ -42,8 +43,7 @@ void add(Hasher& h, const std::string& a) { h.add(a); }
 void add(Hasher& h, const double& a) { h.add(a); }
 void add(Hasher& h, const CellPath& a) { h.add(a.text()); }
 template <class T>
-requires(std::is_integral_v<T> || std::is_enum_v<T>)
-void add(Hasher& h, const T& a) {
+requires(std::is_integral_v<T> || std::is_enum_v<T>) void add(Hasher& h, const T& a) {
   h.add(static_cast<std::int64_t>(a));
 }
 template <class T>
@@ -66,9 +66,8 @@ void add(Hasher& h, const T& a) {
     if (!same(value, usualValue)) add(h.field(names.substr(0, end)), value);
     names.remove_prefix(end == names.npos ? names.size() : end + 2);
   };
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (addMember(std::get<i>(values), std::get<i>(usuals)), ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (addMember(std::get<i>(values), std::get<i>(usuals)), ...); }
+  (std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
   h.field("end");
 }
 

@@ -110,11 +110,11 @@ void visitFields(T& settling, auto&& visit) {
 
 template <IsA<ExperimentRecord> T>
 void visitFields(T& record, auto&& visit) {
-  auto& [number, time, step, cells, path, other] = record;
+  auto& [number, time, step, to, path, other] = record;
   visit(Field{"number", "experiment"}, number);
   visit(Field{"time", "experiment's time"}, time);
   visit(Field{"step", "experiment's step"}, step);
-  visit(Field{"cells", "experiment's cells"}, cells);
+  visit(Field{"to", "experiment done to"}, to);
   visit(Field{"path", "experiment on"}, path);
   visit(Field{"other", "experiment with"}, other);
 }

@@ -101,10 +101,10 @@ struct World {
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
-  std::vector<DivisionRecord> divisions;                  // of cells with bodies, in order of time and path
-  std::optional<std::vector<BirthSize>> birthSizes;       // [cell]; absent: no division asks for them
-  std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
-  std::optional<std::vector<SettlingRecord>> settlings;   // absent: the scene goes through time steps
+  std::vector<DivisionRecord> divisions;                     // of cells with bodies, in order of time and path
+  std::optional<std::vector<BirthSize>> birthSizes;          // [cell]; absent: no division asks for them
+  std::optional<std::vector<PolarityRecord>> polarities;     // by path; absent: no division plane keeps any
+  std::optional<std::vector<SettlingRecord>> settlings;      // absent: the scene goes through time steps
   std::optional<std::vector<ExperimentRecord>> experiments;  // in the order in which they were done; absent: none
 
   std::optional<BodyCopy> before;            // scratch of takeSteps

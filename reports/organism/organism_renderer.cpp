@@ -177,7 +177,7 @@ void OrganismRenderer::drawCuts(const Frame& frame) {
     const double bulge = 0.2 * (high - low);  // faces bend outwards between their vertices
     if (low - bulge < clip.offset && high + bulge > clip.offset) cuts.push_back({&corners, high - low});
   }
-  // Where cells overlap the smaller one shows: a cell in a cell.
+  // The smaller of two cells that overlap is drawn last, so that a cell within a cell is seen.
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.size > b.size; });
   const Program &cell = cellProgram(frame, CellPass::whole), &cut = cellProgram(frame, CellPass::cut);
   const GLint zero = 0;

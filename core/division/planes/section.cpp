@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-/// One of each two opposite directions, and the neighbours of each.
+/// Directions over half a sphere, which hold one of each two opposite ones, and the neighbours of each.
 struct Directions {
   std::vector<Vector> all;
   std::vector<std::vector<int>> next;

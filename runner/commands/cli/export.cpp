@@ -104,7 +104,7 @@ int act(const ExportOptions& options) {
                      shellWord(options.database) + "` lists them)");
   const StoredRun run = store.find(options.request.run);
   requireWholeRecord(store, run);
-  requireToShow(store, run);
+  tellUnlessFine(store, run);
   const fs::path folder = options.crate;
   DraftFolder draft(folder);
   CrateRun crate = crateOf(store, run, options.pictures, draft.path());

@@ -14,10 +14,10 @@
 namespace morula::tracks {
 
 struct EmbryoOptions {
-  Units units;                                 // names, and how many of them one length and one time of the table are
-  std::optional<std::array<double, 3>> shell;  // semi-axes along x, y and z, as the table's lengths
+  Units units = {};  // names, and how many of them one length and one time of the table are
+  std::optional<std::array<double, 3>> shell = {};  // semi-axes along x, y and z, as the table's lengths
   bool areSpheres = false;
-  std::string root;  // its descendants alone; "": all cells
+  std::string root = {};  // its descendants alone; "": all cells
 };
 
 /// The cells between two births or deaths, and where they are in the middle.

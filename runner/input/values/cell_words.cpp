@@ -72,7 +72,8 @@ CellSelection selectionOf(const std::string& text, const CellNames& names, const
     if (first == "path") return byPath(rest);
     if (first == "substance") return bySubstance(rest, dna);
     if (first == "generation") return parseSelection(text);
-    const std::string near = closest(first, std::vector<std::string>{"cell", "clone", "path", "substance", "generation"});
+    const std::string near =
+        closest(first, std::vector<std::string>{"cell", "clone", "path", "substance", "generation"});
     throw InputError("'" + text + "' selects no cells; " +
                      (near.empty() ? std::string("needs ") + cellsAllowed : "did you mean " + near + " " + rest + "?"));
   }

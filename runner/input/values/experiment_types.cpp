@@ -73,8 +73,8 @@ class EntryReader {
     } catch (const InputError& error) {
       const std::string what = error.what();
       const auto cut = what.find("; ");
-      say(node.place, key, what.substr(0, cut), cut == what.npos ? std::string("needs ") + cellsAllowed
-                                                                  : what.substr(cut + 2));
+      say(node.place, key, what.substr(0, cut),
+          cut == what.npos ? std::string("needs ") + cellsAllowed : what.substr(cut + 2));
     }
   }
 
@@ -114,17 +114,16 @@ class EntryReader {
     const std::string& name = entry_.name;
     std::vector<std::string> paths;
     for (const ChangeableParameter& p : changeableParameters) paths.emplace_back(p.path);
-    if (std::ranges::find(paths, name) == paths.end()) {
+    if (!changeableParameter(name)) {
       const std::string near = closest(name, paths);
       return say(member.place, member.key, "'" + name + "' cannot change while a scene runs",
                  near.empty() ? "these can: " + join(paths) : "did you mean " + near + "?");
     }
-    const auto& m = scenario_.scene.mechanics;
-    const bool exists = m && (!name.starts_with("physics.contact.") || m->contact) &&
-                        (!name.starts_with("physics.contact.adhesion.") || m->contact->adhesion) &&
-                        (name != "physics.growth.rate" || m->physics.growth);
-    if (!exists) say(member.place, member.key, "the scene has no " + name.substr(0, name.rfind('.')),
-                     "add that section, or remove this entry");
+    auto mechanics = scenario_.scene.mechanics;
+    ContactParameters* const contact = mechanics && mechanics->contact ? &*mechanics->contact : nullptr;
+    if (!mechanics || !changeableParameter(name)->of(mechanics->physics, contact))
+      say(member.place, member.key, "the scene has no " + name.substr(0, name.rfind('.')),
+          "add that section, or remove this entry");
   }
 
   void readNumbers() {
@@ -134,16 +133,14 @@ class EntryReader {
       else if (!node_.find(key)) say(node_.place, key, "is missing", std::string("needs a number, as ") + example);
     };
     if (entry_.deed == Deed::set) {
-      Range range{.low = 0};
-      for (const ChangeableParameter& p : changeableParameters)
-        if (entry_.name == p.path && p.low > 0) range.openLow = true;
-      need("to", range, "", "to: 5");
+      const ChangeableParameter* const row = changeableParameter(entry_.name);
+      need("to", {.low = 0, .openLow = row && !row->mayBeZero}, "", "to: 5");
     }
     if (entry_.deed == Deed::cycles) need("factor", anyPositive, "", "factor: 1.1");
     if (entry_.deed == Deed::delay) need("by", anyPositive, "time", "by: 0.5");
     if (takesCells(entry_.deed))
-      entry_.share = readMember(node_, "share", {.low = 0, .high = 1, .openLow = true}, "", path_, reading_.problems)
-                         .value_or(1);
+      entry_.share =
+          readMember(node_, "share", {.low = 0, .high = 1, .openLow = true}, "", path_, reading_.problems).value_or(1);
   }
 
   void readWhen() {
@@ -153,7 +150,8 @@ class EntryReader {
     if (given.empty())
       return say(node_.place, "", "says no time", "needs one of at: TIME, after-birth: TIME or at-cells: N");
     if (given.size() > 1)
-      return say(given[1]->place, given[1]->key, "stands beside " + given[0]->key, "give one of " + join(whenKeys, " or "));
+      return say(given[1]->place, given[1]->key, "stands beside " + given[0]->key,
+                 "give one of " + join(whenKeys, " or "));
     const Member& when = *given[0];
     if (when.key == "at-cells") {
       entry_.atCells = readNatural(when.value, {1, 1'000'000'000}, path_ + ".at-cells", "a whole number from 1 on",
@@ -162,11 +160,13 @@ class EntryReader {
     }
     const auto time = readMember(node_, when.key, {.low = 0}, "time", path_, reading_.problems);
     if (when.key == "after-birth" && !takesCells(entry_.deed))
-      return say(when.place, when.key, "is no time of a deed that is done to all cells alike, or to a pair", "needs at or at-cells");
+      return say(when.place, when.key, "is no time of a deed that is done to all cells alike, or to a pair",
+                 "needs at or at-cells");
     (when.key == "at" ? entry_.at : entry_.afterBirth) = time;
     const auto end = plannedEnd(scenario_.scene);
     if (time && when.key == "at" && end && *time > *end)
-      say(when.place, when.key, "comes after the end of the run, " + numberText(*end), "give an earlier time, or a later stop.time");
+      say(when.place, when.key, "comes after the end of the run, " + numberText(*end),
+          "give an earlier time, or a later stop.time");
   }
 
   const Node& node_;
@@ -228,8 +228,9 @@ Parameter experiments() {
   Parameter p;
   p.path = "experiments";
   p.allowed = std::string("a list of ") + form;
-  p.meaning = "What is done to the organism while it grows, each at a time (at), so long after a cell's birth "
-              "(after-birth) or when so many cells live (at-cells). ";
+  p.meaning =
+      "What is done to the organism while it grows, each at a time (at), so long after a cell's birth "
+      "(after-birth) or when so many cells live (at-cells). ";
   for (const auto& row : choices<Deed>)
     p.meaning += std::string(row.name) + ": " + row.meaning + (row.value == Deed::release ? "" : "; ");
   p.absent = "nothing is done";

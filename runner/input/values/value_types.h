@@ -50,7 +50,7 @@ Parameter optionalBounds(std::string path, std::string meaning, Field<std::optio
 /// A list of texts; an empty list counts as not given.
 Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field);
 
-/// One of several names; `get` and `set` use a name's index in the list.
+/// Makes a parameter whose value is one of several names; `get` and `set` use the name's index in the list.
 Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,
                 std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
 /// An enumeration, by its rows [base/choice.h].

@@ -189,7 +189,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   if (id.empty()) store.requireAllIntact();  // also finds rows that belong to no run; checks each run
   for (const StoredRun& run : store.runs())
-    if (id.empty() || run.id == id) requireWholeRecord(store, run), requireToShow(store, run);
+    if (id.empty() || run.id == id) requireWholeRecord(store, run), tellUnlessFine(store, run);
   requireIntactStudy(store.file());
   const Files files = tableFiles(store, request, id);
   Destination to(request.output, request.output.extension() != ".csv");
@@ -230,7 +230,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     fs::path path = request.output;
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
     requireWholeRecord(store, run);
-    requireToShow(store, run);
+    tellUnlessFine(store, run);
     SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
     const ExportedRun exported = exportedRun(store, run, ask);

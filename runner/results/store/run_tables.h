@@ -279,13 +279,13 @@ inline constexpr TableInfo tableInfo<ExperimentRecord> = {
     .why = "with `experiments`: what was done to which cell, and when"};
 template <IsA<ExperimentRecord> T>
 void listFields(T& done, auto&& field) {
-  auto& [entry, time, step, cells, path, other] = done;
+  auto& [entry, time, step, to, path, other] = done;
   field({"entry", "of the scenario's list, from 1"}, entry);
   field({"time", "", "time"}, time);
   field({"step"}, step);
-  field({"cells", "0: no cell was found; 1: path; 2: path and other; 3: all cells alike"}, cells);
-  field({"path"}, path);
-  field({"other", "of a connection"}, other);
+  field({"done_to"}, to);
+  field({"path"}, NullIf{to != DoneTo::cell && to != DoneTo::pair, path});
+  field({"other", "the other end of a connection"}, NullIf{to != DoneTo::pair, other});
 }
 
 template <>

@@ -219,6 +219,8 @@ void Store::requireIntact(const std::string& id) {
 
 void Store::requireShownIntact(const std::string& id) {
   if (intactRuns().contains({file(), id})) return;
+  static std::set<std::pair<std::filesystem::path, std::string>> shown;  // checked before
+  if (!shown.emplace(file(), id).second) return;
   requireSealed(db_, id, [](TablePart part) { return part != TablePart::hashes; });
   requireIndexes(db_);
 }

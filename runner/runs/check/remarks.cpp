@@ -35,18 +35,19 @@ std::vector<std::string> experimentLines(const Scenario& scenario, const std::ve
     for (const ExperimentRecord& record : done) {
       if (record.number != i + 1) continue;
       if (!first) first = &record;
-      if (record.cells == 1 || record.cells == 2)
-        cells.push_back(cellName(record.path.text()) + (record.cells == 2 ? " and " + cellName(record.other.text()) : ""));
+      const bool isPair = record.to == DoneTo::pair;
+      if (isPair || record.to == DoneTo::cell)
+        cells.push_back(cellName(record.path.text()) + (isPair ? " and " + cellName(record.other.text()) : ""));
     }
     std::string line = std::string(nameOf(e.deed)) + (e.name.empty() ? "" : " " + e.name) +
                        (e.deed == Deed::set ? " to " + numberText(e.value) : "");
     constexpr std::size_t maxNamed = 4;
-    if (!first) line += ": never due";
+    if (!first) line += ": not done";
     else {
       line += " at time " + shownTime(scenario.units, first->time);
       if (cells.size() > maxNamed) line += ": " + counted(cells.size(), "cell");
       else if (!cells.empty()) line += ": " + join(cells);
-      else if (first->cells == 0) line += ": no cell was chosen";
+      else if (first->to == DoneTo::nobody) line += ": no cell was chosen";
     }
     lines.push_back(std::move(line));
   }

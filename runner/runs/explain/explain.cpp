@@ -22,7 +22,7 @@ Value valueOf(const World&, double a) { return a; }
 Value valueOf(const World&, std::uint64_t a) { return a; }
 Value valueOf(const World&, std::uint32_t a) { return std::uint64_t{a}; }
 Value valueOf(const World&, std::span<const double> a) { return std::vector<double>(a.begin(), a.end()); }
-Value valueOf(const World&, ReleaseCause a) { return nameOf(a); }
+Value valueOf(const World&, HasChoices auto a) { return nameOf(a); }
 Value valueOf(const World&, Fate a) { return name(a); }
 Value valueOf(const World&, const CellPath& a) { return a.text(); }
 Value valueOf(const World& world, StateNumbers<const StateId> a) { return world.biology->describe(a.of); }

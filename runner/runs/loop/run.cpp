@@ -69,9 +69,7 @@ RunEnd Run::toEnd() {
   } catch (const NumericalError& error) { return fail(error.what(), error.want); } catch (const std::bad_alloc&) {
     return fail(fmt::format("step {}: there is no more memory; {}", world_.clock.step, outOfMemoryRemedy),
                 Want::memory);
-  } catch (const InputError& error) {
-    return fail(error.what(), error.want);
-  } catch (const FileError& error) {
+  } catch (const InputError& error) { return fail(error.what(), error.want); } catch (const FileError& error) {
     if (!setup_.storesRecords) throw;
     error_ = std::current_exception();
     return fail(error.what(), Want::files);

@@ -11,7 +11,7 @@ void Samples::see(const World& world) {
   recorder_.observe(world);
   const double most = world.execution.memoryLimit / 2;
   if (recorder_.bytes() <= most) return;
-  throw NumericalError("", world.clock.step,
+  throw NumericalError(world.clock.step,
                        "samples, surfaces and hashes take " + bytesText(recorder_.bytes()) +
                            ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
                        "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit",

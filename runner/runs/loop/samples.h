@@ -17,7 +17,9 @@ class Samples : public Observer {
 
   const Recorder& recorder() const { return recorder_; }
   /// Everything recorded and still here, when the run has ended [Recorder::take].
-  RunResults take(const World& world, const RunEnd& end) { return recorder_.take(world, end.status == RunStatus::failed); }
+  RunResults take(const World& world, const RunEnd& end) {
+    return recorder_.take(world, end.status == RunStatus::failed);
+  }
 
  private:
   Recorder recorder_;

@@ -21,8 +21,8 @@ struct KeptForGolden {
 
 struct Simulation {
   World world;
-  RunEnd end;           // done or failed
-  RunResults results;   // lineage, samples, step hashes, …
+  RunEnd end;          // done or failed
+  RunResults results;  // lineage, samples, step hashes, …
   KeptForGolden kept = {};
 };
 

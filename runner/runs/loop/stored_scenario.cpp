@@ -33,14 +33,17 @@ void requireWholeRecord(Store& store, const StoredRun& run) {
   store.requireIntact(run.id);
 }
 
-void requireToShow(Store& store, const StoredRun& run) {
+void tellUnlessFine(Store& store, const StoredRun& run) {
   static std::set<std::pair<std::filesystem::path, std::string>> told;
-  if (told.contains({store.file(), run.id})) return;
+  if (!told.emplace(store.file(), run.id).second) return;
+  if (const std::string remark = remarkOn(store, run); !remark.empty()) tell(remark, false);
+}
+
+void requireToShow(Store& store, const StoredRun& run) {
   refuseIf(store.changedRecord(run.id), store, run);
   refuseIf(store.lostCells(run), store, run);
   store.requireShownIntact(run.id);
-  if (!told.emplace(store.file(), run.id).second) return;
-  if (const std::string remark = remarkOn(store, run); !remark.empty()) tell(remark, false);
+  tellUnlessFine(store, run);
 }
 
 Scenario storedScenario(const std::string& database, const std::string& run) {

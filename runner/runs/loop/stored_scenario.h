@@ -17,8 +17,10 @@ Scenario storedScenario(const std::string& database, const std::string& run);
 /// (Store::changedRecord, lostCells): whatever is made of it would be of another run.
 void requireWholeRecord(Store& store, const StoredRun& run);
 
-/// requireWholeRecord without the hashes on the way; says on stderr, once in a process, if the run is not fine: the run
-/// failed, or ended in a state that cannot be. For verbs that show a run.
+/// Says on stderr, once in a process, if the run is not fine: the run failed, or ended in a state that cannot be.
+void tellUnlessFine(Store& store, const StoredRun& run);
+
+/// requireWholeRecord without the hashes on the way, and tellUnlessFine. For verbs that show a run.
 void requireToShow(Store& store, const StoredRun& run);
 
 /// A scenario file, which may name files outside of its folder if `allowOutside`; or the scenario of a stored run.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "check/check_run.h"
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "run/resume_run.h"
@@ -20,9 +19,9 @@ Store openedFor(const RunSettings& settings) {
 
 }  // namespace
 
-RunFile::RunFile(const Scenario& scenario, const RunSettings& settings)
+RunFile::RunFile(const Scenario& scenario, const RunSettings& settings, bool hasGolden)
     : settings_(settings),
-      hasGolden_(settings.isChecked() && fileExists(goldenFile(scenario))),
+      hasGolden_(hasGolden),
       store_(openedFor(settings)),
       record_(recordOf(scenario, settings.execution, settings.command)),
       id_(runId(record_)) {}

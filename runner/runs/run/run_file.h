@@ -13,8 +13,9 @@ namespace morula {
 
 class RunFile {
  public:
-  /// Opens the database and makes the folders, so that errors of files are found before time is spent.
-  RunFile(const Scenario& scenario, const RunSettings& settings);
+  /// Opens the database and makes the folders, so that errors of files are found before time is spent. `hasGolden`: the
+  /// run is compared with a golden.
+  RunFile(const Scenario& scenario, const RunSettings& settings, bool hasGolden);
 
   Store& store() { return store_; }
   const std::string& id() const { return id_; }

@@ -73,7 +73,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
            .nameOf = recording.nameOf,
            .storesRecords = true});
   RunChecks checks(scenario, run.world(), settings.isChecked());
-  RunFile file(scenario, settings);
+  RunFile file(scenario, settings, hasGolden);
   Samples samples(recording, file.sink());
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   Checkpoints checkpoints(file.store(), file.id(), samples, frames, settings.checkpointEvery, settings.quiet);

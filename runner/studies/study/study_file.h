@@ -120,7 +120,7 @@ struct Study {
 /// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:
 /// `file:line:column: path: what is wrong; what would be right`. If the file itself has mistakes, its scenarios are
 /// checked, too, as far as the file could be read; if not, makePlan checks them. Throws FileError if it cannot be read.
-/// Its scenarios must lie in its folder, or below its folder `scenarios`, unless `allowOutside`.
+/// The scenarios of the study must lie in its folder, or below its folder `scenarios`, unless `allowOutside`.
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
 /// Reads a study from a text in memory, as if it lay in `file`.
 Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);

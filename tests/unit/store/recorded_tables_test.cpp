@@ -30,7 +30,7 @@ RunResults fullResults() {
   }
   r.meshes = {{0, 3, {{{0, 1, 2}}}}};
   r.settlings = {{0.5, 12, 4, 900, 1e-6, 1e-9, 1e-5}};
-  r.experiments = {{1, 0.5, 12, 1, CellPath::parse("A"), {}}};
+  r.experiments = {{1, 0.5, 12, DoneTo::pair, CellPath::parse("A"), CellPath::parse("B")}};
   return r;
 }
 
