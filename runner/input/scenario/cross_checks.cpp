@@ -305,13 +305,17 @@ void checkBodies(const SceneCheck& check) {
 
 }  // namespace
 
-std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root) {
-  const auto& mechanics = scenario.scene.mechanics;
-  if (!mechanics || !kindOf(mechanics->physics.integrator).settles) return {};
-  const CycleParameters& cycle = scenario.scene.cycle;
+double shortestCycle(const CycleParameters& cycle) {
   double shortest = cycle.length;
   for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
     for (const auto& [substance, length] : *lengths) shortest = std::min(shortest, length);
+  return shortest;
+}
+
+std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root) {
+  const auto& mechanics = scenario.scene.mechanics;
+  if (!mechanics || !kindOf(mechanics->physics.integrator).settles) return {};
+  const double shortest = shortestCycle(scenario.scene.cycle);
   const RecordParameters& record = scenario.record;
   std::vector<std::string> warnings;
   for (const auto& [key, every] : {std::pair("record.every", record.every), std::pair("record.meshes", record.meshes),

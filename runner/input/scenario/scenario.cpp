@@ -67,7 +67,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   problems.throwIfAny();
 
   result.warnings = result.scene.dna.warnings;
-  for (const auto& warningsOf : {sizeWarnings, intervalWarnings})
+  for (const auto& warningsOf : {sizeWarnings, intervalWarnings, descentWarnings})
     for (std::string& warning : warningsOf(result, root)) result.warnings.push_back(std::move(warning));
   notePlaces(root, "", result);
   resolveAgain(result);

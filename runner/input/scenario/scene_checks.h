@@ -28,8 +28,13 @@ void checkSenses(const SceneCheck& check);
 void checkDivisionSize(const SceneCheck& check);
 /// Returns warnings of sizes that no cell can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
+/// Returns the shortest cell cycle that a scenario names [time].
+double shortestCycle(const CycleParameters& cycle);
 /// Returns warnings of intervals in `record` that are shorter than the steps of a scene that settles.
 std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root);
+
+/// Returns a warning if the genes alone let a line of descent outgrow the paths of cells before the run's end.
+std::vector<std::string> descentWarnings(const Scenario& scenario, const Node& root);
 
 /// Checks for connections that nothing could make, or that have two forces.
 void checkConnections(const SceneCheck& check);

@@ -239,7 +239,7 @@ TEST_CASE("A state whose parts contradict each other is refused") {
   refused("influence radius", real("contacts.radius", INFINITY));
   refused("contacts have columns", shorter("contacts.reference"));
   refused("contacts have columns", [](Fields& f) { f.of<Numbers>("contacts.counters").pop_back(); });
-  refused("a connection of", text("connections.cause", "boredom"));
+  refused("'boredom' is none of", text("connections.cause", "boredom"));
   refused("a connection of",
           [](Fields& f) { std::swap(f.of<Texts>("connections.a")[0], f.of<Texts>("connections.b")[0]); });
   refused("a connection of", real("connections.released", -1));
