@@ -32,6 +32,12 @@ constexpr const char* nameOf(E value) {
   return choices<E>[static_cast<std::size_t>(value)].name;
 }
 
+/// Returns the value's meaning for people.
+template <class E>
+constexpr const char* meaningOf(E value) {
+  return choices<E>[static_cast<std::size_t>(value)].meaning;
+}
+
 /// Returns all names for people: "pair or thesis".
 template <class E>
 std::string namesOf() {

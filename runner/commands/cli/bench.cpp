@@ -84,7 +84,7 @@ Json bulletJson(const BenchRow& row) {
 
 Json toJson(const BenchRow& row) {
   return {{"scene", row.scene},
-          {"engine", row.engine},
+          {"engine", nameOf(row.engine)},
           {"stage", nameOf(row.stage)},
           {"cells", row.cells},
           {"vertices", row.vertices},

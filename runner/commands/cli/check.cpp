@@ -85,7 +85,8 @@ struct Checked {
 void noteUnread(Checked& checked, const std::string& why, bool isFileError) {
   checked.scenario.reset();
   checked.isFileError = isFileError;
-  checked.report = {checked.file, {failedCheck("read", "UNREAD", "a scenario that can be read", "none", why)}};
+  checked.report = {checked.file,
+                    {failedCheck("read", FailureClass::unread, "a scenario that can be read", "none", why)}};
   if (isFileError) tellError(why);
   else tellInputError(why);
 }
@@ -107,7 +108,7 @@ std::vector<Checked> readAll(const std::vector<std::string>& files, bool allowOu
 /// Reports a run that could not end: a failed check, or, if the scenario must stop, a check of the reason.
 CheckReport failed(const Scenario& scenario, const Simulation& run) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, run.end.failure);
-  CheckResult result = failedCheck("run", "COMPUTATION", "done", name(run.end.status), run.end.failure);
+  CheckResult result = failedCheck("run", FailureClass::computation, "done", name(run.end.status), run.end.failure);
   result.firstStep = run.end.steps;
   return {goldenName(scenario.file), {result}};
 }
@@ -216,7 +217,7 @@ std::vector<CheckReport> orphans() {
   for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
     const std::string why = file.string() + ": there is no scenario to this golden file";
     tellError(why);
-    reports.push_back({file.string(), {failedCheck("orphan", "INPUT_CHANGED", "a scenario", "none", why)}});
+    reports.push_back({file.string(), {failedCheck("orphan", FailureClass::inputChanged, "a scenario", "none", why)}});
   }
   return reports;
 }
@@ -246,7 +247,7 @@ int act(const CheckOptions& options) {
   } catch (const InputError& error) {
     nothing = error.what();
     tellInputError(nothing);
-    reports.push_back({"scenarios", {failedCheck("read", "UNREAD", "scenarios", "none", nothing)}});
+    reports.push_back({"scenarios", {failedCheck("read", FailureClass::unread, "scenarios", "none", nothing)}});
     told = reports;
   }
 
@@ -261,7 +262,7 @@ int act(const CheckOptions& options) {
     } catch (const InputError& error) { noteUnread(c, error.what(), false); } catch (const FileError& error) {
       noteUnread(c, error.what(), true);
     } catch (const NumericalError& error) {  // no memory for pictures
-      c.report = {"", {failedCheck("run", "COMPUTATION", "done", "failed", error.what())}};
+      c.report = {"", {failedCheck("run", FailureClass::computation, "done", "failed", error.what())}};
     }
     c.report.scenario = c.scenario ? names[i] : c.file;
     if (c.scenario) c.report.file = c.file;

@@ -29,7 +29,7 @@ int act(const ExplainOptions& options) {
                                         .execution = how,
                                         .quiet = options.output.quiet});
   printEither(options.output, toJson(scenario, f), f.text);
-  return f.failureClass.empty() ? fine : differs;
+  return f.failureClass == FailureClass::none ? fine : differs;
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ struct CheckCommand {
 CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings, const StudyState& state) {
   CheckReport report{study.name, checksOf(state, study.file)};
   for (const ClaimFinding& f : findings)
-    report.results.push_back(judged({.check = f.claim, .kind = "claim", .expected = f.claim, .actual = f.found},
-                                    f.holds, study.file + ':' + std::to_string(f.place.line) + ": " + f.found,
-                                    "CLAIM"));
+    report.results.push_back(
+        judged({.check = f.claim, .kind = CheckKind::claim, .expected = f.claim, .actual = f.found}, f.holds,
+               study.file + ':' + std::to_string(f.place.line) + ": " + f.found, "CLAIM"));
   return report;
 }
 

@@ -10,6 +10,7 @@
 #include "accuracy/trial.h"
 #include "charts/chart.h"
 #include "document/document.h"
+#include "engines/measured_engine.h"
 
 namespace morula {
 
@@ -40,7 +41,8 @@ struct ErrorParts {
 };
 
 struct AccuracyRow : Outcome {
-  std::string series, engine = "morula";
+  std::string series;
+  MeasuredEngine engine = MeasuredEngine::morula;
   std::vector<std::string> set;  // changes for --set that give a scenario of the scene this setting
   // Largest errors before `partedAt`, against the reference on the scenario's mesh
   std::optional<double> error;  // the largest of centroid, volume and surface in `errors`

@@ -201,17 +201,17 @@ class AccuracyExperiment {
     verlet.integrator = Integrator::velocityVerlet;
     const BulletSearch search{longest_,           longestStable(verlet), options_.halvings, report_.times,
                               options_.execution, options_.rounds,       options_.program};
-    const auto errorOf = [&](const Trial& t) { return judged(t, "", "bullet").error; };
+    const auto errorOf = [&](const Trial& t) { return judged(t, "", MeasuredEngine::bulletB1).error; };
     for (const BulletTrial& b : tryBullet(scenario_, search, errorOf, options_.tell))
-      report_.rows.push_back(judged(b.trial, b.series, std::string("bullet-") + name(b.setting.baseline)));
+      report_.rows.push_back(judged(b.trial, b.series, measuredEngine(b.setting.baseline)));
   }
 
   AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
     options_.tell(fmt::format("{}, time step {}", series, numberText(setting.timeStep)));
-    return judged(runs_->trial(setting, options_.brief ? 1 : options_.rounds), series, "morula");
+    return judged(runs_->trial(setting, options_.brief ? 1 : options_.rounds), series, MeasuredEngine::morula);
   }
 
-  AccuracyRow judged(const Trial& t, const std::string& series, const std::string& engine) const {
+  AccuracyRow judged(const Trial& t, const std::string& series, MeasuredEngine engine) const {
     AccuracyRow row;
     static_cast<Outcome&>(row) = t;
     row.series = series, row.engine = engine, row.set = changesFor(row.setting);
@@ -237,7 +237,7 @@ class AccuracyExperiment {
     const Setting& s = row.setting;
     ErrorParts parts;
     parts.mesh = study_.error.error();
-    if (row.engine != "morula" || s.model || s.law != usual_.law) {
+    if (row.engine != MeasuredEngine::morula || s.model || s.law != usual_.law) {
       parts.model = row.error;
       return parts;
     }

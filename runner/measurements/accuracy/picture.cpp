@@ -14,7 +14,9 @@ constexpr std::size_t fewBullets = 4;  // max number of Bullet's series without 
 
 /// Returns true if another of Bullet's own series is better in both error and cost, at each point.
 bool isBeaten(const std::string& series, const std::vector<AccuracyRow>& rows) {
-  const auto counts = [](const AccuracyRow& row) { return row.engine != "morula" && row.error && row.failure.empty(); };
+  const auto counts = [](const AccuracyRow& row) {
+    return row.engine != MeasuredEngine::morula && row.error && row.failure.empty();
+  };
   return std::ranges::all_of(rows, [&](const AccuracyRow& row) {
     return row.series != series || !counts(row) || std::ranges::any_of(rows, [&](const AccuracyRow& other) {
              return counts(other) && other.series != series && *other.error <= *row.error &&
@@ -37,7 +39,8 @@ void thinLabels(Chart& chart) {
 std::vector<std::string> beatenBullets(const AccuracyReport& report) {
   std::vector<std::string> bullets;
   for (const AccuracyRow& row : report.rows)
-    if (row.engine != "morula" && (bullets.empty() || bullets.back() != row.series)) bullets.push_back(row.series);
+    if (row.engine != MeasuredEngine::morula && (bullets.empty() || bullets.back() != row.series))
+      bullets.push_back(row.series);
   if (bullets.size() <= fewBullets) return {};
   std::erase_if(bullets, [&](const std::string& series) { return !isBeaten(series, report.rows); });
   return bullets;

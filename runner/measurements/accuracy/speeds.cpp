@@ -43,7 +43,7 @@ std::optional<double> minSeconds(const std::vector<const AccuracyRow*>& series, 
 std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours) {
   std::vector<const AccuracyRow*> rows;
   for (const AccuracyRow& row : report.rows)
-    if ((row.engine == "morula") == ours && row.failure.empty() && row.error && !row.partedAt &&
+    if ((row.engine == MeasuredEngine::morula) == ours && row.failure.empty() && row.error && !row.partedAt &&
         *row.error + report.reference.left.error <= target)
       rows.push_back(&row);
   std::ranges::stable_sort(rows, {}, &AccuracyRow::cpuSeconds);
@@ -62,7 +62,8 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   if (!own.error || own.partedAt || !(own.cpuSeconds > 0)) return best;  // no error, or too short to be timed
   for (const auto& series : bySeries(rows)) {
     const auto seconds = minSeconds(series, *own.error);
-    if (seconds && *seconds > 0 && series.front()->engine == "morula") offer(series.front()->series, *seconds);
+    if (seconds && *seconds > 0 && series.front()->engine == MeasuredEngine::morula)
+      offer(series.front()->series, *seconds);
   }
   return best;
 }
@@ -76,7 +77,7 @@ std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows) {
     for (const auto& series : groups) {
       const auto seconds = minSeconds(series, s.error);
       if (!seconds) continue;
-      const bool own = series.front()->engine == "morula";
+      const bool own = series.front()->engine == MeasuredEngine::morula;
       if (!own) s.bulletMostSeconds = std::max(s.bulletMostSeconds, *seconds);
       double& least = own ? s.ourSeconds : s.bulletSeconds;
       if (least > 0 && least <= *seconds) continue;

@@ -42,7 +42,7 @@ class SceneBench {
   void round() {
     for (const Isa isa : isas_) measureStages(isa);
     if (whole_ && wants(Stage::internal))
-      series("scalar", Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
+      series(MeasuredEngine::scalar, Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
     if (needsSteps() && subject_.touching()) measureSearches();
     if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
     if (!bulletProgram_.empty() && wants(Stage::step) && packed_.cells <= options_.maxBulletCells) {
@@ -82,7 +82,7 @@ class SceneBench {
 
   bool needsSteps() const { return wants(Stage::step) || wants(Stage::rebuild); }
 
-  BenchRow rowOf(const std::string& engine, Stage stage) const {
+  BenchRow rowOf(MeasuredEngine engine, Stage stage) const {
     BenchRow row;
     row.scene = name_, row.engine = engine, row.stage = stage;
     row.precision = packed_.precision;
@@ -90,7 +90,7 @@ class SceneBench {
     return row;
   }
 
-  Series& series(const std::string& engine, Stage stage, const std::string& isa, int threads = 1, bool wall = false,
+  Series& series(MeasuredEngine engine, Stage stage, const std::string& isa, int threads = 1, bool wall = false,
                  const std::string& search = "") {
     for (Series& s : all_)
       if (s.row.engine == engine && s.row.stage == stage && s.row.isa == isa && s.row.threads == threads &&
@@ -105,26 +105,27 @@ class SceneBench {
 
   void measureStages(Isa isa) {
     if (wants(Stage::internal) && everyStage_)
-      series("morula", Stage::internal, name(isa)).samples.push_back(subject_.timeInternal(isa));
+      series(MeasuredEngine::morula, Stage::internal, name(isa)).samples.push_back(subject_.timeInternal(isa));
     if (wants(Stage::contact) && subject_.touching())
-      series("morula", Stage::contact, name(isa)).samples.push_back(subject_.timeContact(isa));
+      series(MeasuredEngine::morula, Stage::contact, name(isa)).samples.push_back(subject_.timeContact(isa));
     if (wants(Stage::integrate) && everyStage_)
-      series("morula", Stage::integrate, name(isa)).samples.push_back(subject_.timeIntegration(isa));
+      series(MeasuredEngine::morula, Stage::integrate, name(isa)).samples.push_back(subject_.timeIntegration(isa));
   }
 
   void measureSearches() {
     for (const Isa isa : isas_) {
       const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
-      series("morula", Stage::step, name(isa)).searches.push_back(grid);
+      series(MeasuredEngine::morula, Stage::step, name(isa)).searches.push_back(grid);
       if (wants(Stage::rebuild) && whole_)
-        series("morula", Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid)).samples.push_back(grid);
+        series(MeasuredEngine::morula, Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid))
+            .samples.push_back(grid);
     }
     if (!wants(Stage::rebuild) || !whole_) return;
     for (const ContactSearch method : valuesOf<ContactSearch>()) {
       if (method == ContactSearch::grid) continue;
       if (method == ContactSearch::bruteForce && subject_.vertices() > maxBruteForceVertices) continue;
       const Isa isa = isas_.back();
-      series("morula", Stage::rebuild, name(isa), 1, false, nameOf(method))
+      series(MeasuredEngine::morula, Stage::rebuild, name(isa), 1, false, nameOf(method))
           .samples.push_back(subject_.timeRebuild(isa, method));
     }
   }
@@ -133,15 +134,16 @@ class SceneBench {
     const int few = std::max(4, steps_ / 4);
     for (const Isa isa : isas_)
       if (isa != isas_.back())
-        series("morula", Stage::step, name(isa)).samples.push_back(subject_.trySteps(isa, 1, ClockKind::cpu, few));
+        series(MeasuredEngine::morula, Stage::step, name(isa))
+            .samples.push_back(subject_.trySteps(isa, 1, ClockKind::cpu, few));
     const Isa widest = isas_.back();
-    series("morula", Stage::step, name(widest)).samples.push_back(subject_.goOn(widest, steps_));
+    series(MeasuredEngine::morula, Stage::step, name(widest)).samples.push_back(subject_.goOn(widest, steps_));
   }
 
   void measureThreads() {
     const Isa isa = isas_.back();
     for (const int threads : options_.threads) {
-      Series& s = series("morula", Stage::step, name(isa), threads, true);
+      Series& s = series(MeasuredEngine::morula, Stage::step, name(isa), threads, true);
       s.samples.push_back(subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
       if (subject_.touching())
         s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
@@ -164,7 +166,7 @@ class SceneBench {
   }
 
   void finish(const BulletSubject& subject, Baseline baseline, std::vector<BenchRow>& rows) const {
-    BenchRow row = rowOf(std::string("bullet-") + name(baseline), Stage::step);
+    BenchRow row = rowOf(measuredEngine(baseline), Stage::step);
     row.bulletSettings = subject.timings();
     if (row.bulletSettings.empty()) return;
     row.nsPerVertexStep = row.bulletSettings.front().nsPerVertexStep;
@@ -214,10 +216,11 @@ class SceneBench {
     if (!s.searches.empty()) time += rebuildsPerStep() * typical(s.searches);
     row.nsPerVertexStep = 1e9 * time;
     const bool knownLimit = row.precision == Precision::binary64;  // the machine's limits are measured with doubles
-    if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
+    if (row.engine == MeasuredEngine::morula && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
       row.work = workOf(row.stage);
     const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
-    if (row.engine == "morula" && subject_.touching() && (goesThroughPairs || row.stage == Stage::rebuild)) {
+    if (row.engine == MeasuredEngine::morula && subject_.touching() &&
+        (goesThroughPairs || row.stage == Stage::rebuild)) {
       row.pairsPerVertexStep = pairsPerVertex();
       row.rebuildsPerStep = rebuildsPerStep();
     }
@@ -293,8 +296,8 @@ BenchReport runBench(const BenchOptions& asked) {
   return report;
 }
 
-const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
-                     Stage stage, int cells, int vertices, const std::string& isa, int threads, bool wallClock) {
+const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, MeasuredEngine engine, Stage stage,
+                     int cells, int vertices, const std::string& isa, int threads, bool wallClock) {
   for (const BenchRow& row : rows)
     if (row.scene == scene && row.engine == engine && row.stage == stage && row.cells == cells &&
         row.vertices == vertices && row.isa == isa && row.threads == threads && row.wallClock == wallClock)

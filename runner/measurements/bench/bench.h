@@ -12,6 +12,7 @@
 #include "bench/work.h"
 #include "charts/chart.h"
 #include "document/document.h"
+#include "engines/measured_engine.h"
 
 namespace morula {
 
@@ -44,8 +45,8 @@ struct BenchOptions {
 };
 
 struct BenchRow {
-  std::string scene;   // packed, packed-friction, packed-single, free
-  std::string engine;  // morula, bullet-b1, bullet-b2, scalar
+  std::string scene;  // packed, packed-friction, packed-single, free
+  MeasuredEngine engine = MeasuredEngine::morula;
   Stage stage = Stage::step;
   int cells = 0, vertices = 0;
   std::string isa;
@@ -104,8 +105,7 @@ Drawing drawBench(const BenchReport& report);
 std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);
 
 /// Returns the row of the packed scene with these properties, or null.
-const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
-                     Stage stage, int cells, int vertices, const std::string& isa, int threads = 1,
-                     bool wallClock = false);
+const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, MeasuredEngine engine, Stage stage,
+                     int cells, int vertices, const std::string& isa, int threads = 1, bool wallClock = false);
 
 }  // namespace morula

@@ -44,7 +44,8 @@ std::vector<std::string> isasOf(const std::vector<BenchRow>& rows) {
 }
 
 std::string labelOf(const BenchRow& row) {
-  if (row.engine != "morula") return row.engine == "scalar" ? "internal, ordinary code" : row.engine;
+  if (row.engine != MeasuredEngine::morula)
+    return row.engine == MeasuredEngine::scalar ? "internal, ordinary code" : nameOf(row.engine);
   std::string label = nameOf(row.stage);
   if (row.wallClock) return fmt::format("{}, {}, wall", label, counted(std::uint64_t(row.threads), "thread"));
   return row.search.empty() ? label : label + ", " + row.search;
@@ -107,7 +108,9 @@ void addScenes(const std::vector<BenchRow>& rows, Document& text) {
 void addThesis(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
   if (isas.empty()) return;
-  const auto ours = [&](int cells) { return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back()); };
+  const auto ours = [&](int cells) {
+    return find(rows, "packed", MeasuredEngine::morula, Stage::step, cells, 162, isas.back());
+  };
   const BenchRow* eight = ours(8);
   Table table{"Cost of a cell and step", {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
   for (const ThesisRow& row : thesisTable) {
@@ -168,16 +171,17 @@ Drawing drawBench(const BenchReport& report) {
   std::string widest;
   for (const BenchRow& row : report.rows) {
     if (row.scene != "packed" || row.stage != Stage::step || row.vertices != verticesShown || row.wallClock) continue;
-    const std::string label = row.isa.empty() ? row.engine : row.engine + " " + row.isa;
+    const std::string label = nameOf(row.engine) + (row.isa.empty() ? "" : " " + row.isa);
     add(label, {double(row.cells), row.nsPerVertexStep});
-    if (row.engine == "morula") widest = row.isa;
+    if (row.engine == MeasuredEngine::morula) widest = row.isa;
   }
   ChartLine ordinary{"ordinary code, inner forces only", {0x77, 0x77, 0x77}, {}, true};
   for (const BenchRow& row : report.rows)
-    if (row.engine == "scalar" && row.vertices == verticesShown)
+    if (row.engine == MeasuredEngine::scalar && row.vertices == verticesShown)
       ordinary.points.push_back({double(row.cells), row.nsPerVertexStep});
   if (!ordinary.points.empty()) chart.lines.push_back(ordinary);
-  if (const BenchRow* eight = find(report.rows, "packed", "morula", Stage::step, 8, verticesShown, widest)) {
+  if (const BenchRow* eight =
+          find(report.rows, "packed", MeasuredEngine::morula, Stage::step, 8, verticesShown, widest)) {
     ChartLine thesis{"thesis' table 5.1, scaled", seriesColour(2), {}, true};
     for (const ThesisRow& row : thesisTable)
       thesis.points.push_back({double(row.cells), eight->nsPerVertexStep * row.msPerCell / thesisTable[0].msPerCell});

@@ -14,15 +14,15 @@ class BenchTable {
  public:
   explicit BenchTable(const std::vector<BenchRow>& rows) : rows_(rows) {
     for (const BenchRow& row : rows) {
-      if (row.engine == "morula") isas_.insert(row.isa);
+      if (row.engine == MeasuredEngine::morula) isas_.insert(row.isa);
       cells_.insert(row.cells);
     }
   }
   const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1, bool wall = false) const {
-    return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
+    return find(rows_, "packed", MeasuredEngine::morula, stage, cells, cellVertices, isa, threads, wall);
   }
   /// Returns the row of one thread.
-  const BenchRow* row(const std::string& scene, const std::string& engine, Stage stage, int cells,
+  const BenchRow* row(const std::string& scene, MeasuredEngine engine, Stage stage, int cells,
                       const std::string& isa = "") const {
     return find(rows_, scene, engine, stage, cells, cellVertices, isa);
   }
@@ -44,8 +44,8 @@ void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
                                                       {"packed-single", Precision::binary32}};
   for (const int cells : {64, 128, 256})
     for (const auto& [scene, precision] : scenes) {
-      const BenchRow *ours = t.row(scene, "morula", Stage::step, cells, t.reference()),
-                     *bullet = t.row(scene, "bullet-b1", Stage::step, cells);
+      const BenchRow *ours = t.row(scene, MeasuredEngine::morula, Stage::step, cells, t.reference()),
+                     *bullet = t.row(scene, MeasuredEngine::bulletB1, Stage::step, cells);
       if (ours && bullet)
         ratios.push_back({fmt::format("times faster than Bullet B1, both in {} precision, {} cells, {}",
                                       nameOf(precision), cells, t.reference()),
@@ -54,7 +54,7 @@ void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
 }
 
 void againstOrdinaryCode(const BenchTable& t, std::vector<BenchRatio>& ratios) {
-  const BenchRow* ordinary = t.row("packed", "scalar", Stage::internal, 64);
+  const BenchRow* ordinary = t.row("packed", MeasuredEngine::scalar, Stage::internal, 64);
   if (!ordinary) return;
   const std::pair<int, double> promised[] = {{64, 1}, {512, 75.0 / 45}, {2048, 95.0 / 45}};
   for (const auto& [cells, most] : promised)
@@ -83,8 +83,8 @@ void kernels(const BenchTable& t, std::vector<BenchRatio>& ratios) {
     if (row && row->shareWithRoots)
       ratios.push_back({fmt::format("the same with an edge's root and quotient counted, 64 cells, {}", isa),
                         *row->shareWithRoots, 0.7, true, "tells what the rest is"});
-    const BenchRow *step = t.row("free", "morula", Stage::step, 64, isa),
-                   *internal = t.row("free", "morula", Stage::internal, 64, isa);
+    const BenchRow *step = t.row("free", MeasuredEngine::morula, Stage::step, 64, isa),
+                   *internal = t.row("free", MeasuredEngine::morula, Stage::internal, 64, isa);
     if (step && internal)
       ratios.push_back({fmt::format("step without contact over inner forces, 64 cells, {}", isa),
                         ns(*step) / ns(*internal), 1.1, false});

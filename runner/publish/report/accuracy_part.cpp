@@ -56,7 +56,8 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
   Table table{section.title,
               {"Error at most", "Settings of ours", "CPU time [s]", "Error on the scenario's mesh",
                "Whole error, with the mesh's"}};
-  const bool bullet = std::ranges::any_of(report.rows, [](const AccuracyRow& row) { return row.engine != "morula"; });
+  const bool bullet =
+      std::ranges::any_of(report.rows, [](const AccuracyRow& row) { return row.engine != MeasuredEngine::morula; });
   if (bullet) table.columns.insert(table.columns.end(), {"Bullet's best", "CPU time [s]", "times as long"});
   for (int decade = 1; decade <= 12; ++decade) {
     const double error = std::pow(10.0, -decade);

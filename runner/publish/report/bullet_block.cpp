@@ -184,12 +184,12 @@ Words storedWords(const std::vector<CheckResult>& found, const std::vector<Check
 
 bool heldAgainstBullet(const CheckedScenario& c) {
   return std::any_of(c.report.results.begin(), c.report.results.end(),
-                     [](const CheckResult& r) { return r.kind == "bullet" && !wasSkipped(r); });
+                     [](const CheckResult& r) { return r.kind == CheckKind::bullet && !wasSkipped(r); });
 }
 
 bool differsFromBullet(const CheckedScenario& c) {
   return std::any_of(c.report.results.begin(), c.report.results.end(),
-                     [](const CheckResult& r) { return r.kind == "bullet" && !r.passed; });
+                     [](const CheckResult& r) { return r.kind == CheckKind::bullet && !r.passed; });
 }
 
 }  // namespace
@@ -216,7 +216,7 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
   using Kind = Finding::Kind;
   const auto& found = run.bullet->found;
   const bool stored = std::any_of(run.checks.begin(), run.checks.end(),
-                                  [](const CheckResult& r) { return r.kind == "bullet" && !wasSkipped(r); });
+                                  [](const CheckResult& r) { return r.kind == CheckKind::bullet && !wasSkipped(r); });
   if (const std::string why = whyNone(*run.bullet); !why.empty()) {
     findings.push_back({Kind::warning, why + (stored ? "; the stored checks stand" : "")});
     return;

@@ -81,7 +81,7 @@ void tellBesideGolden(const RunFacts& run, Document& changes) {
     changes.say("Nothing: the run gives what the accepted result, " + code(run.golden) + ", records.");
     return;
   }
-  const auto goldens = [](const CheckResult& c) { return c.kind == "golden"; };
+  const auto goldens = [](const CheckResult& c) { return c.kind == CheckKind::golden; };
   const bool within =
       std::any_of(run.checks.begin(), run.checks.end(), goldens) &&
       std::all_of(run.checks.begin(), run.checks.end(), [&](const CheckResult& c) { return !goldens(c) || c.passed; });

@@ -35,7 +35,7 @@ std::string namesOf(const std::vector<CheckResult>& failed) {
 
 void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
   std::vector<CheckResult> sanity, others;
-  for (const CheckResult& r : facts.checks) (r.kind == "sanity" ? sanity : others).push_back(r);
+  for (const CheckResult& r : facts.checks) (r.kind == CheckKind::sanity ? sanity : others).push_back(r);
   std::vector<CheckResult> insane, failed;
   std::remove_copy_if(sanity.begin(), sanity.end(), std::back_inserter(insane), passed);
   std::remove_copy_if(others.begin(), others.end(), std::back_inserter(failed), passed);
@@ -268,7 +268,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
   part.sections.push_back(chartSection(runs));
   if (Document checks = checksOfAll(runs); !checks.empty()) {
     part.sections.push_back({"checks", "Checks", std::move(checks)});
-    const auto ofGolden = [](const CheckResult& c) { return c.kind == "golden"; };
+    const auto ofGolden = [](const CheckResult& c) { return c.kind == CheckKind::golden; };
     if (runs.size() == 1 && !runs[0].golden.empty() &&
         std::any_of(runs[0].checks.begin(), runs[0].checks.end(), ofGolden))
       part.sections.back().commands = {programWord() + " check " + shellWord(sourceOf(runs[0])),

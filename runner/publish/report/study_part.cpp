@@ -50,7 +50,9 @@ Document stripsDocument(const StudyComparison& c, const Units& units) {
 }
 
 struct Trouble {
-  std::string condition, status, reason;
+  std::string condition;
+  TaskStatus status;
+  std::string reason;
   auto operator<=>(const Trouble&) const = default;
 };
 
@@ -66,16 +68,16 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
   for (const auto& [trouble, seeds] : found) {
     const Words which =
         bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
-    if (trouble.status == "done")
+    if (trouble.status == TaskStatus::done)
       findings.push_back(
           {Finding::Kind::bad,
            which + "not sane: " + (trouble.reason.empty() ? "bodies ended in a state that cannot be" : trouble.reason) +
                ". The values count all the same"});
-    else if (trouble.status == "missing")
+    else if (trouble.status == TaskStatus::missing)
       findings.push_back({Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
     else {
       Finding failed = failedBecause(Finding::Kind::bad, trouble.reason.empty() ? "" : ": ", trouble.reason);
-      failed.words = which + trouble.status + failed.words;
+      failed.words = which + nameOf(trouble.status) + failed.words;
       findings.push_back(std::move(failed));
     }
   }
@@ -134,7 +136,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
 /// Returns true if the first finished run has bodies; false if no run is done.
 bool hasBodies(const StudyResults& results, const std::string& database) {
   for (const ResultTask& task : results.tasks)
-    if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
+    if (task.status == TaskStatus::done) return storedScenario(database, task.runId).scene.mechanics.has_value();
   return false;
 }
 
@@ -151,7 +153,7 @@ PagePart studyPart(const std::string& database) {
   const StudyComparison c = compareStudy(readStudyResults(database), {});
   const StudyResults& r = c.results;
   std::size_t done = 0;
-  for (const ResultTask& task : r.tasks) done += task.status == "done";
+  for (const ResultTask& task : r.tasks) done += task.status == TaskStatus::done;
   PagePart part{.title = "Study " + r.name,
                 .summary = r.summary,
                 .verdict = verdict(std::to_string(done) + " of " + counted(r.tasks.size(), "distinct run") +
@@ -237,7 +239,7 @@ std::vector<Representative> representativesOf(const std::string& database) {
   for (std::size_t s = 0; s < r.seeds.size(); ++s)
     for (const std::size_t k : order) {
       const std::size_t t = r.conditions[k].tasks.empty() ? noTask : r.conditions[k].tasks[s];
-      if (t != noTask && r.tasks[t].status == "done" && known.insert(r.tasks[t].runId).second)
+      if (t != noTask && r.tasks[t].status == TaskStatus::done && known.insert(r.tasks[t].runId).second)
         all.push_back({r.nameOf(r.conditions[k]), r.tasks[t].runId, r.seeds[s]});
     }
   return all;
@@ -249,7 +251,8 @@ std::vector<Finding> findingsOf(const StudyComparison& c, const std::string& dat
   judgeTasks(r, findings);
   judgeConditions(c, findings);
   judgeDivisions(r, database, findings);
-  if (std::all_of(r.tasks.begin(), r.tasks.end(), [](const ResultTask& t) { return t.status == "done" && t.isSane; }))
+  if (std::all_of(r.tasks.begin(), r.tasks.end(),
+                  [](const ResultTask& t) { return t.status == TaskStatus::done && t.isSane; }))
     findings.push_back({Finding::Kind::good, "Every run is done, and sane"});
   return findings;
 }

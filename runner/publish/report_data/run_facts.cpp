@@ -82,7 +82,7 @@ Frames framesOf(const Scenario& scenario, const std::vector<ExternalFrame>& fram
 BulletStored compareWithStored(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored) {
   std::vector<CheckResult> then;
   for (const CheckResult& r : stored)
-    if (r.kind == "bullet" && !wasSkipped(r)) then.push_back(r);
+    if (r.kind == CheckKind::bullet && !wasSkipped(r)) then.push_back(r);
   if (then.empty()) return BulletStored::none;
   const bool same =
       std::equal(found.begin(), found.end(), then.begin(), then.end(), [](const CheckResult& a, const CheckResult& b) {
@@ -125,8 +125,7 @@ void runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool ha
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   RecordOptions record;
   if (hashes) record.hashEvery = stepsPerHashOf(facts.scenario.scene);
-  auto run = simulate(facts.scenario, how,
-                      {.quiet = quiet, .record = record, .watch = {&taker}});
+  auto run = simulate(facts.scenario, how, {.quiet = quiet, .record = record, .watch = {&taker}});
   requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash

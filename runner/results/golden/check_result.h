@@ -5,23 +5,76 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.h"
 #include "base/record.h"
 
 namespace morula {
 
+enum class CheckKind { golden, bullet, invariant, sanity, study, claim };
+template <>
+inline constexpr auto choices<CheckKind> =
+    std::to_array<Choice<CheckKind>>({{CheckKind::golden, "golden", "the result against the golden"},
+                                      {CheckKind::bullet, "bullet", "Bullet comes to something else"},
+                                      {CheckKind::invariant, "invariant", "what must always hold does not"},
+                                      {CheckKind::sanity, "sanity", "its end is not sane"},
+                                      {CheckKind::study, "study", "the state of a study's runs"},
+                                      {CheckKind::claim, "claim", "the results say otherwise"}});
+
+/// The class of a failure [golden/README.md]; the meaning says what differs.
+enum class FailureClass {
+  none,
+  inputChanged,
+  setup,
+  lineage,
+  computation,
+  chaos,
+  image,
+  cost,
+  record,
+  nondeterminism,
+  unread,
+  // The states of a study's runs:
+  unfinished,
+  missing,
+  differs,
+  insane,
+  stale,
+  failed,
+  changed
+};
+template <>
+inline constexpr auto choices<FailureClass> = std::to_array<Choice<FailureClass>>(
+    {{FailureClass::none, "", "nothing differs"},
+     {FailureClass::inputChanged, "INPUT_CHANGED", "the scenario or its golden changed"},
+     {FailureClass::setup, "SETUP", "it starts otherwise"},
+     {FailureClass::lineage, "LINEAGE", "the lineage differs"},
+     {FailureClass::computation, "COMPUTATION", "computed values differ"},
+     {FailureClass::chaos, "CHAOS", "a last place has grown"},
+     {FailureClass::image, "IMAGE", "the picture differs"},
+     {FailureClass::cost, "COST", "the cost differs"},
+     {FailureClass::record, "RECORD", "what is recorded differs, the state does not"},
+     {FailureClass::nondeterminism, "NONDETERMINISM", "it gives different bits each time"},
+     {FailureClass::unread, "UNREAD", "there is nothing that can be read"},
+     {FailureClass::unfinished, "UNFINISHED", "runs were killed, or are still running"},
+     {FailureClass::missing, "MISSING", "runs are missing"},
+     {FailureClass::differs, "DIFFERS", "results are not what was claimed"},
+     {FailureClass::insane, "NOT_SANE", "runs ended in states that cannot be"},
+     {FailureClass::stale, "STALE", "results were made from other inputs"},
+     {FailureClass::failed, "FAILED", "runs failed"},
+     {FailureClass::changed, "CHANGED", "rows do not match their digests"}});
+
 struct CheckResult {
-  std::string check = {};     // "lineage", "bits", "values final.*.volume", …
-  std::string kind = {};      // "golden", "bullet", "invariant", "sanity"
+  std::string check = {};  // "lineage", "bits", "values final.*.volume", …
+  CheckKind kind = {};
   std::string expected = {};  // the expected value at the worst or first difference; if passed, a summary
   std::string actual = {};
   std::string tolerance = "exact";  // or "rel 1e-9 scale 1"
   bool passed = true;
   // The place, as far as it applies:
-  // The class of the failure: INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, … (golden/README.md); "" when passed
-  std::string failureClass = {};
-  std::optional<std::uint64_t> firstStep = {};  // the first step at which run and golden differ
-  std::optional<std::string> cell = {};         // its path; "" is the egg
-  std::string field = {};                       // "pressure"
+  FailureClass failureClass = FailureClass::none;  // none when passed
+  std::optional<std::uint64_t> firstStep = {};     // the first step at which run and golden differ
+  std::optional<std::string> cell = {};            // its path; "" is the egg
+  std::string field = {};                          // "pressure"
   // [1] The used share of the tolerance: 0 equal, 1 at its edge, perhaps ∞; absent if exact
   std::optional<double> share = {};
   std::string message = {};  // for people: all differences, in several lines; "" when passed
@@ -32,12 +85,12 @@ template <IsA<CheckResult> T>
 void listFields(T& r, auto&& field) {
   auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share, message] = r;
   field({.name = "check", .anyCharacters = true}, check);
-  field({.name = "kind", .oneOf = "golden bullet invariant sanity"}, kind);
+  field({"kind"}, kind);
   field({.name = "expected", .anyCharacters = true}, expected);
   field({.name = "actual", .anyCharacters = true}, actual);
   field({.name = "tolerance", .anyCharacters = true}, tolerance);
   field({"passed"}, passed);
-  field({.name = "class", .meaning = "'' when passed", .anyCharacters = true}, failureClass);
+  field({"class", "'' when passed"}, failureClass);
   field({"first_step"}, firstStep);
   field({.name = "cell", .anyCharacters = true}, cell);
   field({.name = "field", .anyCharacters = true}, at);
@@ -47,7 +100,7 @@ void listFields(T& r, auto&& field) {
 
 /// Returns `result` as passed, or as failed with this class and with `message` for people.
 inline CheckResult judged(CheckResult result, bool passed, const std::string& message,
-                          const std::string& failureClass = "COMPUTATION") {
+                          FailureClass failureClass = FailureClass::computation) {
   result.passed = passed;
   if (passed) return result;
   result.failureClass = failureClass;
@@ -61,9 +114,9 @@ inline bool wasCompared(const CheckResult& r) {
 }
 
 /// Returns a failed check for a golden and a run that could not even be compared.
-inline CheckResult failedCheck(const std::string& check, const std::string& failureClass, const std::string& expected,
+inline CheckResult failedCheck(const std::string& check, FailureClass failureClass, const std::string& expected,
                                const std::string& actual, const std::string& message) {
-  return judged({.check = check, .kind = "golden", .expected = expected, .actual = actual}, false, message,
+  return judged({.check = check, .kind = CheckKind::golden, .expected = expected, .actual = actual}, false, message,
                 failureClass);
 }
 

@@ -52,7 +52,7 @@ Place placeOf(const std::string& message) {
 /// Returns a cause in one line: "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …". `rest`: the
 /// message without its place.
 std::string inOneLine(const CheckReport& report, const CheckResult& first, const std::string& rest) {
-  const bool isTold = first.kind == "golden" && first.check != "tolerances" && !report.change.empty();
+  const bool isTold = first.kind == CheckKind::golden && first.check != "tolerances" && !report.change.empty();
   return failedInWords(first) + ": " + (isTold ? changeSentence(report.change) : rest);
 }
 
@@ -61,7 +61,7 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
   std::string line = "::error ";
   if (!place.file.empty()) line += "file=" + command(place.file, true) + ',';
   if (!place.line.empty()) line += "line=" + place.line + ',';
-  line += "title=" + command(cause[0]->failureClass + ": " + report.scenario, true);
+  line += "title=" + command(nameOf(cause[0]->failureClass) + (": " + report.scenario), true);
   return line + "::" +
          command(inOneLine(report, *cause[0], (cause[0]->check == "golden" ? "" : cause[0]->check + ": ") + place.rest),
                  false) +
@@ -79,18 +79,18 @@ std::string nextInWords(const CheckReport& report) {
 
 std::string failureOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
-  std::string text = (first.kind == "golden" ? report.change : "") + first.message;
+  std::string text = (first.kind == CheckKind::golden ? report.change : "") + first.message;
   if (cause.size() > 1) text += "\nfrom it follow: " + followingInWords(cause);
   if (const std::string next = nextInWords(report); !next.empty()) text += '\n' + next;
-  return "      <failure type=\"" + xml(first.failureClass) + "\" message=\"" +
+  return "      <failure type=\"" + xml(nameOf(first.failureClass)) + "\" message=\"" +
          xml(inOneLine(report, first, firstLine(first.message))) + "\">" + xml(text) + "</failure>\n";
 }
 
 /// Returns a table with a row for each line of the change, then the checks that follow.
 Table detailsOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
-  Table table{"What differs", {first.failureClass, failedInWords(first)}};
-  if (first.kind == "golden")
+  Table table{"What differs", {nameOf(first.failureClass), failedInWords(first)}};
+  if (first.kind == CheckKind::golden)
     for (const ChangeLine& line : linesOfChange(report.change))
       table.rows.push_back({line.heading, markdownText(line.text)});
   if (first.check != "scenario" || report.change.empty())  // the changed keys are in the table already

@@ -131,10 +131,10 @@ CheckResult withoutTables(const Golden& golden) {
   const std::string remedy =
       "look at the result, and accept it anew with `morula review SCENARIO --accept --why \"…\"`";
   if (golden.version > 1)
-    return failedCheck("tables", "INPUT_CHANGED", "recorded tables", "none in the golden",
+    return failedCheck("tables", FailureClass::inputChanged, "recorded tables", "none in the golden",
                        golden.file + ": the golden holds none of the tables that the run records; " + remedy);
   return {.check = "tables",
-          .kind = "golden",
+          .kind = CheckKind::golden,
           .actual =
               "recorded tables (contacts, divisions, measures on demand, …): the golden is of format 1, which "
               "holds none of them; to have them checked, " +
@@ -151,21 +151,23 @@ void classify(std::vector<CheckResult>& results) {
   const bool imagesAlone = failed == std::set<std::string>{"images"};
   const auto isRecord = [](const std::string& check) { return check == "tables" || check.starts_with("values"); };
   const bool recordsAlone = failed.contains("tables") && std::ranges::all_of(failed, isRecord);
-  std::string cause = "COMPUTATION";
-  if (failed.contains("lineage")) cause = "LINEAGE";
+  FailureClass cause = FailureClass::computation;
+  if (failed.contains("lineage")) cause = FailureClass::lineage;
   for (const CheckResult& r : results)
-    if (!r.passed && r.firstStep == 0u && r.check != "lineage" && r.check != "completeness") cause = "SETUP";
-  if (failed.contains("scenario")) cause = "INPUT_CHANGED";
+    if (!r.passed && r.firstStep == 0u && r.check != "lineage" && r.check != "completeness")
+      cause = FailureClass::setup;
+  if (failed.contains("scenario")) cause = FailureClass::inputChanged;
   for (CheckResult& r : results) {
     if (r.passed) continue;
-    if (r.check == "tables" && !r.failureClass.empty()) continue;  // withoutTables has set the class
-    const bool aboutTheFile = r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
-    const bool chaos = cause == "COMPUTATION" && r.failureClass == "CHAOS";
-    r.failureClass = aboutTheFile   ? "INPUT_CHANGED"
-                     : costsAlone   ? "COST"
-                     : imagesAlone  ? "IMAGE"
-                     : recordsAlone ? "RECORD"
-                     : chaos        ? "CHAOS"
+    if (r.check == "tables" && r.failureClass != FailureClass::none) continue;  // withoutTables has set the class
+    const bool aboutTheFile =
+        r.check == "tolerances" || (r.check == "completeness" && cause == FailureClass::computation);
+    const bool chaos = cause == FailureClass::computation && r.failureClass == FailureClass::chaos;
+    r.failureClass = aboutTheFile   ? FailureClass::inputChanged
+                     : costsAlone   ? FailureClass::cost
+                     : imagesAlone  ? FailureClass::image
+                     : recordsAlone ? FailureClass::record
+                     : chaos        ? FailureClass::chaos
                                     : cause;
   }
 }
@@ -173,7 +175,8 @@ void classify(std::vector<CheckResult>& results) {
 }  // namespace
 
 CheckReport unusableGolden(const std::string& scenario, const std::string& why) {
-  return {scenario, {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
+  return {scenario,
+          {failedCheck("golden", FailureClass::inputChanged, "a golden file as it was accepted", "another", why)}};
 }
 
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {

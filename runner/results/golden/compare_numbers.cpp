@@ -48,7 +48,7 @@ struct RuleCheck {
 
   CheckResult result() && {
     CheckResult r = resultOf(rule ? "values " + rule->pattern : "values", std::move(differences), values);
-    if (!r.passed && chaos) r.failureClass = "CHAOS";
+    if (!r.passed && chaos) r.failureClass = FailureClass::chaos;
     if (!rule) return r;
     r.tolerance = rule->tolerance.text();
     if (rule->untilStep) r.tolerance += " until_step " + std::to_string(*rule->untilStep);
@@ -155,7 +155,7 @@ void compareRows(const Golden& golden, const GoldenRow& expected, const GoldenRo
 }  // namespace
 
 CheckResult resultOf(const std::string& check, std::vector<Difference> differences, std::size_t items) {
-  CheckResult r{.check = check, .kind = "golden", .passed = differences.empty()};
+  CheckResult r{.check = check, .kind = CheckKind::golden, .passed = differences.empty()};
   if (r.passed) {
     r.expected = r.actual = std::to_string(items) + (items == 1 ? " item" : " items");
     return r;

@@ -22,7 +22,7 @@ std::string oneLine(const CheckResult& r) {
   if (r.tolerance != "exact") line += ": " + r.tolerance;
   if (!wasCompared(r)) line += ": " + r.actual;
   else if (r.passed) line += " (" + r.expected + ')';
-  else line += ": " + r.failureClass + ", " + failedInWords(r);
+  else line += std::string(": ") + nameOf(r.failureClass) + ", " + failedInWords(r);
   if (r.share) line += ", " + shareInWords(*r.share);
   if (r.share && *r.share > 0 && r.passed) {
     line += " by " + r.field;
@@ -33,9 +33,9 @@ std::string oneLine(const CheckResult& r) {
 
 /// Returns the reason of a failed check: checks with the same text have one cause.
 std::string reasonOf(const CheckResult& r) {
-  if (r.kind == "bullet") return r.kind;
-  if (r.kind != "golden" || r.check == "tolerances") return r.kind + ' ' + r.check;
-  return r.failureClass == "CHAOS" ? "COMPUTATION" : r.failureClass;
+  if (r.kind == CheckKind::bullet) return nameOf(r.kind);
+  if (r.kind != CheckKind::golden || r.check == "tolerances") return nameOf(r.kind) + (' ' + r.check);
+  return nameOf(r.failureClass == FailureClass::chaos ? FailureClass::computation : r.failureClass);
 }
 
 /// Returns a check's rank as a cause: a changed scenario first, then the lineage, then the earliest step.
@@ -61,28 +61,15 @@ std::string followingInWords(const CheckResult& r) {
 }  // namespace
 
 std::string failedInWords(const CheckResult& failed) {
-  if (failed.failureClass == "UNREAD") return "there is nothing that can be read";
+  if (failed.failureClass == FailureClass::unread) return meaningOf(failed.failureClass);
   if (failed.check == "orphan") return "there is no scenario to this golden";
   if (failed.check == "golden")
-    return failed.failureClass == "SETUP" ? "there is no golden" : "the golden cannot be used";
+    return failed.failureClass == FailureClass::setup ? "there is no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";
-  if (failed.kind == "study") return failed.check;
-  if (failed.kind == "claim") return "the results say otherwise";
-  if (failed.kind == "sanity") return "its end is not sane";
-  if (failed.kind == "invariant") return "what must always hold does not";
-  if (failed.kind == "bullet") return "Bullet comes to something else";
+  if (failed.kind == CheckKind::study) return failed.check;
+  if (failed.kind != CheckKind::golden) return meaningOf(failed.kind);
   if (failed.check == "scenario") return "the scenario changed";
-  static const std::map<std::string, std::string> words{{"INPUT_CHANGED", "the scenario or its golden changed"},
-                                                        {"SETUP", "it starts otherwise"},
-                                                        {"LINEAGE", "the lineage differs"},
-                                                        {"COMPUTATION", "computed values differ"},
-                                                        {"CHAOS", "a last place has grown"},
-                                                        {"IMAGE", "the picture differs"},
-                                                        {"COST", "the cost differs"},
-                                                        {"RECORD", "what is recorded differs, the state does not"},
-                                                        {"NONDETERMINISM", "it gives different bits each time"}};
-  const auto found = words.find(failed.failureClass);
-  return found == words.end() ? failed.failureClass : found->second;
+  return meaningOf(failed.failureClass);
 }
 
 std::vector<Cause> causesOf(const CheckReport& report) {

@@ -16,16 +16,27 @@ std::size_t allowedOf(ResultState state, const AllowedRuns& allowed) {
   return state == ResultState::failed ? allowed.failed : state == ResultState::insane ? allowed.insane : 0;
 }
 
-/// Returns the failure class of a state: "FAILED", "NOT_SANE".
-std::string classOf(ResultState state) {
-  std::string text = nameOf(state);
-  std::ranges::transform(text, text.begin(), [](char c) { return c == ' ' ? '_' : char(c - 'a' + 'A'); });
-  return text;
+/// Returns the failure class of a state of a study's runs.
+FailureClass classOf(ResultState state) {
+  switch (state) {
+    case ResultState::fine:
+    case ResultState::unchecked: return FailureClass::none;
+    case ResultState::unfinished: return FailureClass::unfinished;
+    case ResultState::missing: return FailureClass::missing;
+    case ResultState::differs: return FailureClass::differs;
+    case ResultState::insane: return FailureClass::insane;
+    case ResultState::stale: return FailureClass::stale;
+    case ResultState::failed: return FailureClass::failed;
+    case ResultState::unread: return FailureClass::unread;
+    case ResultState::changed: return FailureClass::changed;
+  }
+  MORULA_CHECK(false, "every state has a failure class");
 }
 
 /// Returns true for a golden or a scenario that could not be read.
 bool isUnusable(const CheckResult& r) {
-  return (r.check == "golden" && r.failureClass == "INPUT_CHANGED") || r.failureClass == "UNREAD";
+  return (r.check == "golden" && r.failureClass == FailureClass::inputChanged) ||
+         r.failureClass == FailureClass::unread;
 }
 
 /// Returns a number in four digits; another text unchanged.
@@ -64,10 +75,10 @@ ResultState stateOf(const std::vector<CheckResult>& checks) {
   ResultState worst = checks.empty() ? ResultState::unchecked : ResultState::fine;
   for (const CheckResult& r : checks)
     if (!r.passed)
-      worst = std::max(worst, r.kind == "sanity" ? ResultState::insane
-                              : r.check == "run" ? ResultState::failed
-                              : isUnusable(r)    ? ResultState::unread
-                                                 : ResultState::differs);
+      worst = std::max(worst, r.kind == CheckKind::sanity ? ResultState::insane
+                              : r.check == "run"          ? ResultState::failed
+                              : isUnusable(r)             ? ResultState::unread
+                                                          : ResultState::differs);
   return worst;
 }
 
@@ -81,7 +92,7 @@ std::string shortReason(const CheckResult& r) {
 std::string whyInsane(const std::vector<CheckResult>& checks) {
   std::vector<std::string> reasons;
   for (const CheckResult& r : checks)
-    if (r.kind == "sanity" && !r.passed) reasons.push_back(shortReason(r));
+    if (r.kind == CheckKind::sanity && !r.passed) reasons.push_back(shortReason(r));
   return join(reasons, "; ");
 }
 
@@ -122,7 +133,7 @@ std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& 
     const std::size_t most = allowedOf(state, allowed), count = counts.of(state);
     if (isAcceptable(state) || (count == 0 && most == 0)) continue;
     checks.push_back(judged({.check = std::string("runs ") + nameOf(state),
-                             .kind = "study",
+                             .kind = CheckKind::study,
                              .expected = "at most " + std::to_string(most),
                              .actual = std::to_string(count)},
                             count <= most, why[static_cast<std::size_t>(state)], classOf(state)));

@@ -24,7 +24,7 @@ CheckResult shellHolds(const World& world) {
   const double outermost = measure<Observation>("outermost").get(Observation(world)).value_or(0);
   const std::string text = exactText(outermost);
   return judged({.check = "shell",
-                 .kind = "invariant",
+                 .kind = CheckKind::invariant,
                  .expected = "1",
                  .actual = text,
                  .tolerance = "abs " + exactText(shellSlack),
@@ -60,7 +60,7 @@ std::string withoutPlaces(const std::string& message, const std::string& file) {
 }
 
 CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path& file) {
-  return failedCheck("golden", "SETUP", "a golden file", "none",
+  return failedCheck("golden", FailureClass::setup, "a golden file", "none",
                      file.string() + " is not there; accept one: " + programWord() + " review " +
                          shellWord(scenario.file) + " --accept --why \"…\"");
 }

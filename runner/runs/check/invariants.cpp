@@ -24,8 +24,8 @@ void forEachCell(const char* name, const Observation& now, const See& see) {
 std::string text(const Bounds& b) { return "from " + exactText(b.least) + " to " + exactText(b.most); }
 
 CheckResult resultOf(const char* check, const std::string& expected, const std::string& actual, bool passed) {
-  return judged({.check = check, .kind = "invariant", .expected = expected, .actual = actual, .field = check}, passed,
-                std::string("check.") + check + ": " + actual + "; expected " + expected);
+  return judged({.check = check, .kind = CheckKind::invariant, .expected = expected, .actual = actual, .field = check},
+                passed, std::string("check.") + check + ": " + actual + "; expected " + expected);
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ CheckResult stopsAsItMust(const std::vector<std::string>& fails, const std::stri
     if (failure.find(text) == failure.npos) missing.push_back(text);
   const std::string actual = failure.empty() ? "it ended well" : failure;
   return judged({.check = "fails",
-                 .kind = "invariant",
+                 .kind = CheckKind::invariant,
                  .expected = fails.empty() ? "" : "stops and names " + join(fails),
                  .actual = actual},
                 !fails.empty() && missing.empty(),

@@ -71,7 +71,8 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
       if (ofStudy && t.table == table && t.rows < t.recomputedRows) endAlone.push_back(t.table);
   for (const std::string& table : endAlone) leaveOut(c, table, "the study keeps those of the end alone");
   std::size_t elsewhere = 0;
-  for (const CheckResult& r : stored.checks(before.id)) elsewhere += r.kind == "golden" || r.kind == "bullet";
+  for (const CheckResult& r : stored.checks(before.id))
+    elsewhere += r.kind == CheckKind::golden || r.kind == CheckKind::bullet;
   if (!checked) leaveOut(c, "check_result", "the run was not checked");
   if (elsewhere > 0)
     c.notCompared.push_back(
@@ -112,7 +113,7 @@ std::set<std::string> kindsOfChecks(Store& store, const StoredRun& run, const Sc
   std::set<std::string> kinds;
   if (run.status == RunStatus::done && scenario.scene.mechanics) kinds.insert("sanity");
   for (const CheckResult& r : store.checks(run.id))
-    if (r.kind != "golden" && r.kind != "bullet") kinds.insert(r.kind);
+    if (r.kind != CheckKind::golden && r.kind != CheckKind::bullet) kinds.insert(r.kind);
   return kinds;
 }
 

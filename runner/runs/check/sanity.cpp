@@ -80,7 +80,7 @@ CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParame
   const std::string name = nameOf(m.kind);
   const bool below = m.kind == SanityKind::overlap && m.value == 0;
   return judged({.check = "sanity " + name,
-                 .kind = "sanity",
+                 .kind = CheckKind::sanity,
                  .expected = boundsOf(m),
                  .actual = below ? "below " + exactText(m.most) : exactText(m.value),
                  .tolerance = check.sane ? "exact" : "none, for " + check.because,
@@ -95,7 +95,7 @@ CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParame
 /// A scene that says it is not sane and is.
 CheckResult needlessExcuse(const CheckParameters& check) {
   return judged({.check = "sanity because",
-                 .kind = "sanity",
+                 .kind = CheckKind::sanity,
                  .expected = "not sane, because " + check.because,
                  .actual = "sane",
                  .field = "sane"},

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* skipped = "not checked: this build has no Bullet";
 
-CheckResult about(const char* failureClass, const std::string& text) {
-  return judged({.check = "bullet", .kind = "bullet", .expected = "an answer", .actual = text}, false,
+CheckResult about(FailureClass failureClass, const std::string& text) {
+  return judged({.check = "bullet", .kind = CheckKind::bullet, .expected = "an answer", .actual = text}, false,
                 "bullet: " + text, failureClass);
 }
 
@@ -57,7 +57,7 @@ class Metric {
   Metric(const char* field, std::string tolerance, double allowed)
       : allowed_(allowed),
         result_{.check = std::string("bullet ") + field,
-                .kind = "bullet",
+                .kind = CheckKind::bullet,
                 .tolerance = std::move(tolerance),
                 .field = field,
                 .share = -1} {}
@@ -103,7 +103,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsOf(const World& world, boo
 
 }  // namespace
 
-bool wasSkipped(const CheckResult& result) { return result.kind == "bullet" && result.expected == skipped; }
+bool wasSkipped(const CheckResult& result) { return result.kind == CheckKind::bullet && result.expected == skipped; }
 
 BulletCheck tolerancesFor(const Scenario& scenario) {
   BulletCheck check = *scenario.check.bullet;
@@ -123,7 +123,7 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
                                   const std::vector<double>& frameTimes) {
   if (!scenario.check.bullet) return {};
   if (!bulletIsAvailable())
-    return {{{.check = "bullet", .kind = "bullet", .expected = skipped, .actual = skipped}}, {}};
+    return {{{.check = "bullet", .kind = CheckKind::bullet, .expected = skipped, .actual = skipped}}, {}};
   const BulletCheck check = tolerancesFor(scenario);
   tell("the same in Bullet, " + std::string(name(check.baseline)), quiet);
   ExternalRun bullet;
@@ -134,13 +134,13 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
                             .integrator = scenario.scene.mechanics->physics.integrator,
                             .frameTimes = frameTimes},
                            ownProgram());
-  } catch (const FileError& error) { return {{about("SETUP", error.what())}, {}}; }
+  } catch (const FileError& error) { return {{about(FailureClass::setup, error.what())}, {}}; }
   const bool silent = bullet.end == ExternalRun::End::silent;
   if (bullet.end != ExternalRun::End::done)
-    return {{about(silent ? "SETUP" : "COMPUTATION", judge({}, bullet).text)}, {}};
+    return {{about(silent ? FailureClass::setup : FailureClass::computation, judge({}, bullet).text)}, {}};
   if (bullet.step != end.clock.step || bullet.shapes.size() != end.cells.path.size())
-    return {{about("COMPUTATION", "came to another end: step " + std::to_string(bullet.step) + ", ours " +
-                                      std::to_string(end.clock.step))},
+    return {{about(FailureClass::computation, "came to another end: step " + std::to_string(bullet.step) + ", ours " +
+                                                  std::to_string(end.clock.step))},
             {}};
   return {compareWithBullet(end, bullet.shapes, check), bullet};
 }

@@ -226,7 +226,7 @@ std::vector<std::string> cellsThatDiffer(const StateHashes& e, const StateHashes
 
 std::string describe(const Explanation& x, const std::string& e, const std::string& a, const HashTrace& te,
                      const HashTrace& ta) {
-  std::string text = x.failureClass + ": ";
+  std::string text = nameOf(x.failureClass) + std::string(": ");
   text += x.step == 0u ? "different before the first step"
                        : "the same up to step " + std::to_string(x.lastEqual.value_or(0)) + ", different at step " +
                              std::to_string(*x.step);
@@ -274,7 +274,9 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
   const auto worldE = expected.stateAt(window.first), worldA = actual.stateAt(window.first);
   if (worldE && worldA) x.difference = findStateDifference(*worldE, *worldA);
   x.cell = x.difference ? x.difference->cell : x.cells.empty() ? std::nullopt : std::optional(x.cells.front());
-  x.failureClass = window.first == 0 ? "SETUP" : x.difference && x.difference->lineage ? "LINEAGE" : "COMPUTATION";
+  x.failureClass = window.first == 0                       ? FailureClass::setup
+                   : x.difference && x.difference->lineage ? FailureClass::lineage
+                                                           : FailureClass::computation;
   x.text = describe(x, expected.name, actual.name, e, a);
   for (const RunSource* w : {&expected, &actual})
     if (!w->noState.empty()) x.text += "  no vertex and values: " + w->name + ": " + w->noState + '\n';
@@ -283,8 +285,8 @@ Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every)
 
 Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every) {
   Explanation x = explain(first, second, every);
-  if (x.failureClass.empty()) return x;
-  x.failureClass = "NONDETERMINISM";
+  if (x.failureClass == FailureClass::none) return x;
+  x.failureClass = FailureClass::nondeterminism;
   x.text = "NONDETERMINISM: two runs of this program differ, so other differences cannot be classified\n" + x.text;
   return x;
 }

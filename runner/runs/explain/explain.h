@@ -28,14 +28,14 @@ struct StateDifference {
 std::optional<StateDifference> findStateDifference(const World& expected, const World& actual);
 
 struct Explanation {
-  std::string failureClass;                // "": equal bits; SETUP, LINEAGE, COMPUTATION; callers may know better
-  std::optional<std::uint64_t> step;       // the first that differs; the last of the window if not narrowed
-  std::optional<std::uint64_t> lastEqual;  // the last step known to be equal
-  std::optional<std::string> cell;         // the first cell that differs
-  std::vector<std::string> cells;          // all cells whose hashes differ at `step`
-  std::optional<StateDifference> difference;  // absent if only a run's hashes are known
-  std::optional<Hash> expectedEnd;            // hash of the expected run's last state; absent if unknown
-  std::string text;                           // for people, several lines
+  FailureClass failureClass = FailureClass::none;  // none: equal bits; callers may know better
+  std::optional<std::uint64_t> step;               // the first that differs; the last of the window if not narrowed
+  std::optional<std::uint64_t> lastEqual;          // the last step known to be equal
+  std::optional<std::string> cell;                 // the first cell that differs
+  std::vector<std::string> cells;                  // all cells whose hashes differ at `step`
+  std::optional<StateDifference> difference;       // absent if only a run's hashes are known
+  std::optional<Hash> expectedEnd;                 // hash of the expected run's last state; absent if unknown
+  std::string text;                                // for people, several lines
 };
 
 /// Compares both runs every `every` steps until they differ, then step by step through that window, then their states.

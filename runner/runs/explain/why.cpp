@@ -80,7 +80,7 @@ std::string partingInWords(const Scenario& before, const Scenario& now, const Ex
 void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
   f.where = explainTwice(scenario, question.execution, question.every);
   f.failureClass = f.where.failureClass;
-  f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
+  f.text += (f.failureClass == FailureClass::none ? "two runs of this program: " : "") + f.where.text;
 }
 
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
@@ -102,11 +102,11 @@ void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const st
   OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),
          actual = scenarioRun(scenario, question.execution);
   f.where = explain(expected, actual, question.every);
-  if (f.where.failureClass.empty()) {
+  if (f.where.failureClass == FailureClass::none) {
     f.text += "where it began: nowhere, both scenarios give " + f.where.text;
     return;
   }
-  f.text += "where it began: " + f.where.text.substr(f.where.failureClass.size() + 2) +
+  f.text += "where it began: " + f.where.text.substr(std::string(nameOf(f.where.failureClass)).size() + 2) +
             partingInWords(before, scenario, question.execution);
   f.where.failureClass = f.failureClass;
   if (!accepted.empty() && f.where.expectedEnd && f.where.expectedEnd->text() != accepted)
@@ -118,7 +118,7 @@ void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const st
 /// Returns true if the scenario has changed, which explains everything else.
 bool lookAtInput(const Scenario& scenario, const StoredRun& stored, Findings& f) {
   if (stored.record.scenarioHash == scenario.meaning.text()) return false;
-  f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+  f.failureClass = f.where.failureClass = FailureClass::inputChanged;
   f.text += "INPUT_CHANGED: the scenario is not that of run " + stored.id + "\n";
   return true;
 }
@@ -151,7 +151,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
                      "with `check: {}` in it, and without --no-check, --set and --seed");
   std::uint64_t step = 0;
   if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
-    f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+    f.failureClass = f.where.failureClass = FailureClass::inputChanged;
     f.where.step = step;
     f.text += "INPUT_CHANGED: run " + stored.id + " in " + question.database + ": " + broken + "\n";
     return;
@@ -160,7 +160,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   OwnRun actual = scenarioRun(scenario, question.execution);
   f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
   f.failureClass = f.where.failureClass;
-  if (!f.failureClass.empty() && before) tellChange(scenario, *before, question, f);
+  if (f.failureClass != FailureClass::none && before) tellChange(scenario, *before, question, f);
   f.text += f.where.text;
 }
 
@@ -200,7 +200,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
     return;
   }
   if (run.end.status != RunStatus::done) {
-    f.failureClass = "COMPUTATION";
+    f.failureClass = FailureClass::computation;
     f.where.step = run.end.steps;
     f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
     return;
@@ -210,7 +210,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   f.text += describe(report, true);
   const CheckResult* first = nullptr;  // the earliest, of the class that explains the others
   for (const auto& r : report.results)
-    if (!r.passed && (!first || (first->failureClass == "CHAOS" && r.failureClass != "CHAOS") ||
+    if (!r.passed && (!first || (first->failureClass == FailureClass::chaos && r.failureClass != FailureClass::chaos) ||
                       (r.firstStep && first->firstStep && *r.firstStep < *first->firstStep)))
       first = &r;
   if (!first) return;
@@ -218,7 +218,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   f.where.step = first->firstStep;
   f.where.cell = first->cell;
   if (fileExists(goldenFile(scenario))) tellChangedScenario(scenario, run, question, f);
-  if (f.failureClass != "INPUT_CHANGED") {
+  if (f.failureClass != FailureClass::inputChanged) {
     f.text +=
         "A golden holds hashes, not states: for the first step, vertex and both values name what it was accepted with: "
         "--with PROGRAM, or --db FILE\n";
@@ -231,7 +231,7 @@ Findings findWhy(const Scenario& scenario, const WhyQuestion& question) {
   const SignalWatch signals;
   Findings f;
   lookForNondeterminism(scenario, question, f);
-  if (!f.failureClass.empty()) {
+  if (f.failureClass != FailureClass::none) {
     f.text = withNames(f.text, scenario.names.function());
     return f;
   }
@@ -247,10 +247,12 @@ Json toJson(const Scenario& scenario, const Findings& f) {
   Json checks = Json::array(), changed = Json::array();
   for (const KeyChange& c : f.changed) changed.push_back({{"key", c.key}, {"expected", c.before}, {"actual", c.after}});
   for (const auto& r : f.checks)
-    checks.push_back(
-        {{"check", r.check}, {"passed", r.passed}, {"class", r.failureClass}, {"first_step", orNull(r.firstStep)}});
+    checks.push_back({{"check", r.check},
+                      {"passed", r.passed},
+                      {"class", nameOf(r.failureClass)},
+                      {"first_step", orNull(r.firstStep)}});
   return {{"scenario", goldenName(scenario.file)},
-          {"class", f.failureClass},
+          {"class", nameOf(f.failureClass)},
           {"first_step", orNull(f.where.step)},
           {"last_equal_step", orNull(f.where.lastEqual)},
           {"cell", orNull(f.where.cell)},

@@ -21,7 +21,7 @@ struct WhyQuestion {
 
 /// The findings, in an order in which each explains the next.
 struct Findings {
-  std::string failureClass;  // "" if nothing differs
+  FailureClass failureClass = FailureClass::none;
   Explanation where;
   std::vector<KeyChange> changed;
   std::string text;  // for people

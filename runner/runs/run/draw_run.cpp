@@ -38,7 +38,7 @@ void besideGolden(const Scenario& scenario, const RunSettings& settings, const S
   const auto file = settings.folder / "golden.png";
   const bool differs =
       outcome.checks && std::any_of(outcome.checks->results.begin(), outcome.checks->results.end(),
-                                    [](const CheckResult& r) { return !r.passed && r.kind == "golden"; });
+                                    [](const CheckResult& r) { return !r.passed && r.kind == CheckKind::golden; });
   const auto beside =
       differs ? drawBesideGoldenFile(scenario, run.world, settings.execution, settings.quiet) : std::nullopt;
   const FolderLock lock(settings.folder);

@@ -71,7 +71,7 @@ Json unfinished(const StudyResults& r) {
       list.push_back({{"labels", labelsOf(r, condition.levels)},
                       {"seed", r.seeds[s]},
                       {"task", r.tasks[t].id},
-                      {"status", r.tasks[t].status},
+                      {"status", nameOf(r.tasks[t].status)},
                       {"reason", r.tasks[t].reason}});
     }
   return list;

@@ -60,7 +60,7 @@ std::map<std::string, std::size_t> readTasks(Database& db, StudyResults& results
                  "LEFT JOIN run USING (run_id) ORDER BY number, task_id");
   for (rows.start(); rows.next();) {
     numbers[rows.text(0)] = results.tasks.size();
-    results.tasks.push_back({rows.line(0), rows.line(1), rows.line(2), rows.line(3), rows.line(4),
+    results.tasks.push_back({rows.line(0), rows.choice<TaskStatus>(1), rows.line(2), rows.line(3), rows.line(4),
                              std::vector<std::vector<TimedValue>>(results.measures.size()),
                              static_cast<std::size_t>(rows.integer(6)), rows.integer(5) == 0});
   }
@@ -74,7 +74,7 @@ void readInsanity(Database& db, StudyResults& results) {
                  "SELECT run_id, field, actual, expected, cell FROM check_result WHERE kind = 'sanity' AND NOT passed "
                  "ORDER BY run_id, \"check\"");
   for (rows.start(); rows.next();)
-    checks[rows.line(0)].push_back({.kind = "sanity",
+    checks[rows.line(0)].push_back({.kind = CheckKind::sanity,
                                     .expected = rows.line(3),
                                     .actual = rows.line(2),
                                     .passed = false,
@@ -145,7 +145,7 @@ void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, S
 }  // namespace
 
 ResultState ResultTask::state() const {
-  if (status != "done") return status == "failed" ? ResultState::failed : ResultState::missing;
+  if (status != TaskStatus::done) return status == TaskStatus::failed ? ResultState::failed : ResultState::missing;
   return isSane ? ResultState::fine : ResultState::insane;
 }
 
@@ -155,7 +155,7 @@ StateCounts StudyResults::counts() const {
   return counts;
 }
 
-bool StudyResults::isDone(std::size_t task) const { return task != noTask && tasks[task].status == "done"; }
+bool StudyResults::isDone(std::size_t task) const { return task != noTask && tasks[task].status == TaskStatus::done; }
 
 std::optional<double> StudyResults::end(std::size_t measure, std::size_t task) const {
   if (task == noTask || tasks[task].values[measure].empty()) return std::nullopt;
@@ -174,7 +174,7 @@ std::vector<TroubledRun> troubledRuns(const StudyResults& results) {
   for (const ResultCondition& condition : results.conditions)
     for (std::size_t s = 0; s < results.seeds.size(); ++s) {
       const std::size_t t = condition.tasks[s];
-      if (t == noTask || told[t] || (results.tasks[t].status == "done" && results.tasks[t].isSane)) continue;
+      if (t == noTask || told[t] || (results.tasks[t].status == TaskStatus::done && results.tasks[t].isSane)) continue;
       told[t] = true;
       runs.push_back({results.nameOf(condition), results.seeds[s], results.tasks[t]});
     }

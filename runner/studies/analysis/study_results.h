@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "golden/result_state.h"
+#include "study_store/study_tables.h"
 #include "system/json.h"
 
 namespace morula {
@@ -19,7 +20,8 @@ struct TimedValue {
 
 /// One distinct run.
 struct ResultTask {
-  std::string id, status;                       // done, failed or missing
+  std::string id;
+  TaskStatus status = TaskStatus::missing;
   std::string reason;                           // why the run failed; of a run that is done, why its end is not sane
   std::string runId;                            // "" if missing
   std::string stateHash;                        // hash of the last state; "" unless done

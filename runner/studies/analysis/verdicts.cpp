@@ -331,8 +331,9 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
   std::vector<std::string> lines;
   for (const auto& [condition, seed, task] : troubledRuns(r)) {
     const std::string which = fmt::format("{}, seed {}", condition, seed);
-    if (task.status == "done") lines.push_back("not sane  " + which + ": " + task.reason + "; its values count");
-    else lines.push_back(task.status + "  " + which + (task.reason.empty() ? "" : ": " + task.reason));
+    if (task.status == TaskStatus::done)
+      lines.push_back("not sane  " + which + ": " + task.reason + "; its values count");
+    else lines.push_back(nameOf(task.status) + ("  " + which) + (task.reason.empty() ? "" : ": " + task.reason));
   }
   for (const auto& names : namesOfSameRuns(r)) lines.push_back("the same runs  " + join(names, " = "));
   return lines;

@@ -32,7 +32,8 @@ void addRows(Hasher& hasher, Statement& rows, const std::vector<std::string>& co
 std::string reasonOf(FailureKind kind, const std::string& why) { return nameOf(kind) + (": " + why); }
 
 bool TaskRow::isComputed() const {
-  return status == "done" || (status == "failed" && reason.starts_with(nameOf(FailureKind::numerical)));
+  return status == TaskStatus::done ||
+         (status == TaskStatus::failed && reason.starts_with(nameOf(FailureKind::numerical)));
 }
 
 void makeTaskTables(Database& db, bool withComments) {

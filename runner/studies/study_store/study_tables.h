@@ -22,12 +22,19 @@ inline constexpr auto choices<FailureKind> = std::to_array<Choice<FailureKind>>(
      {FailureKind::crash, "crash", "the process ended by its own fault"}});
 std::string reasonOf(FailureKind kind, const std::string& why);
 
+enum class TaskStatus { done, failed, missing };
+template <>
+inline constexpr auto choices<TaskStatus> =
+    std::to_array<Choice<TaskStatus>>({{TaskStatus::done, "done", "its run came to its end"},
+                                       {TaskStatus::failed, "failed", "its run could not go on"},
+                                       {TaskStatus::missing, "missing", "it has not been run"}});
+
 struct TaskRow {
   std::string id;
   std::uint64_t number = 0, condition = 0, seed = 0;  // as in the plan
-  std::string status = "missing";                     // done, failed, missing
-  std::string reason = {};                            // of a failure; else ""
-  std::string runId = {}, resultHash = {};            // "" while the run is missing
+  TaskStatus status = TaskStatus::missing;
+  std::string reason = {};                  // of a failure; else ""
+  std::string runId = {}, resultHash = {};  // "" while the run is missing
 
   /// Returns true if the task is done or failed numerically: scene, seed and program alone decide that. Limits and
   /// crashes depend on the machine, too.
@@ -46,7 +53,7 @@ void listFields(T& task, auto&& field) {
   field({"number", "in the plan"}, number);
   field({"condition_id", "of the first replicate that needs it"}, condition);
   field({"seed", "of that replicate; two's complement from 2^63 on"}, AllBits{seed});
-  field({.name = "status", .oneOf = "done failed missing"}, status);
+  field({"status"}, status);
   field({.name = "reason",
          .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
          .anyCharacters = true},

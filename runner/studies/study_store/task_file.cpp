@@ -16,6 +16,12 @@ namespace {
 constexpr int pageSize = 1024;
 constexpr std::uint64_t maxTaskBytes = std::uint64_t{16} << 30;
 
+TaskStatus statusOf(RunStatus run) {
+  return run == RunStatus::done     ? TaskStatus::done
+         : run == RunStatus::failed ? TaskStatus::failed
+                                    : TaskStatus::missing;
+}
+
 TaskRow taskOf(Database& db) {
   if (db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'task'") != 1 ||
       db.integer("SELECT count(*) FROM task") != 1)
@@ -23,7 +29,7 @@ TaskRow taskOf(Database& db) {
   Statement s(db, sqlTable<TaskRow>().select(db));
   s.next();
   const auto task = s.row<TaskRow>();
-  if (task.status != "done" && task.status != "failed") s.refuse(4, "needs done or failed");
+  if (task.status != TaskStatus::done && task.status != TaskStatus::failed) s.refuse(4, "needs done or failed");
   return task;
 }
 
@@ -52,7 +58,7 @@ std::string taskFileBytes(TaskOutcome o) {
   Statement value(db, sqlTable<ResultRow>().insert());
   for (const ResultRow& row : o.values) value.run(id, row);
   sealRun(db, id);
-  o.task.status = name(o.end.status);
+  o.task.status = statusOf(o.end.status);
   o.task.runId = id;
   o.task.resultHash = resultHash(db, id).text();
   Statement(db, sqlTable<TaskRow>().insert()).run(o.task);
@@ -89,7 +95,8 @@ std::string TaskFile::whatIsWrong() {
   Statement integrity(db(), "PRAGMA integrity_check(1)");
   if (integrity.next() && integrity.text(0) != "ok") return "the database is damaged: " + integrity.text(0);
   if (run_.id != task_.runId) return "its task names run " + task_.runId + ", and its run is " + run_.id;
-  if (task_.status != name(run_.status)) return "its task is " + task_.status + ", and its run " + name(run_.status);
+  if (task_.status != statusOf(run_.status))
+    return std::string("its task is ") + nameOf(task_.status) + ", and its run " + nameOf(run_.status);
   if (const auto changed = store_.changedRecord(run_.id); !changed.empty()) {
     const ValueDifference& first = changed.front();
     return "the record of its run was changed: " + first.table + ", " + first.row + ": " + first.stored +

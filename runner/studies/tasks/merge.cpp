@@ -237,7 +237,7 @@ class Merge {
   }
 
   void note(std::size_t task, TaskFile& file) {
-    if (file.task().status == "done") ++report_.done;
+    if (file.task().status == TaskStatus::done) ++report_.done;
     else report_.failed.push_back({task, file.task().reason});
     if (std::string why = file.whyInsane(); !why.empty()) report_.insane.push_back({task, std::move(why)});
   }

@@ -123,7 +123,7 @@ class StudyRun {
     if (!options_.retryFailed) return true;
     const bool drawn =
         !keepsPicture(study_.plan, task) || study_.folder.storedPicture(study_.plan.tasks[task].id).has_value();
-    return drawn && TaskFile(file).task().status == "done";
+    return drawn && TaskFile(file).task().status == TaskStatus::done;
   }
 
   std::vector<std::size_t> openTasks() {

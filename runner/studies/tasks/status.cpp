@@ -37,7 +37,7 @@ StudyStatus statusOf(const PlannedStudy& study) {
         TaskFile found(file);
         const double took = found.timing().cpuSeconds;
         status.cpuSeconds += took;
-        if (found.task().status == "failed") status.failed.push_back({task, found.task().reason});
+        if (found.task().status == TaskStatus::failed) status.failed.push_back({task, found.task().reason});
         else ++status.done, tookOfDone += took, expectedOfDone += expected;
         if (std::string why = found.whyInsane(); !why.empty()) status.insane.push_back({task, std::move(why)});
         continue;

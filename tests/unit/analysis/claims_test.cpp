@@ -92,7 +92,7 @@ TEST_CASE("Claims of other axes than the results have are refused, and what was 
   const Study study = studyWith("sphericity, a: {division: a}, b: {division: b}, says: no-effect");
   CHECK_THROWS_WITH(findClaims(other, study), ContainsSubstring("run and merge the study again"));
   StudyResults none = results();
-  for (ResultTask& task : none.tasks) task.status = "missing", task.values.assign(2, {});
+  for (ResultTask& task : none.tasks) task.status = TaskStatus::missing, task.values.assign(2, {});
   const auto findings = findClaims(none, study);
   CHECK_FALSE(findings[0].holds);
   CHECK(findings[0].found == "sphericity: there are no values of it");

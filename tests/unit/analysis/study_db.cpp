@@ -34,7 +34,7 @@ void insertTask(Database& db, const MadeStudy& study, const std::string& task, c
                 int seed) {
   const std::string trouble = study.trouble ? study.trouble(levels, seed) : "";
   TaskRow row{task, std::uint64_t(db.integer("SELECT count(*) FROM task")), 0, std::uint64_t(seed)};
-  row.status = trouble.empty() ? "done" : trouble;
+  row.status = trouble.empty() ? TaskStatus::done : parseChoice<TaskStatus>(trouble);
   if (trouble == "failed") row.reason = "numerical failure: too fast";
   if (trouble != "missing") row.runId = task + "-run";
   insert(db, row);

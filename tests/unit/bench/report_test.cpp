@@ -108,7 +108,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   const BenchReport report = runBench(options);
   for (const Isa isa : availableIsas())
     for (const Stage stage : options.stages) {
-      const BenchRow* r = find(report.rows, "packed", "morula", stage, 8, 42, name(isa));
+      const BenchRow* r = find(report.rows, "packed", MeasuredEngine::morula, stage, 8, 42, name(isa));
       CAPTURE(name(isa), nameOf(stage));
       REQUIRE(r);
       CHECK(r->nsPerVertexStep >= 0);
@@ -117,10 +117,10 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
       if (r->shareOfLimit) CHECK(*r->shareOfLimit > 0);
       if (r->shareOfPeak) CHECK(*r->shareWithRoots >= *r->shareOfPeak);
     }
-  CHECK(find(report.rows, "packed", "scalar", Stage::internal, 8, 42, ""));
-  CHECK(find(report.rows, "free", "morula", Stage::step, 8, 42, name(bestIsa())));
+  CHECK(find(report.rows, "packed", MeasuredEngine::scalar, Stage::internal, 8, 42, ""));
+  CHECK(find(report.rows, "free", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
   CHECK(find(report.rows, "packed-friction", "morula", Stage::step, 8, 42, name(bestIsa())));
-  CHECK_FALSE(find(report.rows, "packed", "bullet-b1", Stage::step, 8, 42, ""));
+  CHECK_FALSE(find(report.rows, "packed", MeasuredEngine::bulletB1, Stage::step, 8, 42, ""));
   std::set<std::string> searches;
   for (const BenchRow& r : report.rows) searches.insert(r.search);
   CHECK(searches.size() == 1 + valuesOf<ContactSearch>().size());

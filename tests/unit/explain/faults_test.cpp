@@ -139,7 +139,7 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
          }
        }},
       {.what = "the contacts of one cell are dropped",
-       .failureClass = "COMPUTATION",
+       .failureClass = FailureClass::computation,
        .cell = "AB",
        .field = "acceleration",
        .after = [](World& w) { setInfluenceRadii(*w.contacts, *w.bodies); },
@@ -205,7 +205,7 @@ TEST_CASE("Two runs of one program that differ are nondeterminism, wherever it b
          second =
              runOf(scene, "second", changingAt(when, [](World&w) { nudge(w.bodies->velocity[w.bodies->at(0, 7)]); }));
   const Explanation x = explainTwice(first, second);
-  CHECK(x.failureClass == "NONDETERMINISM");
+  CHECK(x.failureClass == FailureClass::nondeterminism);
   CHECK(x.step == when);
   CHECK(x.difference->vertex == 7);
   CHECK(x.difference->component == "x");
@@ -241,7 +241,7 @@ TEST_CASE("A run that ends too early is told") {
   shorter.stop.time = 1;
   OwnRun first = runOf(scene, "first"), second = runOf(shorter, "second");
   const Explanation x = explain(first, second);
-  CHECK(x.failureClass == "COMPUTATION");
+  CHECK(x.failureClass == FailureClass::computation);
   CHECK(*x.lastEqual == ranToEnd(shorter).clock.step);
   CHECK(*x.step == *x.lastEqual + 1);
 }

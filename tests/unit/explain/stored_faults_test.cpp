@@ -83,7 +83,7 @@ TEST_CASE("A stored run tells the window and the cell; its states are gone") {
   CHECK(explain(before, same, 8).failureClass.empty());
   OwnRun other = runOf(scene, "now", changingAt(67, [](World& w) { w.bodies->velocity[w.bodies->at(0, 3)] += 1e-9; }));
   const Explanation x = explain(before, other, 8);
-  CHECK(x.failureClass == "COMPUTATION");
+  CHECK(x.failureClass == FailureClass::computation);
   CHECK(x.lastEqual == 64u);
   CHECK(x.step == 72u);
   REQUIRE(x.cell);
@@ -110,7 +110,7 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
   OwnRun actual = runOf(scene, "now");
   const Explanation x = explain(expected, actual);
   CAPTURE(x.text);
-  CHECK(x.failureClass == "COMPUTATION");
+  CHECK(x.failureClass == FailureClass::computation);
   CHECK(x.step == when);
   REQUIRE(x.difference);
   CHECK(x.difference->field == "position");

@@ -91,7 +91,7 @@ CheckReport changedKey() {
               sane = failed("sanity volume", "COMPUTATION", "not sane at the end: cell A is crushed");
   for (CheckResult* r : {&bits, &values, &scenario}) r->kind = "golden";
   values.field = "volume", values.expected = "1", values.actual = "1.5", values.firstStep = 4;
-  sane.kind = "sanity";
+  sane.kind = CheckKind::sanity;
   return {"two",
           {bits, passed("lineage"), values, scenario, sane},
           "  changed   physics.drag: 1 → 2\n  lineage   the same\n",
@@ -128,7 +128,7 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
   CheckReport report{
       "s",
       {failed("bits", "COMPUTATION", "b"), failed("values", "CHAOS", "v"), failed("tolerances", "INPUT_CHANGED", "t")}};
-  for (CheckResult& r : report.results) r.kind = "golden";
+  for (CheckResult& r : report.results) r.kind = CheckKind::golden;
   report.results[1].firstStep = 9;
   const auto causes = causesOf(report);
   REQUIRE(causes.size() == 2);
@@ -139,7 +139,7 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
 
 TEST_CASE("The summary takes no HTML, links and images from names and messages") {
   CheckReport report{"<img src=x>[a](b) & `c`", {failed("values", "COMPUTATION", "<b>g</b>:1: ![i](j)")}};
-  report.results[0].kind = "golden";
+  report.results[0].kind = CheckKind::golden;
   report.change = "  changed   name: <i>a</i> → [b](c)\n";
   report.file = "a`b`.yaml";
   const std::string page = summaryPage({report});

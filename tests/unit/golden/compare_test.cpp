@@ -51,7 +51,7 @@ TEST_CASE("the same run passes every check") {
     CHECK(r.passed);
     CHECK(r.failureClass.empty());
     CHECK(r.message.empty());
-    CHECK(r.kind == "golden");
+    CHECK(r.kind == CheckKind::golden);
     CHECK(r.expected == r.actual);
   }
   CHECK(find(report, "bits").actual == Hash{0xabc, 0xdef}.text());
@@ -161,10 +161,10 @@ TEST_CASE("each injected fault is found and named") {
 TEST_CASE("a changed lineage explains changed bits; a changed scenario explains all") {
   const Golden golden = reread(exampleGolden());
   const auto bothFaults = [](GoldenFacts& f) { f.lineage[1].state = 0, f.stateHash.low = 1; };
-  CHECK(find(compareWith(golden, bothFaults), "bits").failureClass == "LINEAGE");
+  CHECK(find(compareWith(golden, bothFaults), "bits").failureClass == FailureClass::lineage);
   const CheckReport report = compareWith(golden, [&](GoldenFacts& f) { bothFaults(f), f.scenarioHash[0] = 'f'; });
-  CHECK(find(report, "bits").failureClass == "INPUT_CHANGED");
-  CHECK(find(report, "lineage").failureClass == "INPUT_CHANGED");
+  CHECK(find(report, "bits").failureClass == FailureClass::inputChanged);
+  CHECK(find(report, "lineage").failureClass == FailureClass::inputChanged);
 }
 
 TEST_CASE("the text names the line, the cell, both numbers, their bits and their distance") {
@@ -271,7 +271,7 @@ TEST_CASE("a rule that matches nothing is a failure, with its line") {
   const Golden golden = reread(exampleGolden({rule("final/*/volumes abs 0.5 why \"w\"")}));
   const CheckReport report = compareGolden(golden, exampleData());
   CHECK(failedChecks(report) == Checks{"tolerances"});
-  CHECK(find(report, "tolerances").failureClass == "INPUT_CHANGED");
+  CHECK(find(report, "tolerances").failureClass == FailureClass::inputChanged);
   CHECK_THAT(find(report, "tolerances").message,
              ContainsSubstring("example.golden:8: the tolerance rule 'final/*/volumes' matches no value"));
 }
@@ -290,10 +290,10 @@ TEST_CASE("costs and pictures have classes of their own, unless something else e
   const Golden golden = reread(exampleGolden());
   const auto dearer = [](GoldenFacts& f) { f.costs[0].count = 6; };
   const auto redrawn = [](GoldenFacts& f) { f.images[0].hash.low = 9; };
-  CHECK(find(compareWith(golden, dearer), "costs").failureClass == "COST");
-  CHECK(find(compareWith(golden, redrawn), "images").failureClass == "IMAGE");
+  CHECK(find(compareWith(golden, dearer), "costs").failureClass == FailureClass::cost);
+  CHECK(find(compareWith(golden, redrawn), "images").failureClass == FailureClass::image);
   const CheckReport both = compareWith(golden, [&](GoldenFacts& f) { redrawn(f), f.stateHash.low = 9; });
-  CHECK(find(both, "images").failureClass == "COMPUTATION");
+  CHECK(find(both, "images").failureClass == FailureClass::computation);
 }
 
 TEST_CASE("a picture of another renderer says nothing, nor does one that is not drawn") {
@@ -318,7 +318,7 @@ TEST_CASE("a difference no larger than one unit in the last place grows to is ch
   CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where chaos reaches 1e-8
   CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than chaos reaches
   const auto early = [&](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); };  // at step 128, before any growth
-  CHECK(find(compareWith(golden, early), "values").failureClass == "COMPUTATION");
+  CHECK(find(compareWith(golden, early), "values").failureClass == FailureClass::computation);
 }
 
 TEST_CASE("a tolerance beyond the chaos horizon is refused") {

@@ -32,7 +32,7 @@ TEST_CASE("Damaged goldens are one failed check, with the line") {
     const CheckReport report = compareText(damaged, data);
     REQUIRE(report.results.size() == 1);
     CHECK_FALSE(report.passed());
-    CHECK(report.results[0].failureClass == "INPUT_CHANGED");
+    CHECK(report.results[0].failureClass == FailureClass::inputChanged);
     CHECK(report.results[0].check == "golden");
     CHECK_THAT(report.results[0].message, ContainsSubstring("x.golden:") && ContainsSubstring(why));
   }

@@ -50,9 +50,10 @@ TEST_CASE("Shapes of another engine make the frames that a world of these shapes
 }
 
 TEST_CASE("What Bullet gives now is held to what is stored, digit for digit") {
-  const std::vector<CheckResult> now{{.check = "bullet volume", .kind = "bullet", .expected = "1.5", .actual = "1.25"}};
+  const std::vector<CheckResult> now{
+      {.check = "bullet volume", .kind = CheckKind::bullet, .expected = "1.5", .actual = "1.25"}};
   auto then = now;
-  then.insert(then.begin(), CheckResult{.check = "lineage", .kind = "golden"});
+  then.insert(then.begin(), CheckResult{.check = "lineage", .kind = CheckKind::golden});
   CHECK(compareWithStored(now, then) == BulletStored::same);
   then[1].expected = "1.5000000000000002";
   CHECK(compareWithStored(now, then) == BulletStored::other);
@@ -90,9 +91,11 @@ TEST_CASE("A Bullet that gave no answer, or is not there, is said to") {
   const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   BulletAgain broken;
-  broken.found.results = {judged(
-      {.check = "bullet", .kind = "bullet", .expected = "an answer", .actual = "its process was ended by signal <9>"},
-      false, "bullet", "SETUP")};
+  broken.found.results = {judged({.check = "bullet",
+                                  .kind = CheckKind::bullet,
+                                  .expected = "an answer",
+                                  .actual = "its process was ended by signal <9>"},
+                                 false, "bullet", "SETUP")};
   const std::string html = htmlOf(besideBullet(scenario, world, broken, nullptr, {}));
   CHECK_THAT(html, ContainsSubstring("Bullet: its process was ended by signal &lt;9&gt;."));
   CHECK_THAT(html, !ContainsSubstring("<img"));

@@ -10,18 +10,18 @@ namespace {
 
 TEST_CASE("Failed checks show what differs, and their texts stay texts") {
   CheckResult failed{.check = "values <b>",
-                     .kind = "golden",
+                     .kind = CheckKind::golden,
                      .expected = "1",
                      .actual = "2",
                      .tolerance = "rel 1e-9",
                      .passed = false,
-                     .failureClass = "COMPUTATION",
+                     .failureClass = FailureClass::computation,
                      .firstStep = 7,
                      .cell = "AB",
                      .field = "volume",
                      .share = 12.5,
                      .message = "<script>"};
-  const std::string html = htmlOf(checksOf({{.check = "counts", .kind = "golden"}, failed}, {}));
+  const std::string html = htmlOf(checksOf({{.check = "counts", .kind = CheckKind::golden}, failed}, {}));
   CHECK_THAT(html, ContainsSubstring("values &lt;b&gt;"));
   CHECK_THAT(html, ContainsSubstring("12.5 times"));
   CHECK_THAT(html, ContainsSubstring("from step 7 on, cell AB, volume"));

@@ -76,12 +76,12 @@ inline RunResults exampleResults() {
        {{11, 12}, {13, 14}, {{CellPath::parse("A"), {15, 16}}, {CellPath::parse("B"), {17, 18}}}, {19, 20}, {21, 22}}}};
   CheckResult check;
   check.check = "values final/*/volume";
-  check.kind = "golden";
+  check.kind = CheckKind::golden;
   check.expected = "0.5";
   check.actual = "0.6";
   check.tolerance = "rel 1e-9";
   check.passed = false;
-  check.failureClass = "COMPUTATION";
+  check.failureClass = FailureClass::computation;
   check.firstStep = 700;
   check.cell = "";
   check.field = "volume";
@@ -89,7 +89,7 @@ inline RunResults exampleResults() {
   check.message = "two\nlines";
   CheckResult passed;
   passed.check = "energy";
-  passed.kind = "invariant";
+  passed.kind = CheckKind::invariant;
   r.checks = {check, passed};
   return r;
 }

@@ -178,7 +178,7 @@ TEST_CASE_METHOD(ResultsFile, "runs with different seeds live side by side and s
 }
 
 TEST_CASE_METHOD(FinishedRun, "checks replace earlier checks of their kind") {  // one golden, one invariant
-  const CheckResult better{.check = "bits", .kind = "golden"};
+  const CheckResult better{.check = "bits", .kind = CheckKind::golden};
   store.addChecks(id, {better});
   const std::vector<CheckResult> checks = store.checks(id);
   REQUIRE(checks.size() == 2);

@@ -198,7 +198,7 @@ TEST_CASE("a number in a row is told, held against the tolerance for it, and its
   CHECK(failed(loose) == std::set<std::string>{"values contact/*", "tables"});
   const CheckReport report = compareGolden(loose, dataOf(others));
   for (const CheckResult& r : report.results)
-    if (!r.passed) CHECK(r.failureClass == "RECORD");
+    if (!r.passed) CHECK(r.failureClass == FailureClass::record);
   CHECK(describe(report).find("/A/B/area at step 700: expected 0.7, actual 0.8") != std::string::npos);
 }
 
@@ -223,7 +223,7 @@ TEST_CASE("a golden of format 1 says what it does not hold, one of format 2 with
   std::erase_if(golden.data.items, [](const GoldenItem& i) { return checkOf(i) == "tables"; });
   CheckReport report = compareGolden(golden, dataOf(results));
   REQUIRE_FALSE(report.passed());
-  CHECK(report.results.back().failureClass == "INPUT_CHANGED");
+  CHECK(report.results.back().failureClass == FailureClass::inputChanged);
   golden.version = 1;
   golden = readGolden(writeGolden(golden), golden.file);
   CHECK(golden.version == 1);

@@ -63,7 +63,7 @@ TEST_CASE("a task's file is a database of one run, with the task beside it") {
   TaskFile task(file);
   CHECK(task.whatIsWrong().empty());
   CHECK(task.task().id == "0000000000000007");
-  CHECK(task.task().status == "done");
+  CHECK(task.task().status == TaskStatus::done);
   CHECK(task.task().isComputed());
   CHECK(task.task().seed == 7);
   CHECK(task.run().stateHash == exampleEnd().stateHash->text());

@@ -79,7 +79,8 @@ TEST_CASE("a failure is a result with its reason") {
   CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("memory limit: "));
   CHECK(report.isComplete());
   TaskFile file(fileOf(study, 0));
-  CHECK((file.task().status == "failed" && file.run().status == RunStatus::failed && file.whatIsWrong().empty()));
+  CHECK((file.task().status == TaskStatus::failed && file.run().status == RunStatus::failed &&
+         file.whatIsWrong().empty()));
   CHECK_FALSE(file.task().isComputed());
   CHECK(s.run(study).computed == 0);
   CHECK(s.run(study, {}, 1, true).computed == 1);
