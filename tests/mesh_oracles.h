@@ -1,6 +1,6 @@
 #pragma once
 // Measures of meshes that only tests need.
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "mesh/scan_line.h"
 
 namespace morula {

@@ -2,8 +2,8 @@
 // Scenes that several kinds of tests share. They give all numbers, so that new defaults do not change them.
 #include <string>
 
-#include "mesh/measures.h"
-#include "simulation/world.h"
+#include "mesh/mesh_measures.h"
+#include "simulation/simulation.h"
 #include "unit/mesh/zoo.h"
 
 namespace morula::scenes {

@@ -1,7 +1,7 @@
 #pragma once
 // Vertices in an order that suits a search, column by column, so that lanes can read neighbours side by side.
 #include "contacts/search.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "physics/bodies.h"
 
 namespace morula {

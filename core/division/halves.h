@@ -7,7 +7,7 @@
 // which has no fold where the rim is convex [Tutte 1963].
 #include <vector>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

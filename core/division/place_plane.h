@@ -1,6 +1,6 @@
 #pragma once
 // Places a plane along its normal so that it cuts off a given share.
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

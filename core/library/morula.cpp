@@ -5,9 +5,9 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "library/scene_format.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 namespace morula {
 

@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "biology/sense.h"
 #include "division/policy.h"
-#include "simulation/scene.h"
+#include "state/scene.h"
 
 namespace morula {
 

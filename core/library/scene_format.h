@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "simulation/scene.h"
+#include "state/scene.h"
 
 namespace morula {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

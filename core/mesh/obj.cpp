@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/text_marks.h"
-#include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_measures.h"
 #include "mesh/obj_source.h"
 #include "mesh/triangulate.h"
 #include "mesh/validity.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

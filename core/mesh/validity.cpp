@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/maths.h"
 #include "mesh/connectivity.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

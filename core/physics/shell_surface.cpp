@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

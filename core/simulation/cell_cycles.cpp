@@ -5,15 +5,23 @@
 // Cycles that fall within one time step run in the order in which they are due, cycles due at one time together, and
 // each round sees the result of the round before. So biology goes through the same rounds whether a time step holds one
 // of them or several, and the lineage is that of the same scene without bodies.
+#include "simulation/cell_cycles.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/random.h"
 #include "contacts/contacts.h"
-#include "simulation/observation.h"
+#include "observation/observation.h"
+#include "simulation/adhesion_kinds.h"
+#include "simulation/connect.h"
+#include "simulation/cycle_lengths.h"
+#include "simulation/experiments.h"
 #include "simulation/population.h"
-#include "simulation/stages.h"
+#include "simulation/run_end.h"
+#include "simulation/time_step.h"
+#include "state/pace.h"
 
 namespace morula {
 namespace {
@@ -97,25 +105,6 @@ void findAdhesion(World& world) {
 }
 
 }  // namespace
-
-double longestCycle(const CycleParameters& cycle) {
-  double longest = cycle.length;
-  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
-    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
-  return longest;
-}
-
-double paceOf(const World& world, const CellPath& path, StateId state) {
-  const double sd = world.model.variation.cycle;
-  const double own = sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
-  return world.experiments ? own * experimentalPace(world, path, state) : own;
-}
-
-double nextCycleOf(const World& world, std::size_t cell) {
-  const Cells& cells = world.cells;
-  const StateId state = cells.state[cell];
-  return cells.lastCycle[cell] + paceOf(world, cells.path[cell], state) * world.biology->cycleLength(state);
-}
 
 void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;

@@ -1,4 +1,6 @@
 // Ends a run with a NumericalError: for numbers that are not finite, and for finite ones that are impossible.
+#include "simulation/check_bodies.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +10,10 @@
 #include "contacts/contacts.h"
 #include "contacts/pair_energy.h"
 #include "mesh/distance.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
+#include "observation/observation.h"
 #include "simulation/body_failure.h"
-#include "simulation/observation.h"
-#include "simulation/stages.h"
-#include "simulation/state_fields.h"
+#include "state/state_fields.h"
 
 namespace morula {
 
@@ -91,22 +92,6 @@ void checkBodies(const World& world) {
             "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
             "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
   }
-}
-
-void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values) {
-  if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step, "its " + std::string(field) + " is not finite",
-                       "speeds, masses or forces are beyond what numbers can hold: look at cells: velocity, "
-                       "physics.cell.mass and stiffnesses");
-}
-
-void checkNumbers(const World& world) {
-  for (std::size_t cell = 0; cell < world.cells.path.size(); ++cell)
-    visitBody(*world.bodies, world.bodies->slots[cell], [&](const Field& field, const auto& value) {
-      if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
-        checkNumbers(world, cell, field.name, {&value, 1});
-      else checkNumbers(world, cell, field.name, value);
-    });
 }
 
 void checkStart(const World& world) {

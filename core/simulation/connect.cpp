@@ -1,11 +1,12 @@
 // Makes and releases connections between neighbours, and ends them by distance, tension and age [Nilsson 2008, §4.1.1,
 // §4.4.3].
+#include "simulation/connect.h"
+
 #include <algorithm>
 #include <tuple>
 
 #include "biology/substance_pattern.h"
 #include "simulation/population.h"
-#include "simulation/stages.h"
 
 namespace morula {
 namespace {

@@ -1,3 +1,4 @@
+
 #include "simulation/experiments.h"
 
 #include <algorithm>
@@ -8,36 +9,15 @@
 #include "base/random.h"
 #include "connections/connections.h"
 #include "contacts/contacts.h"
-#include "simulation/observation.h"
+#include "observation/observation.h"
+#include "simulation/make_world.h"
 #include "simulation/population.h"
-#include "simulation/stages.h"
+#include "state/experiment_record.h"
 
 namespace morula {
 namespace {
 
 const std::vector<Experiment>& listOf(const World& world) { return world.model.experiments; }
-
-bool wasDone(const World& world, std::uint64_t number) {
-  return std::ranges::find(*world.experiments, number, &ExperimentRecord::number) != world.experiments->end();
-}
-
-bool wasDoneTo(const World& world, std::uint64_t number, const CellPath& path) {
-  return std::ranges::any_of(*world.experiments, [&](const ExperimentRecord& record) {
-    return record.number == number && record.to == DoneTo::cell && record.path == path;
-  });
-}
-
-bool selects(const Experiment& e, const World& world, const CellPath& path, StateId state) {
-  if (e.of.empty()) return true;
-  const std::string substances = world.biology->describe(state);
-  return std::ranges::any_of(e.of, [&](const CellSelection& s) { return s.has(path, substances); });
-}
-
-/// Returns true if the cell is among the share of cells that the seed chooses.
-bool isChosen(const Experiment& e, const World& world, std::uint64_t number, const CellPath& path) {
-  if (e.share >= 1) return true;
-  return randomUnit({world.model.seed, path, static_cast<std::uint32_t>(number), Purpose::experiment}, 0) < e.share;
-}
 
 double bornAt(const World& world, std::size_t cell) { return world.lineage.entries[world.cells.entry[cell]].born; }
 
@@ -179,20 +159,6 @@ double nextExperiment(const World& world) {
 void doExperiments(World& world, double time) {
   for (std::uint64_t number = 1; number <= listOf(world).size(); ++number)
     if (dueTime(world, number) <= time) doOne(world, number, time);
-}
-
-double experimentalPace(const World& world, const CellPath& path, StateId state) {
-  double pace = 1;
-  if (!world.experiments) return pace;
-  for (std::uint64_t number = 1; number <= listOf(world).size(); ++number) {
-    const Experiment& e = listOf(world)[number - 1];
-    if (e.deed != Deed::cycles) continue;
-    const bool holds =
-        e.afterBirth ? wasDoneTo(world, number, path)
-                     : wasDone(world, number) && selects(e, world, path, state) && isChosen(e, world, number, path);
-    if (holds) pace *= e.value;
-  }
-  return pace;
 }
 
 void restoreExperiments(World& world) {

@@ -1,3 +1,4 @@
+
 #include "simulation/memory.h"
 
 #include "base/error.h"

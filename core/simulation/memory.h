@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "simulation/world.h"
+#include "state/world.h"
 
 namespace morula {
 

@@ -1,10 +1,11 @@
+
 #include "simulation/motility.h"
 
 #include <cmath>
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "simulation/world.h"
+#include "state/world.h"
 
 namespace morula {
 

@@ -1,3 +1,4 @@
+
 #include "simulation/population.h"
 
 #include <algorithm>
@@ -8,10 +9,10 @@
 #include "division/cut.h"
 #include "division/place_plane.h"
 #include "division/principal_axis.h"
+#include "observation/sanity.h"
 #include "physics/growth.h"
+#include "simulation/make_world.h"
 #include "simulation/memory.h"
-#include "simulation/sanity.h"
-#include "simulation/stages.h"
 
 namespace morula {
 namespace {

@@ -2,7 +2,7 @@
 // Births and deaths: the only places where the set of living cells changes.
 #include <vector>
 
-#include "simulation/observation.h"
+#include "observation/observation.h"
 
 namespace morula {
 
@@ -15,12 +15,5 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
 
 /// Adds a living cell that no division made, at time 0, without a body yet. Cells come in the order of their paths.
 void addFounder(World& world, const CellPath& path, StateId state);
-
-/// Starts life with a new set of bodies: makes lists, forces and the time step for them.
-void beginWithBodies(World& world);
-
-/// Makes and releases connections between neighbours of which one's cell cycle ran. ConnectionParameters::make says
-/// whether they connect by the sum of their wantsToConnect, or unless that sum is below 0.
-void connectNeighbours(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
 }  // namespace morula

@@ -1,3 +1,4 @@
+
 #include "simulation/settle.h"
 
 #include <algorithm>
@@ -10,9 +11,15 @@
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "contacts/contacts.h"
+#include "observation/energy.h"
 #include "physics/integrator.h"
-#include "simulation/energy.h"
-#include "simulation/stages.h"
+#include "simulation/cell_cycles.h"
+#include "simulation/check_bodies.h"
+#include "simulation/connect.h"
+#include "simulation/experiments.h"
+#include "simulation/move_physics.h"
+#include "simulation/run_end.h"
+#include "simulation/time_step.h"
 
 namespace morula {
 namespace {

@@ -10,7 +10,7 @@
 //
 // the root mean square of tractions that are left, over the pressure in cells: the same on any mesh. A cell of radius R
 // has the second p̂ where its membrane is stretched by less than 3 %, where its pressure vanishes.
-#include "simulation/world.h"
+#include "state/world.h"
 
 namespace morula {
 

@@ -1,3 +1,4 @@
+
 #include "simulation/start_cells.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 
 #include "base/angle.h"
 #include "simulation/population.h"
-#include "simulation/stages.h"
+#include "state/pace.h"
 
 namespace morula {
 namespace {

@@ -1,8 +1,10 @@
+
 #include "simulation/start_variation.h"
 
 #include <algorithm>
 
 #include "base/random.h"
+#include "simulation/start_cells.h"
 
 namespace morula {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "base/cell_path.h"
-#include "simulation/scene.h"
+#include "state/scene.h"
 
 namespace morula {
 

@@ -8,9 +8,16 @@
 #include "contacts/contacts.h"
 #include "physics/growth.h"
 #include "physics/sag.h"
+#include "simulation/cell_cycles.h"
+#include "simulation/check_bodies.h"
+#include "simulation/connect.h"
+#include "simulation/experiments.h"
 #include "simulation/memory.h"
+#include "simulation/move_physics.h"
+#include "simulation/run_end.h"
 #include "simulation/settle.h"
-#include "simulation/stages.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 
 namespace morula {
 namespace {
@@ -70,29 +77,7 @@ class LastStep {
   double usual_;
 };
 
-void refreshLists(World& world) {
-  const Bodies& bodies = *world.bodies;
-  world.contacts->list.maxBytes = memoryForLists(world);
-  try {
-    refreshList(*world.contacts, bodies, world.execution.threads);
-  } catch (const ListsTooLong& lists) {
-    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
-    throw NumericalError(
-        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
-        "lists of the vertices near each vertex would take more than " + bytesText(world.contacts->list.maxBytes) +
-            ", which the memory limit of " + bytesText(world.execution.memoryLimit) +
-            " leaves them: too many vertices are within reach of each other",
-        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
-        "raise --memory-limit",
-        Want::memory);
-  }
-}
-
 }  // namespace
-
-double timeAfter(const Clock& clock, std::uint64_t steps) {
-  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
-}
 
 void step(World& world) {
   if (settles(world)) return stepQuasiStatic(world);
@@ -115,79 +100,12 @@ void step(World& world) {
   followContacts(world);
 }
 
-void movePhysics(World& world, double timeStep) {
-  if (world.bodies->count == 0) return;
-  for (std::size_t i = 0; i <= world.stages.furtherDrifts.size(); ++i) moveAndEvaluate(world, i, timeStep);
-}
-
-void evaluateForces(World& world) { movePhysics(world, 0); }
-
-void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
-  Bodies& bodies = *world.bodies;
-  const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool isolated =
-      !world.contacts && !world.connections && !world.motility && !world.swirls;  // one pass over a block in cache
-
-  const auto stagesOf = [&](const BlockView& block) {
-    const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];
-    return evaluation == 0 ? stages : furtherStages(stages, evaluation - 1);
-  };
-
-  const double sinceLast = timeStep / static_cast<double>(world.stages.furtherDrifts.size() + 1);
-  parallelFor(blocks, threads, [&](int i) {
-    const BlockView block = bodies.block(i, threadNumber());
-    const PhysicsStages stages = stagesOf(block);
-    advance(stages, bodies, block, timeStep);
-    if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i, sinceLast);
-    if (isolated) kick(stages, bodies, block, timeStep);
-  });
-  if (isolated) return;
-
-  if (world.swirls) addSwirlForces(world);
-  if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies, threads);
-  if (world.motility) addMotility(world);
-  if (world.contacts) {
-    checkReach(world);
-    refreshLists(world);
-  }
-  parallelFor(blocks, threads, [&](int i) {
-    if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);
-    const BlockView block = bodies.block(i, threadNumber());
-    kick(stagesOf(block), bodies, block, timeStep);
-  });
-}
-
-void growCells(World& world, double timeStep) {
-  const auto& growth = world.bodies->parameters.growth;
-  if (!growth) return;
-  bool grows = false;
-  for (std::size_t i = 0; i < world.cells.growth.size(); ++i) {
-    const double rate = growth->rate * world.cells.growth[i];
-    const int slot = world.bodies->slots[i];
-    if (rate > 0 && growth->until) growUntil(*world.bodies, slot, rate, timeStep, *growth->until);
-    else if (rate != 0) grow(*world.bodies, slot, rate, timeStep);
-    grows |= rate != 0;
-  }
-  if (grows) setSags(*world.bodies);
-}
-
-std::uint64_t stepsUntil(const Clock& clock, double time) {
-  if (clock.timeStep == 0) return 1;
-  const double missing = (time - clock.time) / clock.timeStep;
-  if (!(missing < 1e15)) return std::uint64_t(1) << 50;
-  auto steps = static_cast<std::uint64_t>(std::max(1.0, missing));
-  // The quotient may be off by its rounding; what the clock will show decides.
-  while (steps > 1 && timeAfter(clock, steps - 1) >= time) --steps;
-  while (timeAfter(clock, steps) < time) ++steps;
-  return steps;
-}
-
 void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
   if (areIsolated(world))
-    steps = std::min({most, stepsUntil(clock, std::min(clock.nextCycle, nextExperiment(world))),
-                      wholeStepsUntilEnd(world)});
+    steps = std::min(
+        {most, stepsUntil(clock, std::min(clock.nextCycle, nextExperiment(world))), wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
   const double before = clock.time;
   if (!moveIsolated(world, steps)) {

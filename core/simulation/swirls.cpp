@@ -1,10 +1,11 @@
+
 #include "simulation/swirls.h"
 
 #include <numbers>
 
 #include "base/maths.h"
 #include "base/parallel.h"
-#include "simulation/world.h"
+#include "state/world.h"
 
 namespace morula {
 namespace {

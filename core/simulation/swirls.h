@@ -11,20 +11,9 @@
 // along the axis from behind, a positive angle turns A clockwise and B counter-clockwise. With the axis reversed A is B
 // and the picture the same, so the angle's sign is that of a hand and of no direction. The forces on a cell add up to
 // zero.
-#include "base/vec3.h"
+#include "state/world.h"
 
 namespace morula {
-
-struct World;
-
-/// A young cell about which the medium turns.
-struct Swirl {
-  int cell;         // its number among the living
-  Vector axis;      // unit vector
-  double rate;      // [1/time] ω at birth, in radians
-  double time;      // [time] in which it falls to 1/e
-  double born = 0;  // [time]
-};
 
 /// Finds the living cells that swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
 /// constants have passed and 1/3000 of the angle is left. Must be called whenever the living cells have changed.

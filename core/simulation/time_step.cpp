@@ -1,4 +1,6 @@
 // The stability limit falls with each division: springs and pressure stay as strong while masses halve.
+#include "simulation/time_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,12 +11,13 @@
 #include "base/number_text.h"
 #include "base/random.h"
 #include "contacts/contacts.h"
+#include "observation/body_measures.h"
+#include "observation/sanity.h"
 #include "physics/integrator.h"
 #include "physics/stability.h"
 #include "simulation/body_failure.h"
-#include "simulation/body_measures.h"
-#include "simulation/sanity.h"
-#include "simulation/stages.h"
+#include "simulation/cycle_lengths.h"
+#include "simulation/move_physics.h"
 
 namespace morula {
 namespace {
@@ -154,23 +157,6 @@ void refuseEndless(const World& world, int cell, double timeStep) {
                        "stop earlier");
 }
 
-struct ShortestCycle {
-  double length;    // [time]
-  std::string key;  // the key that gives it
-};
-
-/// Returns the shortest cycle of all cells that the scene may bring, whatever its seed.
-ShortestCycle shortestCycle(const Scene& scene) {
-  const CycleParameters& cycle = scene.cycle;
-  ShortestCycle shortest{cycle.length, "cycle.length"};
-  for (const auto& [substance, length] : cycle.perSubstance)
-    if (length < shortest.length) shortest = {length, "cycle.per-substance." + substance};
-  for (const auto& [substance, length] : cycle.atBirth)
-    if (length < shortest.length) shortest = {length, "cycle.at-birth." + substance};
-  shortest.length *= 1 - largestDeviate * scene.variation.cycle;
-  return shortest;
-}
-
 /// Throws for a step that would hold two cycles of one cell.
 void refuseAboveCycle(const World& world, double timeStep) {
   const ShortestCycle cycle = shortestCycle(world.model);
@@ -205,8 +191,6 @@ void refuseAboveRun(const World& world, double timeStep) {
       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
           ", or give a later stop.time or more stop.cycles");
 }
-
-constexpr double maxCycles = 1e12;  // max cycles in succession; more than a week of a cell without a body
 
 struct Flight {
   double limit = INFINITY;  // [time] in which the cell moves by maxFlight
@@ -287,15 +271,6 @@ double timeStepLimit(const World& world) {
   double combined;
   tightestLimit(world, steepness, combined);
   return longest(combined, world.bodies->parameters);
-}
-
-void refuseEndlessPace(const Scene& scene) {
-  const ShortestCycle shortest = shortestCycle(scene);
-  const double until = std::max(longestCycle(scene.cycle), plannedEnd(scene).value_or(0));
-  if (until <= maxCycles * shortest.length) return;
-  throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " + exactText(until) +
-                   ", which is the run's end or another cycle: more than " + numberText(maxCycles) +
-                   " cell cycles; give a longer one, at least " + numberText(until / maxCycles) + ", or stop earlier");
 }
 
 double automaticTimeStep(const Scene& scene, double limit) {

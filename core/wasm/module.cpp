@@ -6,8 +6,8 @@
 
 #include "base/floating_point.h"
 #include "library/scene_format.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
+#include "state/hash.h"
 
 namespace morula::module {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 #define MORULA_EXPORT(name) __attribute__((export_name(#name)))
 

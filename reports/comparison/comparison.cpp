@@ -9,7 +9,7 @@
 #include "base/number_text.h"
 #include "drawing/palette.h"
 #include "mesh/distance.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

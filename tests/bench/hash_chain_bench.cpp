@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "scenario/scenario.h"
-#include "simulation/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 #include "store/recorder.h"
 #include "store/store.h"
 #include "system/clock.h"

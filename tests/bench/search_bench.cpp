@@ -11,8 +11,8 @@
 #include "biology/dna.h"
 #include "biology/full_tree.h"
 #include "contacts/contacts.h"
-#include "simulation/stages.h"
-#include "simulation/world.h"
+#include "simulation/move_physics.h"
+#include "simulation/simulation.h"
 #include "system/clock.h"
 
 using namespace morula;

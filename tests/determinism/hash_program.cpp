@@ -9,7 +9,7 @@
 
 #include "base/floating_point.h"
 #include "scenes.h"
-#include "simulation/hash.h"
+#include "state/hash.h"
 
 using namespace morula;
 

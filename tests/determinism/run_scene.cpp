@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "library/scene_format.h"
-#include "simulation/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 using namespace morula;
 

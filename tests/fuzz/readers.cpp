@@ -17,8 +17,8 @@
 #include "mesh/mesh.h"
 #include "report/parts.h"
 #include "scenario/scenario.h"
-#include "simulation/cell_selection.h"
-#include "simulation/checkpoint.h"
+#include "simulation/restore.h"
+#include "state/cell_selection.h"
 #include "study/plan.h"
 #include "study/study_file.h"
 #include "study_store/task_file.h"
@@ -63,7 +63,7 @@ void readNamed(const char* role, const std::string& path, std::string_view bytes
                "", {}, {{role, "fuzz.txt", text(bytes)}});
 }
 
-/// A checkpoint's fields begin after its head, and a hash follows them [core/simulation/checkpoint.cpp]. Mutated fields
+/// A checkpoint's fields begin after its head, and a hash follows them [core/state/checkpoint.cpp]. Mutated fields
 /// are sealed with their hash, which else would refuse nearly all of them.
 constexpr std::size_t checkpointHead = 24, checkpointTail = 16;
 

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "catch.h"
+#include "observation/body_measures.h"
+#include "observation/measures.h"
 #include "scenario/scenario.h"
-#include "simulation/body_measures.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "worst.h"
 
 using namespace morula;

@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "catch.h"
+#include "observation/organism_measures.h"
 #include "organism/mirrored.h"
-#include "simulation/organism_measures.h"
 
 using namespace morula;
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "observation/measures.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace four_cells {
 

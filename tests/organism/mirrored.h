@@ -1,8 +1,8 @@
 #pragma once
 // Mirrors scenes in which only division axes and chirality tell left from right.
+#include "observation/measures.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "worst.h"
 
 namespace mirrored {

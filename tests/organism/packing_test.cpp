@@ -3,10 +3,10 @@
 
 #include "base/parallel.h"
 #include "catch.h"
+#include "observation/measures.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
-#include "simulation/stages.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 
 using namespace morula;
 

@@ -9,7 +9,7 @@
 
 #include "catch.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 

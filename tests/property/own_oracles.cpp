@@ -8,9 +8,9 @@
 #include "biology/sense.h"
 #include "contacts/contacts.h"
 #include "mesh/convex_shell.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "mesh_oracles.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 #include "simulation/settle.h"
 
 namespace morula::chance {

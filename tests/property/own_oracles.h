@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula::chance {
 

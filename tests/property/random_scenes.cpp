@@ -23,23 +23,22 @@
 #include "connections/connections.h"
 #include "diagnose/diagnose.h"
 #include "loop/simulate.h"
+#include "observation/body_measures.h"
+#include "observation/energy.h"
+#include "observation/measures.h"
 #include "own_oracles.h"
 #include "scenario/parameter_table.h"
 #include "scenes_by_chance.h"
-#include "simulation/body_measures.h"
-#include "simulation/checkpoint.h"
-#include "simulation/energy.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "simulation/restore.h"
 #include "simulation/settle.h"
+#include "state/hash.h"
 
 using namespace morula;
 using namespace morula::chance;
 
 namespace {
 
-constexpr double maxWork =
-    4e6;  // max vertices times force evaluations of a run: 0.3 s; longer runs are cut short
+constexpr double maxWork = 4e6;   // max vertices times force evaluations of a run: 0.3 s; longer runs are cut short
 constexpr double maxGain = 0.05;  // [1] of the energy, as in check/sanity.cpp
 constexpr std::uint64_t fewSteps = 40;
 

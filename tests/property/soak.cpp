@@ -15,10 +15,10 @@
 #include <fstream>
 
 #include "connections/connections.h"
+#include "observation/energy.h"
 #include "scenario/scenario.h"
-#include "simulation/checkpoint.h"
-#include "simulation/energy.h"
-#include "simulation/hash.h"
+#include "simulation/restore.h"
+#include "state/hash.h"
 
 using namespace morula;
 

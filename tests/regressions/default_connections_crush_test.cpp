@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "observation/measures.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 

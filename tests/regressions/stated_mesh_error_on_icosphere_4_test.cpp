@@ -5,9 +5,9 @@
 
 #include "catch.h"
 #include "golden/golden.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 

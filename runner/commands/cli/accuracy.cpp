@@ -18,7 +18,7 @@
 #include "options/verb.h"
 #include "physics/integrator.h"
 #include "pictures/pictures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "system/child_process.h"
 #include "system/console.h"
 

@@ -8,7 +8,7 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
-#include "simulation/checkpoint.h"
+#include "state/checkpoint.h"
 #include "system/console.h"
 
 namespace morula::cli {

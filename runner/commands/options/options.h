@@ -6,7 +6,7 @@
 
 #include "options/verb.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "system/json.h"
 #include "yaml/numbers.h"
 

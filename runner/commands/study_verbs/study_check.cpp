@@ -31,7 +31,7 @@ CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findin
   for (const ClaimFinding& f : findings)
     report.results.push_back(
         judged({.check = f.claim, .kind = CheckKind::claim, .expected = f.claim, .actual = f.found}, f.holds,
-               study.file + ':' + std::to_string(f.place.line) + ": " + f.found, "CLAIM"));
+               study.file + ':' + std::to_string(f.place.line) + ": " + f.found, FailureClass::claim));
   return report;
 }
 

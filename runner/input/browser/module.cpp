@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "base/floating_point.h"
+#include "observation/measures.h"
 #include "physics/integrator.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
 #include "simulation/memory.h"
 #include "system/json.h"
 #include "values/measure_list.h"

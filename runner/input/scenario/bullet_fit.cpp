@@ -2,7 +2,7 @@
 
 #include "base/maths.h"
 #include "biology/substances.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {

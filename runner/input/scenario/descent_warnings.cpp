@@ -5,7 +5,7 @@
 #include "base/number_text.h"
 #include "biology/logical_dna.h"
 #include "scenario/scene_checks.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula::scenario {
 namespace {

@@ -2,7 +2,7 @@
 #include "biology/substances.h"
 #include "files/folders.h"
 #include "files/read_file.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "scenario/loading.h"
 
 namespace morula {

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "base/maths.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "physics/cell_model.h"
 #include "scenario/loading.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "biology/dna.h"
-#include "simulation/cell_selection.h"
+#include "state/cell_selection.h"
 #include "values/cell_names.h"
 
 namespace morula {

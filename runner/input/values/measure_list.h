@@ -1,8 +1,8 @@
 #pragma once
-// The tables of measures (core/simulation/measures.h) for people and programs, and measured values as JSON.
+// The tables of measures (core/observation/measures.h) for people and programs, and measured values as JSON.
 #include <string>
 
-#include "simulation/measures.h"
+#include "observation/measures.h"
 #include "system/json.h"
 #include "values/units.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 #include "values/value_types.h"
 #include "values/word_file.h"
 

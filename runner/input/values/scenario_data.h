@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "simulation/reference.h"
-#include "simulation/scene.h"
+#include "observation/reference.h"
+#include "state/scene.h"
 #include "values/baseline.h"
 #include "values/cell_names.h"
 #include "values/units.h"
@@ -27,7 +27,7 @@ struct RecordParameters {
   std::optional<double> every;         // [time] between samples; absent: only the start and the end
   std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
   std::vector<std::uint64_t> atCells;  // rising; the first step with so many cells is a sample too
-  std::vector<std::string> measures;   // names of measures on demand [simulation/measures.h], taken at every sample
+  std::vector<std::string> measures;   // names of measures on demand [observation/measures.h], taken at every sample
   std::optional<double> meshes;        // [time] between surfaces in the database; absent: none are kept
 };
 
@@ -62,7 +62,7 @@ struct CheckParameters {
   std::optional<double> endRoundness;  // [1] min sphericity of a cell
   std::optional<double> endOverlap;    // [1] max mean share of a cell's volume that lies in another cell too
   std::vector<std::string> fails;      // texts that must all be part of the reason for which the run stops; or none
-  bool sane = true;                    // false: the scene is about an end that is not sane (core/simulation/sanity.h)
+  bool sane = true;                    // false: the scene is about an end that is not sane (core/observation/sanity.h)
   std::string because;                 // the reason for sane = false; else ""
   std::optional<BulletCheck> bullet;   // the comparison with Bullet
   std::optional<Reference> reference;  // the reference of measures that compare the organism

@@ -1,7 +1,7 @@
 #pragma once
 // The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes one field.
 #include "base/error.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "values/parameter.h"
 #include "yaml/numbers.h"
 

@@ -1,6 +1,6 @@
 // Cheaper cell models as substitutes for a scene's own.
 #include "accuracy/trial.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "physics/cell_model.h"
 #include "physics/mesh_template.h"
 

@@ -10,7 +10,8 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "physics/integrator.h"
-#include "simulation/stages.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 
 namespace morula {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "mesh/distance.h"
-#include "mesh/measures.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "mesh/mesh_measures.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 namespace {

@@ -9,7 +9,7 @@
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "mesh/mesh.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 
 namespace morula {
 

@@ -11,7 +11,7 @@
 #include "contacts/parameters.h"
 #include "physics/parameters.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "system/clock.h"
 
 namespace morula {

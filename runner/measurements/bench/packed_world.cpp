@@ -12,7 +12,8 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
+#include "simulation/make_world.h"
 #include "simulation/population.h"
 
 namespace morula {

@@ -13,7 +13,7 @@
 #include "base/hash.h"
 #include "base/vec3.h"
 #include "physics/bodies.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "contacts/contacts.h"
-#include "simulation/stages.h"
+#include "simulation/make_world.h"
+#include "simulation/move_physics.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 namespace {

@@ -6,8 +6,9 @@
 #include "bench/packed_world.h"
 #include "contacts/contacts.h"
 #include "parts/trial_run.h"
-#include "simulation/population.h"
-#include "simulation/stages.h"
+#include "simulation/make_world.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 
 namespace morula {
 namespace {

@@ -9,9 +9,9 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "loop/simulate.h"
+#include "observation/measures.h"
 #include "parts/rates.h"
 #include "physics/integrator.h"
-#include "simulation/measures.h"
 #include "store/recorder.h"
 
 namespace morula {

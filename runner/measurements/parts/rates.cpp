@@ -6,9 +6,11 @@
 #include "bench/packed_world.h"
 #include "bench/work.h"
 #include "contacts/contacts.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
-#include "simulation/stages.h"
+#include "observation/measures.h"
+#include "simulation/make_world.h"
+#include "simulation/move_physics.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 #include "system/clock.h"
 
 namespace morula {

@@ -1,6 +1,6 @@
 #pragma once
 // Measures the cost of each mechanism on this machine for a scene, by the same steps with and without the mechanism.
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

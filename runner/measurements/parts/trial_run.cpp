@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "contacts/contacts.h"
-#include "simulation/stages.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 #include "system/clock.h"
 
 namespace morula {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulation/memory.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

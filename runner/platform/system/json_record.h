@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/vec3.h"
-#include "simulation/measure_fields.h"
+#include "observation/measure_fields.h"
 #include "system/json.h"
 
 namespace morula {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/store.h"
 
 namespace morula {

@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/utf8.h"
 #include "files/bytes.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 
 namespace morula {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/colour.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/store.h"
 
 namespace morula {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/bytes.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 
 namespace morula {
 namespace {

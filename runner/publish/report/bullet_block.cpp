@@ -7,9 +7,9 @@
 
 #include "base/number_text.h"
 #include "mesh/distance.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
+#include "observation/measures.h"
 #include "pictures/pictures.h"
-#include "simulation/measures.h"
 #include "system/installation.h"
 
 namespace morula {

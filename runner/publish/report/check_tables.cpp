@@ -20,7 +20,7 @@ std::string placeOf(const CheckResult& r, const CellNames& names) {
 std::vector<Cell> rowOf(const CheckResult& r, const CellNames& names) {
   const bool limit = r.tolerance == "exact" && (r.kind == CheckKind::sanity || r.kind == CheckKind::invariant);
   return {r.check,
-          r.kind,
+          nameOf(r.kind),
           mark(r.passed, "passed", limit ? "failed" : "differs", r.passed ? "" : nameOf(r.failureClass)),
           limit ? "a limit" : r.tolerance,
           shareText(r.share),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "golden/check_result.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -8,7 +8,7 @@
 #include "contacts/contacts.h"
 #include "files/bytes.h"
 #include "physics/integrator.h"
-#include "simulation/checkpoint.h"
+#include "simulation/restore.h"
 
 namespace morula {
 namespace {

@@ -10,8 +10,8 @@
 #include "diagnose/vertex_forces.h"
 #include "loop/observer.h"
 #include "mesh/mesh.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -14,7 +14,7 @@
 #include "base/hash.h"
 #include "base/record.h"
 #include "base/vec3.h"
-#include "simulation/measure_fields.h"
+#include "observation/measure_fields.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -139,6 +139,15 @@ class Statement {
   /// Throws the StoreError for a wrong value of the column. `right`: the correct form, "needs …".
   [[noreturn]] void refuse(int column, const std::string& right) const;
 
+  /// Returns the value with the name in this column. Throws FileError if there is none.
+  template <class E>
+  E choice(int column) const {
+    const std::string name = line(column);
+    for (const auto& row : choices<E>)
+      if (row.name == name) return row.value;
+    refuse(column, "needs " + namesOf<E>());
+  }
+
  private:
   struct Finalize {
     void operator()(sqlite3_stmt* s) const;
@@ -232,13 +241,6 @@ class Statement {
     else column += std::same_as<T, Vector> ? 3 : 1;
   }
 
-  template <class E>
-  E choice(int column) const {
-    const std::string name = line(column);
-    for (const auto& row : choices<E>)
-      if (row.name == name) return row.value;
-    refuse(column, "needs " + namesOf<E>());
-  }
   std::string textFor(const FieldInfo& field, int column) const {
     return field.anyCharacters ? text(column) : line(column);
   }

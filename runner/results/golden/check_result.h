@@ -33,6 +33,7 @@ enum class FailureClass {
   record,
   nondeterminism,
   unread,
+  claim,
   // The states of a study's runs:
   unfinished,
   missing,
@@ -55,6 +56,7 @@ inline constexpr auto choices<FailureClass> = std::to_array<Choice<FailureClass>
      {FailureClass::record, "RECORD", "what is recorded differs, the state does not"},
      {FailureClass::nondeterminism, "NONDETERMINISM", "it gives different bits each time"},
      {FailureClass::unread, "UNREAD", "there is nothing that can be read"},
+     {FailureClass::claim, "CLAIM", "the results say otherwise"},
      {FailureClass::unfinished, "UNFINISHED", "runs were killed, or are still running"},
      {FailureClass::missing, "MISSING", "runs are missing"},
      {FailureClass::differs, "DIFFERS", "results are not what was claimed"},

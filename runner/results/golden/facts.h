@@ -7,8 +7,8 @@
 
 #include "biology/lineage.h"
 #include "golden/golden.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
+#include "state/hash.h"
 
 namespace morula {
 

@@ -19,7 +19,7 @@ namespace morula {
 /// settings. The means are over runs with small disturbances of the start, for scenes in which chaos leaves only
 /// distributions to be compared.
 struct GoldenStatistic {
-  std::string measure;       // [simulation/measures.h]
+  std::string measure;       // [observation/measures.h]
   std::string against;       // the label of the other settings: "half-step"
   double difference = 0;     // [the measure's unit]
   double low = 0, high = 0;  // its 95 % interval

@@ -100,13 +100,20 @@ std::string_view takeWord(std::string_view& rest) {
   return word;
 }
 
+std::string fieldNames(std::string_view members) {
+  std::string names;
+  for (const char c : members.substr(0, members.rfind(", ")))
+    if (c >= 'A' && c <= 'Z') names += {'_', static_cast<char>(c - 'A' + 'a')};
+    else if (c != ',') names += c;
+  return names;
+}
+
 std::string kindOf(const GoldenItem& item) {
-  std::string_view form = std::visit([](const auto& i) { return i.form; }, item);
-  return std::string(takeWord(form));
+  return std::visit([](const auto& i) { return i.kind; }, item);
 }
 
 std::string keyOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return goldenText(std::get<0>(goldenFields(i))); }, item);
+  return std::visit([](const auto& i) { return goldenText(std::get<0>(members(i))); }, item);
 }
 
 bool agree(const GoldenItem& a, const GoldenItem& b) {
@@ -127,7 +134,10 @@ std::string write(const GoldenItem& item) {
 }
 
 std::string headingOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return std::string("# ") + i.form; }, item);
+  std::string heading = "# " + kindOf(item);
+  const auto add = [&](const std::string& name, const auto&) { heading += ' ' + name; };
+  std::visit([&](const auto& i) { visitGoldenFields(add, i); }, item);
+  return heading;
 }
 
 GoldenItem readItem(std::string_view line, const std::string& place) {

@@ -1,8 +1,8 @@
 #include "golden/observe.h"
 
 #include "contacts/contacts.h"
-#include "simulation/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 namespace morula {
 

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "files/bytes.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

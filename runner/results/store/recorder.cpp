@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "simulation/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 namespace morula {
 namespace {

@@ -14,8 +14,8 @@
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "golden/check_result.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
+#include "state/hash.h"
 #include "store/build_info.h"
 #include "store/cell_surface.h"
 #include "store/machine_info.h"
@@ -198,10 +198,10 @@ struct RunResults {
   std::vector<MeshFaces> meshes;              // meshes of the surfaces in `samples`, by number
   std::vector<ConnectionRecord> connections;  // in the order of their creation
   std::vector<TimeStepRecord> timeSteps;
-  std::vector<SettlingRecord> settlings;  // of quasi-static scenes
+  std::vector<SettlingRecord> settlings;      // of quasi-static scenes
   std::vector<ExperimentRecord> experiments;  // what was done
-  std::vector<DivisionRecord> divisions;  // of cells with bodies
-  std::vector<ChainLink> chain;           // by step
+  std::vector<DivisionRecord> divisions;      // of cells with bodies
+  std::vector<ChainLink> chain;               // by step
   std::vector<CheckResult> checks;
 };
 
@@ -213,7 +213,7 @@ struct Checkpoint {
   std::uint64_t step = 0;
   std::optional<double> every;             // as RecordOptions
   std::optional<std::uint64_t> hashEvery;  // as RecordOptions
-  std::string state;                       // the world's bytes [core/simulation/checkpoint.h]
+  std::string state;                       // the world's bytes [core/state/checkpoint.h]
 };
 
 /// The shapes so far for a sequence of pictures, as bytes. The same run makes the same shapes, so stored ones are not

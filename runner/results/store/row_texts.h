@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/record.h"
 #include "base/vec3.h"
-#include "simulation/measure_fields.h"
+#include "observation/measure_fields.h"
 
 namespace morula {
 

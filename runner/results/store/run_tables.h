@@ -370,7 +370,7 @@ void listFields(T& row, auto&& field) {
   field({"made", "UTC"}, made);
   field({"every", "between samples; NULL: none are taken", "time"}, every);
   field({"hash_every", "steps between hashes; NULL: none are taken"}, hashEvery);
-  field({"state", "core/simulation/checkpoint.h"},
+  field({"state", "core/state/checkpoint.h"},
         BytesOf{[&]() -> std::string_view { return row.of.state; }, [&](const auto& bytes) { row.of.state = bytes; }});
 }
 

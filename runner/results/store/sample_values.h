@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "store/records.h"
 
 namespace morula {

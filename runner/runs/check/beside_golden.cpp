@@ -12,7 +12,7 @@
 #include "files/folders.h"
 #include "golden/number_text.h"
 #include "loop/simulate.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "pictures/pictures.h"
 
 namespace morula {

@@ -7,7 +7,7 @@
 #include "comparison/comparison.h"
 #include "golden/golden.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "files/text.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 #include "yaml/numbers.h"
 
 namespace morula {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "golden/check_result.h"
+#include "observation/observation.h"
 #include "scenario/scenario.h"
-#include "simulation/observation.h"
 
 namespace morula {
 

@@ -11,7 +11,7 @@
 #include "files/write_file.h"
 #include "golden/accept.h"
 #include "pictures/pictures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/build_info.h"
 #include "system/console.h"
 #include "system/installation.h"

@@ -9,8 +9,8 @@
 #include "division/rules.h"
 #include "document/words.h"
 #include "files/text.h"
-#include "simulation/observation.h"
-#include "simulation/organism_measures.h"
+#include "observation/observation.h"
+#include "observation/organism_measures.h"
 
 namespace morula {
 

@@ -9,8 +9,8 @@
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "physics/parameters.h"
-#include "simulation/scene.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/scene.h"
 #include "values/scenario_data.h"
 
 namespace morula {

@@ -109,9 +109,9 @@ Json toJson(const ValueDifference& d) {
 
 /// The kinds of checks that the run was held against and that it decides itself: it is again. Sanity is measured of
 /// every run with bodies that came to its end, so rows that are not there were taken out.
-std::set<std::string> kindsOfChecks(Store& store, const StoredRun& run, const Scenario& scenario) {
-  std::set<std::string> kinds;
-  if (run.status == RunStatus::done && scenario.scene.mechanics) kinds.insert("sanity");
+std::set<CheckKind> kindsOfChecks(Store& store, const StoredRun& run, const Scenario& scenario) {
+  std::set<CheckKind> kinds;
+  if (run.status == RunStatus::done && scenario.scene.mechanics) kinds.insert(CheckKind::sanity);
   for (const CheckResult& r : store.checks(run.id))
     if (r.kind != CheckKind::golden && r.kind != CheckKind::bullet) kinds.insert(r.kind);
   return kinds;
@@ -132,7 +132,7 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, c
   RecordOptions recording = recordingOf(scenario, !hashes.empty() && !endAlone);
   recording.hashEnd = endAlone;
   CheckedRun checked =
-      simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording}, kinds.contains("invariant"));
+      simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording}, kinds.contains(CheckKind::invariant));
   Simulation& run = checked.run;
   requireEnough(run.end);
   run.results.checks = checkWithoutGolden(scenario, checked);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/store.h"
 #include "system/json.h"
 

@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 #include "contacts/contacts.h"
-#include "mesh/measures.h"
-#include "simulation/body_measures.h"
-#include "simulation/energy.h"
-#include "simulation/sanity.h"
+#include "mesh/mesh_measures.h"
+#include "observation/body_measures.h"
+#include "observation/energy.h"
+#include "observation/sanity.h"
 #include "yaml/numbers.h"
 
 namespace morula {

@@ -6,7 +6,7 @@
 
 #include "golden/check_result.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

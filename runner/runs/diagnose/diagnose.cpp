@@ -10,12 +10,15 @@
 #include "contacts/contacts.h"
 #include "diagnose/remedies.h"
 #include "diagnose/vertex_forces.h"
+#include "observation/body_measures.h"
+#include "observation/sanity.h"
 #include "physics/stability.h"
-#include "simulation/body_measures.h"
-#include "simulation/checkpoint.h"
-#include "simulation/sanity.h"
-#include "simulation/stages.h"
-#include "simulation/world.h"
+#include "simulation/check_bodies.h"
+#include "simulation/move_physics.h"
+#include "simulation/restore.h"
+#include "simulation/run_end.h"
+#include "simulation/simulation.h"
+#include "simulation/time_step.h"
 
 namespace morula {
 namespace {

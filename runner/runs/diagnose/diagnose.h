@@ -3,7 +3,7 @@
 #include <string>
 
 #include "simulation/body_failure.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

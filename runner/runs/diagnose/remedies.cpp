@@ -3,8 +3,9 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "contacts/contacts.h"
-#include "mesh/measures.h"
-#include "simulation/stages.h"
+#include "mesh/mesh_measures.h"
+#include "simulation/make_world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 namespace {

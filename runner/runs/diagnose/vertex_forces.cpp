@@ -7,11 +7,12 @@
 #include "base/error.h"
 #include "connections/connections.h"
 #include "contacts/contacts.h"
+#include "observation/membrane_edges.h"
 #include "physics/integrator.h"
 #include "physics/stages.h"
-#include "simulation/membrane_edges.h"
 #include "simulation/motility.h"
-#include "simulation/stages.h"
+#include "simulation/move_physics.h"
+#include "simulation/simulation.h"
 #include "simulation/swirls.h"
 
 namespace morula {

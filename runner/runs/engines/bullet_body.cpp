@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

@@ -8,8 +8,8 @@
 #include "engines/bullet_scene.h"
 #include "engines/engine_comparison.h"
 #include "engines/engine_worker.h"
-#include "mesh/measures.h"
-#include "simulation/measures.h"
+#include "mesh/mesh_measures.h"
+#include "observation/measures.h"
 #include "system/child_process.h"
 #include "yaml/numbers.h"
 

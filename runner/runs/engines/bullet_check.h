@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engines/external_run.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

@@ -1,6 +1,6 @@
 #include "engines/bullet_run.h"
 
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 namespace {

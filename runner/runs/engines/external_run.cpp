@@ -8,7 +8,7 @@
 #include "engines/engine_worker.h"
 #include "loop/run.h"
 #include "loop/scenario_run.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 
 namespace morula {
 namespace {

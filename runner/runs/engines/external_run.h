@@ -8,7 +8,7 @@
 #include "base/choice.h"
 #include "golden/check_result.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/records.h"
 #include "system/json.h"
 

@@ -9,8 +9,8 @@
 #include "golden/difference.h"
 #include "golden/number_text.h"
 #include "loop/simulate.h"
-#include "simulation/state_fields.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/state_fields.h"
 
 namespace morula {
 namespace {

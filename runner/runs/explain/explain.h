@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "explain/run_source.h"
+#include "golden/check_result.h"
 
 namespace morula {
 

@@ -17,7 +17,7 @@
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/store.h"
 #include "system/signals.h"
 

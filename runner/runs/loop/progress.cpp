@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 

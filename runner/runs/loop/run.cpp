@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "diagnose/diagnose.h"
-#include "simulation/checkpoint.h"
 #include "simulation/memory.h"
+#include "simulation/restore.h"
 #include "simulation/settle.h"
 #include "store/recorder.h"
 #include "system/console.h"

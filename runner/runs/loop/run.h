@@ -8,7 +8,7 @@
 
 #include "loop/observer.h"
 #include "loop/progress.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/records.h"
 
 namespace morula {

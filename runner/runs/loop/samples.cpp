@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "simulation/memory.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "system/console.h"
 
 namespace morula {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/recorder.h"
 #include "store/records.h"
 

@@ -5,7 +5,7 @@
 
 #include "loop/observer.h"
 #include "loop/scenario_run.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "store/recorded_tables.h"
 #include "store/recorder.h"
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "simulation/hash.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 namespace morula {
 namespace {

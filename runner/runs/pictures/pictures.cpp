@@ -11,8 +11,8 @@
 #include "files/read_file.h"
 #include "files/text.h"
 #include "files/write_file.h"
+#include "observation/measures.h"
 #include "pictures/frame_file.h"
-#include "simulation/measures.h"
 
 namespace morula {
 

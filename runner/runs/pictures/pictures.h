@@ -12,7 +12,7 @@
 #include "loop/observer.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "trees/lineage_tree.h"
 
 namespace morula {

@@ -2,8 +2,8 @@
 
 #include "database/store_error.h"
 #include "pictures/frame_file.h"
-#include "simulation/checkpoint.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/checkpoint.h"
 #include "system/console.h"
 
 namespace morula {

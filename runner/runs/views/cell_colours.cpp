@@ -6,8 +6,8 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "drawing/palette.h"
+#include "observation/asked_measure.h"
 #include "pictures/pictures.h"
-#include "simulation/asked_measure.h"
 #include "store/sample_values.h"
 
 namespace morula {

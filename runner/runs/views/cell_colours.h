@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "drawing/axis.h"
+#include "observation/measures.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 
@@ -18,7 +18,7 @@ struct Colouring {
   enum class By { substance, clone, generation, measure };
   By by = By::substance;
   int founders = 2;       // of clones: cells that stand so many divisions below the egg, 1 to 4
-  std::string measure{};  // of cells, as AskedMeasure::name [simulation/asked_measure.h]
+  std::string measure{};  // of cells, as AskedMeasure::name [observation/asked_measure.h]
 };
 
 /// "substance", "clone", "clone:3", "generation" or a measure of cells, also of some alone (shell_share of AAA*).

@@ -3,8 +3,8 @@
 
 #include "charts/chart.h"
 #include "charts/charts_of_pairs.h"
+#include "observation/asked_measure.h"
 #include "scenario/scenario.h"
-#include "simulation/asked_measure.h"
 #include "store/records.h"
 #include "trees/lineage_tree.h"
 #include "views/cell_colours.h"

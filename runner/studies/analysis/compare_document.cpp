@@ -28,7 +28,7 @@ std::vector<PairComparison> ofAxis(std::vector<PairComparison> pairs, std::size_
 
 Document header(const StudyComparison& c) {
   const StudyResults& r = c.results;
-  const auto done = std::ranges::count(r.tasks, "done", &ResultTask::status);
+  const auto done = std::ranges::count(r.tasks, TaskStatus::done, &ResultTask::status);
   Document text;
   text.say(fmt::format("{}: {} conditions, {}, {} of {} distinct runs done", r.name, r.conditions.size(),
                        counted(r.seeds.size(), "seed"), done, r.tasks.size()));

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/error.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 
 namespace morula {
 namespace {

@@ -9,7 +9,7 @@
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 
 namespace morula {
 namespace {

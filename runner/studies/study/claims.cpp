@@ -3,7 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "study/study_table.h"
 #include "values/value_types.h"
 

@@ -10,8 +10,8 @@
 #include "files/read_file.h"
 #include "files/text.h"
 #include "loop/simulate.h"
+#include "observation/asked_measure.h"
 #include "scenario/loading.h"
-#include "simulation/asked_measure.h"
 #include "study/study_table.h"
 #include "values/measure_list.h"
 

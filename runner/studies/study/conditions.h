@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "study/plan.h"
 #include "yaml/problems.h"
 

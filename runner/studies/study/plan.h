@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "study/study_file.h"
 #include "system/json.h"
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "study/conditions.h"
 #include "system/json_record.h"
 

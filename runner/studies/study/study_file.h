@@ -107,7 +107,7 @@ struct Study {
   std::vector<StudyAxis>
       axes;  // in the file's order; several bases are the first axis, `base`, whose levels override nothing
   std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
-  std::vector<std::string> measures;  // as AskedMeasure::name [simulation/asked_measure.h], each once
+  std::vector<std::string> measures;  // as AskedMeasure::name [observation/asked_measure.h], each once
   When when;
   Kept keep;
   RunLimits limits;

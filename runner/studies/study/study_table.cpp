@@ -4,7 +4,7 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "values/value_types.h"
 
 namespace morula::study {

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "files/text.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "study/study_table.h"
 #include "study_store/study_tables.h"
 #include "values/value_types.h"

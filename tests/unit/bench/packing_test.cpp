@@ -2,7 +2,7 @@
 #include "bench/packed_world.h"
 #include "bench/subject.h"
 #include "catch.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 #include "temporary_folder.h"
 
 using namespace morula;

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "catch.h"
+#include "observation/body_measures.h"
+#include "observation/energy.h"
 #include "scenario/scenario.h"
-#include "simulation/body_measures.h"
-#include "simulation/energy.h"
 
 using namespace morula;
 

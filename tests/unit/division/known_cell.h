@@ -4,7 +4,7 @@
 #include "biology/physical_unit.h"
 #include "division/policy.h"
 #include "division/record.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "catch.h"
-#include "simulation/measures.h"
+#include "observation/measures.h"
 
 using namespace morula;
 

@@ -8,8 +8,8 @@
 #include "catch.h"
 #include "engines/engine_worker.h"
 #include "lab.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 #include "temporary_folder.h"
 
 using namespace morula;

@@ -2,7 +2,7 @@
 // Scenes of one kind for Bullet: round, equal cells.
 
 #include "engines/bullet_scene.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula {
 

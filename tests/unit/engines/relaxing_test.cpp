@@ -3,8 +3,8 @@
 #include "catch.h"
 #include "engines/bullet_world.h"
 #include "lab.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 #include "worst.h"
 
 using namespace morula;

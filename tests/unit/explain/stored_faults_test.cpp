@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "explain/explain.h"
-#include "simulation/checkpoint.h"
+#include "state/checkpoint.h"
 #include "store/recorder.h"
 #include "store/store.h"
 #include "temporary_folder.h"

@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "catch.h"
 #include "scenes.h"
-#include "simulation/scene_parts.h"
+#include "state/scene_parts.h"
 
 using namespace morula;
 

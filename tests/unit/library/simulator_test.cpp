@@ -2,9 +2,9 @@
 #include "catch.h"
 #include "library/morula.h"
 #include "library/scene_format.h"
+#include "observation/measures.h"
 #include "scenes.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "state/hash.h"
 
 using namespace morula;
 

@@ -2,8 +2,8 @@
 
 #include "base/hash.h"
 #include "catch.h"
-#include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_measures.h"
 #include "mesh_oracles.h"
 
 using namespace morula;

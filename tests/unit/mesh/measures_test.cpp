@@ -1,8 +1,7 @@
-#include "mesh/measures.h"
-
 #include <numbers>
 
 #include "catch.h"
+#include "mesh/mesh_measures.h"
 #include "mesh_oracles.h"
 #include "zoo.h"
 

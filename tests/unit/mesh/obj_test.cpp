@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_measures.h"
 #include "zoo.h"
 
 using namespace morula;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_measures.h"
 
 namespace morula::zoo {
 

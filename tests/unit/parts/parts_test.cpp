@@ -6,7 +6,7 @@
 
 #include "contacts/contacts.h"
 #include "loop/simulate.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 #include "unit/scenario/helpers.h"
 
 using namespace morula;

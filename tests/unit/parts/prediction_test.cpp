@@ -7,11 +7,11 @@
 #include "bench/work.h"
 #include "catch.h"
 #include "contacts/contacts.h"
+#include "observation/measures.h"
 #include "parts/rates.h"
 #include "scenes.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
 #include "simulation/memory.h"
+#include "state/hash.h"
 
 using namespace morula;
 

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 #include "lab.h"
-#include "mesh/measures.h"
+#include "mesh/mesh_measures.h"
 #include "physics/integrator.h"
 
 using namespace morula;

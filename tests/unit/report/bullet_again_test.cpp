@@ -2,9 +2,9 @@
 #include "catch.h"
 #include "engines/bullet_scene.h"
 #include "loop/simulate.h"
+#include "observation/measures.h"
 #include "report/bullet_block.h"
 #include "report_data/run_facts.h"
-#include "simulation/measures.h"
 
 namespace morula {
 namespace {

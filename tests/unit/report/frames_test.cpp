@@ -8,8 +8,9 @@
 #include "catch.h"
 #include "files/bytes.h"
 #include "loop/simulate.h"
-#include "simulation/measures.h"
-#include "simulation/stages.h"
+#include "observation/measures.h"
+#include "simulation/move_physics.h"
+#include "simulation/simulation.h"
 
 namespace morula {
 namespace {

@@ -1,6 +1,6 @@
 // A line of descent that outgrows the paths of cells is told before the run.
 #include "helpers.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -23,7 +23,8 @@ bool isTold(const std::vector<std::string>& warnings) {
 TEST_CASE("A stem cell that divides more often than a path can hold is told with the time, which the run meets") {
   const auto warnings = warningsOf(stem, "stop: {time: 130}\n");
   REQUIRE(warnings.size() == 1);
-  CHECK_THAT(warnings[0], Catch::Contains("stop: a cell divides for the 121st time on its line of descent at time 121,"));
+  CHECK_THAT(warnings[0],
+             Catch::Contains("stop: a cell divides for the 121st time on its line of descent at time 121,"));
   World world = makeWorld(read("morula: 1\nname: stem\ndna: |" + std::string(stem) + "\nstop: {time: 130}\n").scene);
   CHECK_THROWS_WITH(run(world), Catch::Contains("at most 120 divisions"));
   CHECK(world.clock.time == Approx(121));

@@ -1,5 +1,5 @@
 // The list `experiments`: entries arrive, name their cells in one grammar, and are written so that they can be read.
-#include "simulation/experiment.h"
+#include "state/experiment.h"
 #include "values/cell_words.h"
 // Included last, because of CHECK:
 #include "helpers.h"

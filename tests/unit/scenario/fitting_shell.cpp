@@ -1,8 +1,8 @@
 // A shell given as a shape: its size, the egg in it, and the resolved form.
 #include "base/maths.h"
 #include "helpers.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 using namespace morula::test;

@@ -1,7 +1,7 @@
 // A shell that is a mesh in a file: how it is read, its size, and parts that exclude it.
 #include "helpers.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "observation/measures.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 using namespace morula::test;

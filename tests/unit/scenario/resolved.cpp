@@ -3,7 +3,7 @@
 #include <set>
 
 #include "scenario/loading.h"
-#include "simulation/scene_parts.h"
+#include "state/scene_parts.h"
 // Included last, because of CHECK:
 #include "helpers.h"
 

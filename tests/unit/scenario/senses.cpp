@@ -1,7 +1,7 @@
 // The section `senses`: conditions arrive, change the meaning, and are written so that they can be read.
 
 #include "biology/sense.h"
-#include "simulation/scene_parts.h"
+#include "state/scene_parts.h"
 #include "values/value_types.h"
 // Included last, because of CHECK:
 #include "helpers.h"

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "helpers.h"
-#include "mesh/measures.h"
-#include "simulation/scene_parts.h"
+#include "mesh/mesh_measures.h"
+#include "state/scene_parts.h"
 
 using namespace morula;
 using namespace morula::test;

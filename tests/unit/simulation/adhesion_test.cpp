@@ -1,6 +1,6 @@
 // Adhesion in a living world: it follows the substances that cells hold now, and changes how cells touch.
 #include "catch.h"
-#include "simulation/energy.h"
+#include "observation/energy.h"
 #include "worlds.h"
 
 using namespace morula;

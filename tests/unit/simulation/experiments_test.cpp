@@ -7,10 +7,10 @@
 #include "catch.h"
 #include "connecting.h"
 #include "scenes.h"
-#include "simulation/checkpoint.h"
-#include "simulation/hash.h"
-#include "simulation/population.h"
-#include "simulation/stages.h"
+#include "simulation/make_world.h"
+#include "simulation/restore.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 using namespace morula;
 

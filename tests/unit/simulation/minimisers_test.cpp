@@ -5,7 +5,7 @@
 // membranes, and cells with more room, have further states of rest nearby with other energies, where the minimisers may
 // disagree.
 #include "catch.h"
-#include "simulation/energy.h"
+#include "observation/energy.h"
 #include "simulation/settle.h"
 #include "worlds.h"
 

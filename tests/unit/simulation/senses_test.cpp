@@ -3,7 +3,7 @@
 #include <set>
 
 #include "catch.h"
-#include "simulation/body_measures.h"
+#include "observation/body_measures.h"
 #include "worlds.h"
 
 using namespace morula;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "simulation/energy.h"
+#include "observation/energy.h"
 #include "worlds.h"
 
 using namespace morula;

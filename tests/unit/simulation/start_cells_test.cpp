@@ -1,9 +1,8 @@
 // Several cells at time 0.
-#include "simulation/start_cells.h"
-
 #include "base/error.h"
 #include "catch.h"
-#include "simulation/checkpoint.h"
+#include "simulation/restore.h"
+#include "state/start_cell.h"
 #include "worlds.h"
 
 using namespace morula;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "simulation/body_measures.h"
+#include "observation/body_measures.h"
 #include "worlds.h"
 
 using namespace morula;

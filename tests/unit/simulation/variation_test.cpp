@@ -2,7 +2,7 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "simulation/checkpoint.h"
+#include "simulation/restore.h"
 #include "simulation/start_variation.h"
 #include "worlds.h"
 

@@ -8,11 +8,12 @@
 #include <string>
 
 #include "contacts/contacts.h"
+#include "observation/measures.h"
 #include "scenes.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
+#include "simulation/make_world.h"
 #include "simulation/population.h"
-#include "simulation/stages.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 #include "unit/physics/lab.h"
 
 namespace morula {

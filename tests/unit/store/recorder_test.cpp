@@ -7,9 +7,9 @@
 #include "biology/full_tree.h"
 #include "catch.h"
 #include "example_run.h"
-#include "simulation/hash.h"
-#include "simulation/population.h"
-#include "simulation/world.h"
+#include "simulation/make_world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 
 using namespace morula;
 

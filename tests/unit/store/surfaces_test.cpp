@@ -6,8 +6,8 @@
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
+#include "observation/measures.h"
 #include "scenes.h"
-#include "simulation/measures.h"
 #include "store/recorder.h"
 
 using namespace morula;

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "observation/asked_measure.h"
 #include "scenario/schema.h"
-#include "simulation/asked_measure.h"
 #include "studies.h"
 #include "study/study_schema.h"
 #include "study/study_table.h"

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "catch.h"
-#include "simulation/asked_measure.h"
+#include "observation/asked_measure.h"
 #include "tasks/run_study.h"
 #include "tasks/run_task.h"
 

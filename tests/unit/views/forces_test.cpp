@@ -5,11 +5,11 @@
 #include "catch.h"
 #include "diagnose/vertex_forces.h"
 #include "drawing/palette.h"
+#include "observation/measures.h"
 #include "pictures/pictures.h"
 #include "scenario/scenario.h"
-#include "simulation/hash.h"
-#include "simulation/measures.h"
-#include "simulation/world.h"
+#include "simulation/simulation.h"
+#include "state/hash.h"
 #include "views/picture_maker.h"
 
 namespace morula {
