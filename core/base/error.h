@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace morula {
 
@@ -17,9 +18,12 @@ enum class Want {
 
 /// The user's input is wrong. The text names the place, what is wrong and what would be right. Exit 3.
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& what, Want missing = Want::nothing)
-      : std::runtime_error(what), want(missing) {}
+  explicit InputError(const std::string& what, Want missing = Want::nothing, std::string at = {})
+      : std::runtime_error(what), want(missing), key(std::move(at)) {}
+  /// The value of a parameter is wrong. The text is the key, followed by `what`.
+  static InputError at(const std::string& key, const std::string& what) { return InputError(key + what, {}, key); }
   Want want;
+  std::string key;  // the scenario's key with the wrong value, as "physics.time_step"; "" if it is of no one key
 };
 
 /// The physics cannot go on. Names cell, step, quantity and the parameter to change. Exit 4.
@@ -34,6 +38,7 @@ struct NumericalError : std::runtime_error {
   std::uint64_t step = 0;
   std::string quantity, remedy;
   Want want;
+  std::string key;  // the scenario's key that rules the failure out, if its value is what is wrong; else ""
 };
 
 /// A file or database that cannot be read or written. The text names the file and the reason. Exit 6.

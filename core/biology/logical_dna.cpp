@@ -133,20 +133,21 @@ std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, doub
       if (fits(pattern, names_[s])) pace[s] = std::min(pace[s], length), isMeant = true;
     if (isMeant) continue;
     const std::string meant = closest(pattern, names_);
-    throw InputError("cycle: the DNA has no substance '" + pattern + "'; " +
-                     (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
+    throw InputError::at("cycle", ": the DNA has no substance '" + pattern + "'; " +
+                                      (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
   }
   return pace;
 }
 
 void LogicalDna::readSenses(const Dna& dna, std::span<const SenseParameters> senses) {
   if (senses.size() > maxSenses)
-    throw InputError("senses: " + std::to_string(senses.size()) + " of them; give at most " +
-                     std::to_string(maxSenses));
+    throw InputError::at("senses",
+                         ": " + std::to_string(senses.size()) + " of them; give at most " + std::to_string(maxSenses));
   for (const SenseParameters& parameters : senses) {
     const auto id = findSubstance(dna, parameters.substance);
     if (!id)
-      throw InputError("senses: no gene reads '" + parameters.substance + "'; write a gene that does, or remove this");
+      throw InputError::at("senses",
+                           ": no gene reads '" + parameters.substance + "'; write a gene that does, or remove this");
     senses_.push_back({parameters, *id});
   }
 }

@@ -31,7 +31,7 @@ bool keepsPolarity(const DivisionParameters& p) {
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed) {
   const DivisionPlaneKind& kind = kindOf(choice.plane);
   if ((kind.takes == Takes::axis || kind.takes == Takes::polarity) && !(norm(choice.axis) > 0))
-    throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
+    throw InputError::at("division.plane", ": the axis has no length; give a direction such as [1, 0, 0]");
   return kind.make(choice, seed);
 }
 

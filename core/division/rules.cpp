@@ -47,9 +47,10 @@ class RuledDivision final : public DivisionPolicy {
   void requireShare(const std::optional<double>& given) const {
     const double share = given.value_or(0.5), most = largestDeviate * variation_.share;
     if (share - most >= minShare && share + most <= largestShare) return;
-    throw InputError("division.rules: a share of " + numberText(share) + (most > 0 ? " ± " + numberText(most) : "") +
-                     " leaves " + numberText(minShare) + " to " + numberText(largestShare) +
-                     "; give one that is nearer to 0.5");
+    throw InputError::at("division.rules", ": a share of " + numberText(share) +
+                                               (most > 0 ? " ± " + numberText(most) : "") + " leaves " +
+                                               numberText(minShare) + " to " + numberText(largestShare) +
+                                               "; give one that is nearer to 0.5");
   }
 
   const DivisionParameters division_;

@@ -36,9 +36,10 @@ void refuseEndlessPace(const Scene& scene) {
   const ShortestCycle shortest = shortestCycle(scene);
   const double until = std::max(longestCycle(scene.cycle), plannedEnd(scene).value_or(0));
   if (until <= maxCycles * shortest.length) return;
-  throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " + exactText(until) +
-                   ", which is the run's end or another cycle: more than " + numberText(maxCycles) +
-                   " cell cycles; give a longer one, at least " + numberText(until / maxCycles) + ", or stop earlier");
+  throw InputError::at(shortest.key, " " + exactText(shortest.length) + " is too short for a time of " +
+                                         exactText(until) + ", which is the run's end or another cycle: more than " +
+                                         numberText(maxCycles) + " cell cycles; give a longer one, at least " +
+                                         numberText(until / maxCycles) + ", or stop earlier");
 }
 
 }  // namespace morula

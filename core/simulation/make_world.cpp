@@ -76,7 +76,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     checkStart(world);
   } catch (const NumericalError& e) {
     const std::string who = e.cell.empty() ? "" : "cell " + e.cell + ": ";
-    throw InputError(who + e.quantity + "; " + e.remedy);  // no step has been made: the scene is invalid
+    throw InputError(who + e.quantity + "; " + e.remedy, {}, e.key);  // no step has been made: the scene is invalid
   }
   return world;
 }

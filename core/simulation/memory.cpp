@@ -98,11 +98,11 @@ void requireMemoryForStart(const World& world) {
   const double lanes = double((cells + blockLanes - 1) / blockLanes * blockLanes);
   const std::string problem = problemOf(world, double(world.lineage.entries.size()), lanes * each);
   if (problem.empty()) return;
-  throw InputError((world.model.cells.empty() ? "physics.mesh " : "cells ") + std::to_string(cells) +
-                       (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
-                       (each == 1 ? " vertex " : " vertices ") + problem +
+  const std::string key = world.model.cells.empty() ? "physics.mesh" : "cells";
+  throw InputError(key + " " + std::to_string(cells) + (cells == 1 ? " cell of " : " cells of ") +
+                       numberText(each, 15) + (each == 1 ? " vertex " : " vertices ") + problem +
                        "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit",
-                   Want::memory);
+                   Want::memory, key);
 }
 
 MemoryUse measureMemory(const World& world) {

@@ -123,50 +123,55 @@ Limit tightestLimit(const World& world, std::vector<double>& steepness, double& 
   return tightest;
 }
 
+/// Throws for the value of a key. `wrong`: what follows the key in the message.
+[[noreturn]] void refuse(const World& world, int cell, const char* key, const std::string& wrong,
+                         const std::string& remedy) {
+  NumericalError error(world.cells.path[cell].text(), world.clock.step, key + wrong, remedy);
+  error.key = key;
+  throw error;
+}
+
 void refuseAbove(double limit, const char* mode, const World& world, int cell, double timeStep) {
   if (timeStep <= margin * limit) return;
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
-                           numberText(limit) + " of its " + mode,
-                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
+  refuse(world, cell, "physics.time_step",
+         " " + exactText(timeStep) + " is above 0.8 of the stability limit " + numberText(limit) + " of its " + mode,
+         "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
 }
 
 /// Throws for explicit Euler without drag.
 [[noreturn]] void refuseUndamped(const World& world, int cell) {
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
-                       "give the scene a physics.drag > 0, or use another physics.integrator");
+  refuse(world, cell, "physics.integrator",
+         " explicit-euler is stable with no time step where nothing damps the motion",
+         "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
 /// Throws for XPBD without pair contact, and for spheres that nothing touches and nothing drags.
 [[noreturn]] void refuseUnbounded(const World& world) {
-  throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step: auto goes by stability limits, and this scene has none",
-                       "give physics.time_step a number");
+  refuse(world, 0, "physics.time_step", ": auto goes by stability limits, and this scene has none",
+         "give physics.time_step a number");
 }
 
 /// Throws if masses and stiffnesses are such that no run comes to its end.
 void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || *end - world.clock.time <= maxSteps * timeStep) return;
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
-                           ": more than " + numberText(maxSteps) + " steps",
-                       "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
-                       "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
-                       "stop earlier");
+  refuse(world, cell, "physics.time_step",
+         " is " + numberText(timeStep) + " and time goes on to " + numberText(*end) + ": more than " +
+             numberText(maxSteps) + " steps",
+         "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
+         "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
+         "stop earlier");
 }
 
 /// Throws for a step that would hold two cycles of one cell.
 void refuseAboveCycle(const World& world, double timeStep) {
   const ShortestCycle cycle = shortestCycle(world.model);
   if (timeStep <= cycle.length) return;
-  throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step " + exactText(timeStep) + " is longer than the shortest cell cycle, " +
-                           cycle.key + (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") +
-                           exactText(cycle.length),
-                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
-                           ", or give a longer " + cycle.key);
+  refuse(world, 0, "physics.time_step",
+         " " + exactText(timeStep) + " is longer than the shortest cell cycle, " + cycle.key +
+             (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
+         "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) + ", or give a longer " +
+             cycle.key);
 }
 
 /// Throws as refuseAboveCycle does, for events that share a settling.
@@ -174,22 +179,20 @@ void refuseTogether(const World& world) {
   const double together = world.bodies->parameters.settle.together;
   const ShortestCycle cycle = shortestCycle(world.model);
   if (together < cycle.length) return;
-  throw NumericalError(
-      world.cells.path[0].text(), world.clock.step,
-      "physics.settle.together " + exactText(together) + " is not shorter than the shortest cell cycle, " + cycle.key +
-          (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
-      "give less, or 0: each round of events then settles by itself");
+  refuse(world, 0, "physics.settle.together",
+         " " + exactText(together) + " is not shorter than the shortest cell cycle, " + cycle.key +
+             (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
+         "give less, or 0: each round of events then settles by itself");
 }
 
 /// Throws for a step with which the run would end behind its stop.
 void refuseAboveRun(const World& world, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || timeStep <= *end) return;
-  throw NumericalError(
-      world.cells.path[0].text(), world.clock.step,
-      "physics.time_step " + exactText(timeStep) + " is longer than the whole run, which stops at " + exactText(*end),
-      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
-          ", or give a later stop.time or more stop.cycles");
+  refuse(world, 0, "physics.time_step",
+         " " + exactText(timeStep) + " is longer than the whole run, which stops at " + exactText(*end),
+         "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
+             ", or give a later stop.time or more stop.cycles");
 }
 
 struct Flight {

@@ -16,15 +16,14 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     if (std::isinf(limited.memoryLimit)) limited.memoryLimit = usableMemory();
     return makeWorld(scenario.scene, limited);
   } catch (const InputError& error) {
-    // The simulator names parameters, as in "physics.time_step 0.02 is above …", but not their file and line: add
-    // these.
-    const std::string what = error.what();
-    const auto path = what.substr(0, what.find(' '));
-    const auto place = scenario.places.find(path);
-    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want);
-    throw InputError(
-        place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") + what.substr(path.size() + 1),
-        error.want);
+    // The simulator knows keys, but not their files and lines.
+    std::string what = error.what();
+    const auto place = scenario.places.find(error.key);
+    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want, error.key);
+    // "physics.time_step 0.02 is above …"; a place that --set gave ends with the key.
+    if (what.starts_with(error.key)) what.erase(0, what.find_first_not_of(": ", error.key.size()));
+    throw InputError(place->second + (place->second.ends_with(error.key) ? ": " : ": " + error.key + ": ") + what,
+                     error.want, error.key);
   }
 }
 
