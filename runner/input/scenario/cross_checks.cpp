@@ -14,6 +14,7 @@
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
 #include "simulation/simulation.h"
+#include "simulation/cycle_lengths.h"
 #include "simulation/start_variation.h"
 #include "values/measure_list.h"
 #include "yaml/numbers.h"
@@ -305,17 +306,10 @@ void checkBodies(const SceneCheck& check) {
 
 }  // namespace
 
-double shortestCycle(const CycleParameters& cycle) {
-  double shortest = cycle.length;
-  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
-    for (const auto& [substance, length] : *lengths) shortest = std::min(shortest, length);
-  return shortest;
-}
-
 std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || !kindOf(mechanics->physics.integrator).settles) return {};
-  const double shortest = shortestCycle(scenario.scene.cycle);
+  const double shortest = shortestCycle(scenario.scene).length;
   const RecordParameters& record = scenario.record;
   std::vector<std::string> warnings;
   for (const auto& [key, every] : {std::pair("record.every", record.every), std::pair("record.meshes", record.meshes),

@@ -5,7 +5,7 @@
 #include "base/number_text.h"
 #include "biology/logical_dna.h"
 #include "scenario/scene_checks.h"
-#include "simulation/simulation.h"
+#include "simulation/cycle_lengths.h"
 
 namespace morula::scenario {
 namespace {
@@ -49,8 +49,8 @@ std::optional<Births> daughtersOf(const Births& mothers, BiologicalUnit& biology
 std::vector<std::string> descentWarnings(const Scenario& scenario, const Node& root) {
   const Scene& scene = scenario.scene;
   const auto end = plannedEnd(scene);
-  if (!end || *end < CellPath::maxDepth * shortestCycle(scene.cycle)) return {};
-  // What cells sense, their sizes, their number and the experiments are not known before the run.
+  if (!end || *end < CellPath::maxDepth * shortestCycle(scene).length) return {};
+  // The run alone tells what cells sense, their sizes, their number and the experiments.
   if (!scene.senses.empty() || scene.cycle.divisionSize || scene.variation.cycle > 0 || scene.stop.cells ||
       !scene.experiments.empty())
     return {};

@@ -28,8 +28,6 @@ void checkSenses(const SceneCheck& check);
 void checkDivisionSize(const SceneCheck& check);
 /// Returns warnings of sizes that no cell can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
-/// Returns the shortest cell cycle that a scenario names [time].
-double shortestCycle(const CycleParameters& cycle);
 /// Returns warnings of intervals in `record` that are shorter than the steps of a scene that settles.
 std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& root);
 

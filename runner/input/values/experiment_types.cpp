@@ -4,6 +4,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "files/text.h"
 #include "values/cell_words.h"
 #include "values/value_types.h"
 

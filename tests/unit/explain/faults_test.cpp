@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "contacts/contacts.h"
 #include "explain/explain.h"
+#include "simulation/population.h"
 #include "unit/explain/runs.h"
 
 using namespace morula;

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "catch.h"
 #include "observation/body_measures.h"
+#include "simulation/population.h"
 #include "simulation/restore.h"
 #include "unit/simulation/worlds.h"
 

@@ -1,6 +1,7 @@
 // Adhesion in a living world: it follows the substances that cells hold now, and changes how cells touch.
 #include "catch.h"
 #include "observation/energy.h"
+#include "simulation/time_step.h"
 #include "worlds.h"
 
 using namespace morula;

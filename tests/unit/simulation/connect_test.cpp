@@ -1,6 +1,9 @@
 // Connections in a living world: how they are made, inherited and released.
+#include "simulation/connect.h"
+
 #include "catch.h"
 #include "connecting.h"
+#include "simulation/population.h"
 
 using namespace morula;
 

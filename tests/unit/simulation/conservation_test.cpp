@@ -1,6 +1,7 @@
 // Without shell and drag no external force acts on the cells: momentum is conserved, through collisions with friction
 // too.
 #include "catch.h"
+#include "simulation/move_physics.h"
 #include "worlds.h"
 
 using namespace morula;

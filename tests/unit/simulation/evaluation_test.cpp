@@ -1,6 +1,7 @@
 // Without damping, accelerations follow from positions alone. Evaluating them again changes no bit, right after a step,
 // a division, a death or a new time step. (Damping uses the velocity predicted for the step.)
 #include "catch.h"
+#include "simulation/move_physics.h"
 #include "worlds.h"
 
 using namespace morula;

@@ -3,6 +3,9 @@
 
 #include "catch.h"
 #include "connecting.h"
+#include "simulation/connect.h"
+#include "simulation/population.h"
+#include "simulation/time_step.h"
 
 using namespace morula;
 

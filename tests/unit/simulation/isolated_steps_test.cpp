@@ -1,5 +1,6 @@
 // Many steps in one call equal single steps: bit for bit, at cell cycles, and at the step at which a run fails.
 #include "catch.h"
+#include "simulation/run_end.h"
 #include "worlds.h"
 
 using namespace morula;

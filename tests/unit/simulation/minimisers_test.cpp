@@ -6,6 +6,7 @@
 // disagree.
 #include "catch.h"
 #include "observation/energy.h"
+#include "simulation/move_physics.h"
 #include "simulation/settle.h"
 #include "worlds.h"
 

@@ -1,4 +1,6 @@
 // Births and deaths: which state is kept, which rows are recorded, and the world after a failure.
+#include "simulation/population.h"
+
 #include "base/maths.h"
 #include "catch.h"
 #include "worlds.h"

@@ -1,6 +1,7 @@
 // Two connected cells pull each other through a medium with a constant force [Nilsson 2008, eq. 4.9]. They approach the
 // speed at which drag balances the force, v = k_c/(drag m) (1 − e^(−drag t)).
 #include "catch.h"
+#include "simulation/move_physics.h"
 #include "worlds.h"
 
 using namespace morula;

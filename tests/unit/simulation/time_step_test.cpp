@@ -1,9 +1,12 @@
 // The time step: the scene's own, checked against the limits, or the largest stable power of two.
+#include "simulation/time_step.h"
+
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "catch.h"
 #include "physics/stability.h"
+#include "simulation/move_physics.h"
 #include "worlds.h"
 
 using namespace morula;

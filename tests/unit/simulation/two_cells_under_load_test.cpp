@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "contacts/pair_energy.h"
+#include "simulation/move_physics.h"
 #include "worlds.h"
 
 using namespace morula;

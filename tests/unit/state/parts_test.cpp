@@ -1,5 +1,6 @@
 // A part that a scene does not name does not exist: no structure, no search, no rows.
 #include "catch.h"
+#include "simulation/move_physics.h"
 #include "unit/simulation/worlds.h"
 
 using namespace morula;
