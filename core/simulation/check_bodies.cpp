@@ -87,17 +87,18 @@ void checkBodies(const World& world) {
     throw BodyFailure(
         world.cells.path[cell].text(), world.clock.step,
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out" : "its volume is not finite",
-        "look at physics.time_step (now " + exactText(world.clock.timeStep) +
-            "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
-            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
+        "check physics.time_step (now " + exactText(world.clock.timeStep) +
+            "), the start of the cells (cells: velocity, stretch), physics.pressure.constant over "
+            "physics.pressure.outside, as compared with the mesh's volume, and the forces of physics.contact and "
+            "connections");
   }
 }
 
 void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values) {
   if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
   throw NumericalError(world.cells.path[cell].text(), world.clock.step, "its " + std::string(field) + " is not finite",
-                       "speeds, masses or forces are beyond what numbers can hold: look at cells: velocity, "
-                       "physics.cell.mass and stiffnesses");
+                       "speeds, masses or forces are too large for numbers: lower cells: velocity, "
+                       "physics.cell.mass or stiffnesses");
 }
 
 void checkNumbers(const World& world) {

@@ -77,7 +77,7 @@ void writeScene(FieldWriter& out, const Scene& scene) {
 void checkScene(FieldReader& in, const Scene& scene) {
   const Texts names = in.texts("scene.parts"), hashes = in.texts("scene.hashes");
   const std::vector<ScenePart> parts = hashSceneParts(scene);
-  if (names.size() != hashes.size()) refuse("it tells too little of its scene");
+  if (names.size() != hashes.size()) refuse("it does not hold enough of its scene");
   std::string others;
   const auto differ = [&](const std::string& name) { others += (others.empty() ? "" : ", ") + name; };
   for (const auto& [name, hash] : parts) {
@@ -86,7 +86,7 @@ void checkScene(FieldReader& in, const Scene& scene) {
   }
   for (const std::string& name : names)  // parts that only the other scene has
     if (std::ranges::find(parts, name, &ScenePart::name) == parts.end()) differ(name);
-  if (!others.empty()) refuse("it is of another scene; this one differs in: " + others);
+  if (!others.empty()) refuse("it belongs to another scene; this scene differs in: " + others);
 }
 
 /// False for infinities.

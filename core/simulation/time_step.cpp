@@ -138,7 +138,7 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
 /// Throws for XPBD without pair contact, and for spheres that nothing touches and nothing drags.
 [[noreturn]] void refuseUnbounded(const World& world) {
   throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step: auto goes by stability limits, and this scene has none",
+                       "physics.time_step: auto follows stability limits, and this scene has none",
                        "give physics.time_step a number");
 }
 
@@ -149,9 +149,9 @@ void refuseEndless(const World& world, int cell, double timeStep) {
   throw NumericalError(world.cells.path[cell].text(), world.clock.step,
                        "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
                            ": more than " + numberText(maxSteps) + " steps",
-                       "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
-                       "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
-                       "stop earlier");
+                       "give cells more mass (physics.cell.mass, cells: scale), lower a stiffness "
+                       "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or stop "
+                       "earlier");
 }
 
 struct ShortestCycle {

@@ -36,7 +36,7 @@ Launched with(const char* verb, const TemporaryFolder& folder, const std::string
 
 }  // namespace
 
-TEST_CASE("run holds a scenario's invariants also where there is no golden file") {
+TEST_CASE("run holds a scenario's invariants also where the scenario has no golden file") {
   const TemporaryFolder folder;
   const auto good = with("run", folder, two + "check: {volume: [0.9, 1.3], momentum: 1e-9, end-overlap: 0.01}\n");
   INFO(good.err);
@@ -69,7 +69,7 @@ TEST_CASE("check: a run that must stop and does not, or for another reason, diff
   const TemporaryFolder folder;
   const auto well = with("check", folder, two + inside);
   CHECK(well.code == 1);
-  CHECK(well.err.find("it ended well") != std::string::npos);
+  CHECK(well.err.find("the run ended well") != std::string::npos);
   const auto other = with("check", folder, collapses + "check: {fails: [friction]}\n");
   CHECK(other.code == 1);
   CHECK(other.err.find("missing: friction") != std::string::npos);

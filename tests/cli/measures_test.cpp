@@ -88,8 +88,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   CHECK_THAT(wrong("shell_share of skni"), ContainsSubstring("record.measures: the DNA has no substance 'skni'; "
                                                              "did you mean skin?"));
   CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
-  CHECK_THAT(wrong("volume of A*"),
-             ContainsSubstring("'volume of A*' is taken at every sample without being asked; remove it"));
+  CHECK_THAT(wrong("volume of A*"), ContainsSubstring("'volume of A*' is part of every sample already; remove it"));
   CHECK_THAT(wrong("age of A B"), ContainsSubstring("'A B' selects no cells; needs a path"));
   CHECK_THAT(wrong("lumen of A"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
   CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("stands there twice; remove it"));

@@ -90,7 +90,7 @@ TEST_CASE("connections by gene need a gene that wants them, and neighbours") {
     checkRefused(none, "physics: {contact: {}}\nconnections: {make: " + make + "}\n",
                  ":5:21: connections.make: no gene produces 'connect'");
   checkRefused("START: a\ng1(a|a)\ng2(connect|a)", "physics: {}\nconnections: {make: by-gene}\n",
-               ":5:21: connections.make: genes connect cells that touch");
+               ":5:21: connections.make: genes connect only cells that touch");
   checkFine("START: a, connect\ng1(a|a)", "physics: {contact: {}}\nconnections: {make: by-gene}\n");
   checkFine(none, "physics: {contact: {}}\nconnections: {make: at-division}\n");
 }

@@ -61,26 +61,26 @@ std::string followingInWords(const CheckResult& r) {
 }  // namespace
 
 std::string failedInWords(const CheckResult& failed) {
-  if (failed.failureClass == "UNREAD") return "there is nothing that can be read";
-  if (failed.check == "orphan") return "there is no scenario to this golden";
+  if (failed.failureClass == "UNREAD") return "the file cannot be read";
+  if (failed.check == "orphan") return "this golden has no scenario";
   if (failed.check == "golden")
-    return failed.failureClass == "SETUP" ? "there is no golden" : "the golden cannot be used";
+    return failed.failureClass == "SETUP" ? "the scenario has no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";
   if (failed.kind == "study") return failed.check;
-  if (failed.kind == "claim") return "the results say otherwise";
-  if (failed.kind == "sanity") return "its end is not sane";
-  if (failed.kind == "invariant") return "what must always hold does not";
-  if (failed.kind == "bullet") return "Bullet comes to something else";
+  if (failed.kind == "claim") return "the results contradict the claim";
+  if (failed.kind == "sanity") return "the end of the run is not sane";
+  if (failed.kind == "invariant") return "an invariant does not hold";
+  if (failed.kind == "bullet") return "Bullet's result differs";
   if (failed.check == "scenario") return "the scenario changed";
   static const std::map<std::string, std::string> words{{"INPUT_CHANGED", "the scenario or its golden changed"},
-                                                        {"SETUP", "it starts otherwise"},
+                                                        {"SETUP", "the initial state differs"},
                                                         {"LINEAGE", "the lineage differs"},
                                                         {"COMPUTATION", "computed values differ"},
-                                                        {"CHAOS", "a last place has grown"},
+                                                        {"CHAOS", "an error of one unit in the last place has grown"},
                                                         {"IMAGE", "the picture differs"},
                                                         {"COST", "the cost differs"},
-                                                        {"RECORD", "what is recorded differs, the state does not"},
-                                                        {"NONDETERMINISM", "it gives different bits each time"}};
+                                                        {"RECORD", "recorded rows differ, but the state does not"},
+                                                        {"NONDETERMINISM", "two runs give different bits"}};
   const auto found = words.find(failed.failureClass);
   return found == words.end() ? failed.failureClass : found->second;
 }
@@ -120,7 +120,7 @@ std::string describe(const CheckReport& report, bool differingOnly) {
   for (const Cause& cause : causesOf(report)) {
     text += "  FAIL  " + oneLine(*cause[0]) + '\n';
     for (const std::string& line : linesOf(cause[0]->message)) text += "        " + line + '\n';
-    if (cause.size() > 1) text += "        from it follow: " + followingInWords(cause) + '\n';
+    if (cause.size() > 1) text += "        consequences: " + followingInWords(cause) + '\n';
   }
   for (const CheckResult& r : report.results)
     if (r.passed && !(differingOnly && failed)) text += (wasCompared(r) ? "  ok    " : "  --    ") + oneLine(r) + '\n';
