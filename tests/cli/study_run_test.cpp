@@ -136,7 +136,7 @@ TEST_CASE("a run that is ended from outside is no result") {
   });
   INFO(l.out + l.err);
   CHECK(l.code == 5);
-  CHECK_THAT(l.out, ContainsSubstring("stopped from outside by SIGKILL; the next run does it again"));
+  CHECK_THAT(l.out, ContainsSubstring("stopped from outside by SIGKILL; the next study run repeats it"));
   CHECK(s.results() == 0);
   CHECK(s.run({"status"}).code == 5);
 }

@@ -288,7 +288,8 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   REQUIRE(plan.settled.size() == 1);
   CHECK(plan.settled[0].settled > 0);
   CHECK(plan.settled[0].seconds == plan.costs[0].seconds);
-  CHECK_THAT(describe(plan), ContainsSubstring("from rest to rest") && ContainsSubstring(" or more, not "));
+  CHECK_THAT(describe(plan),
+             ContainsSubstring("with physics.integrator: fire") && ContainsSubstring(" or more instead of "));
   CHECK(planIn(folder).settled.empty());  // no prediction was requested
   const auto first = [&](const std::string& keys) {
     return planIn(folder,
