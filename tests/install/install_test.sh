@@ -63,7 +63,7 @@ try 0 "$scratch/example/example" "$scratch/four.scene"
 has "the example" "state hash $hash"
 has "the example" "AB: a5, "
 try 1 "$scratch/example/example" "$scratch/project/scenarios/one.yaml"
-has "the example of no scene" 'scene:1: this is no scene; one begins with "morula-scene 3"'
+has "the example of no scene" 'scene:1: the text is no scene; a scene begins with "morula-scene 3"'
 
 # Completion of the installed shells, and the manual.
 share="$prefix/share"

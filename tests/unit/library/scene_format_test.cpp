@@ -75,7 +75,7 @@ TEST_CASE("What is wrong in a scene is told with its line") {
   const Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
   const std::string text = writeScene(scene);
   const auto body = bodyOf(text);
-  CHECK(refusalOf("") == "a.scene:1: this is no scene; one begins with \"morula-scene 3\"");
+  CHECK(refusalOf("") == "a.scene:1: the text is no scene; a scene begins with \"morula-scene 3\"");
   CHECK_THAT(refusalOf(withLine(text, 1, "morula-scene 2")),
              ContainsSubstring("a.scene:1: a scene of another version; needs 3"));
   CHECK_THAT(refusalOf(withLine(text, 2, "99999 with-bodies")),

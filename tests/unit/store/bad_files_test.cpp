@@ -67,7 +67,7 @@ TEST_CASE("no file, no directory, a directory") {
   REQUIRE_FALSE(std::filesystem::exists(folder / "none.db"));
   REQUIRE_THROWS_WITH(Store::openForWriting(folder / "none/none.db"),
                       ContainsSubstring("none does not exist; make it"));
-  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()), ContainsSubstring("it is a directory; give a file"));
+  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()), ContainsSubstring("the path is a directory; give a file"));
 }
 
 TEST_CASE("an empty file is a new database, but nothing to read from") {
