@@ -147,8 +147,8 @@ void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || *end - world.clock.time <= maxSteps * timeStep) return;
   throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
-                           ": more than " + numberText(maxSteps) + " steps",
+                       "physics.time_step is " + numberText(timeStep) + " and the run ends at time " +
+                           numberText(*end) + ": more than " + numberText(maxSteps) + " steps",
                        "give cells more mass (physics.cell.mass, cells: scale), lower a stiffness "
                        "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or stop "
                        "earlier");

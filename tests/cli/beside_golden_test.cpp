@@ -82,9 +82,9 @@ TEST_CASE("compare tells how different two pictures look") {
   writeWhole(folder / "other.png", morula::pngFile(image));
   writeWhole(folder / "small.png", morula::pngFile(morula::Image(30, 40, morula::paper)));
 
-  CHECK(succeeds({"compare", folder / "one.png", folder / "one.png"}).out == "the same pixels\n");
+  CHECK(succeeds({"compare", folder / "one.png", folder / "one.png"}).out == "the pictures have the same pixels\n");
   CHECK_THAT(succeeds({"compare", folder / "one.png", folder / "rounded.png"}).out,
-             ContainsSubstring("they look the same: at most") && ContainsSubstring("needs at most 2.3"));
+             ContainsSubstring("the pictures look the same: at most") && ContainsSubstring("needs at most 2.3"));
   const auto json = jsonOf({"compare", folder / "one.png", folder / "other.png", "-o", folder / "map.png"}, 1);
   CHECK(json.at("passed") == false);
   CHECK(json.at("most") > json.at("threshold"));

@@ -59,7 +59,7 @@ int act(const ReplayOptions& options) {
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)
     throw UsageError("replay: run " + before.id + " has not ended (" + name(before.status) +
-                     "); morula run --resume goes on with it");
+                     "); continue it with morula run --resume");
   Replay found;
   found.record = store.changedRecord(before.id);
   if (!found.record.empty()) return report(found, before, options.output);

@@ -149,7 +149,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
                            ? failedBecause(Kind::bad, "The run failed: ", run.failure)
                            : failedBecause(Kind::good, "The run failed, as it has to: ", run.failure));
   if (run.status == RunStatus::killed)
-    findings.push_back({Kind::warning, "The run was interrupted; morula run --resume goes on with it"});
+    findings.push_back({Kind::warning, "The run was interrupted; morula run --resume continues it"});
   if (run.status == RunStatus::running)
     findings.push_back({Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
   judgeChecks(facts, findings);

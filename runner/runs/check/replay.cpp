@@ -154,7 +154,7 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, c
 std::string describe(const Replay& c, const StoredRun& run) {
   auto text = fmt::format("{}  seed {}: run {}, replayed\n", run.record.scenario, run.record.seed, run.id);
   if (!c.record.empty()) {
-    text = fmt::format("{}  seed {}: run {}, not replayed: its record was changed since it was stored\n",
+    text = fmt::format("{}  seed {}: run {}, not replayed, because its record was changed since it was stored\n",
                        run.record.scenario, run.record.seed, run.id);
     for (const ValueDifference& d : c.record) text += fmt::format("  {:<15} {}\n", d.table, describe(d));
     return text + "NOT the same record\n";

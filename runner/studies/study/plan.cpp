@@ -123,7 +123,7 @@ std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& opt
       const auto settled = settledInstead(condition->scenario);
       if (!settled) continue;
       if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps)) cost.settled = run->seconds;
-      else cost.refused = "it stops at its beginning";
+      else cost.refused = "the run stops at its beginning";
     } catch (const InputError& error) {  // the first line without its place, which is not in the scenario's file
       const std::string text = error.what();
       const auto key = text.find(": ") + 2;

@@ -74,7 +74,7 @@ void requireOwnBuild(const std::filesystem::path& file) {
   const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
   if (theirs == ours) return;
   throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs + ", this is " +
-                  ours + "); go on with that build, or give a new folder with --out");
+                  ours + "); continue with that build, or give a new folder with --out");
 }
 
 PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
