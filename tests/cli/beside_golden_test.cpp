@@ -54,7 +54,7 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
   const std::string changed = replaced(replaced(pair, "stop:", genes + "  h20(die|A)\nstop:"), "drag: 5", "drag: 8");
   const std::string without = pageOf(changed);
   CHECK(has(without, "spheres with the accepted volumes"));
-  CHECK(has(without, "git has no other"));
+  CHECK(has(without, "git does not have these files"));
 
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
   const auto git = [&](const std::string& words) {
@@ -66,10 +66,10 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     WARN("skipped: no git here");
     return;
   }
-  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "the accepted state, from its scenario run again, bit for bit"));
   // Pictures also work after the change was committed: the golden's own commit has its scenario.
   REQUIRE(git("commit -a -m second"));
-  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "the accepted state, from its scenario run again, bit for bit"));
 }
 
 TEST_CASE("compare tells how different two pictures look") {

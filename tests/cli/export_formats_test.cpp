@@ -104,7 +104,7 @@ TEST_CASE("a time that was not kept is made again; a kept one is the first step 
 TEST_CASE("a run that ends otherwise now is not exported") {
   StoredRun stored(bodies);
   change(stored.database, "UPDATE run SET state_hash = '000102030405060708090a0b0c0d0e0f'");
-  refuses(stored.exported("ply", "end.ply"), 1, "ends otherwise when it is simulated again: stored 0001020304");
+  refuses(stored.exported("ply", "end.ply"), 1, "simulated again, ends in another state: stored 0001020304");
   CHECK(!fs::exists(stored.folder / "end.ply"));
 }
 

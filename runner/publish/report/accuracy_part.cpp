@@ -227,7 +227,8 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const std::string error = numberText(t.at("error").get<double>(), 3);
   const Json& best = t.at("run_to_the_end");
   if (!best.is_object()) {
-    findings.push_back({Kind::bad, "None of the settings tried holds an error of " + error + " and runs to its end"});
+    findings.push_back(
+        {Kind::bad, "None of the settings tried has an error of at most " + error + " and reaches the end"});
     return;
   }
   std::string command = programWord();

@@ -65,7 +65,7 @@ TEST_CASE("A text that was changed anywhere, cut off or continued is no scene") 
     CHECK(refusalOf(other).starts_with("a.scene:1: "));
     CHECK(refusalOf(text.substr(0, i)) != "");
   }
-  CHECK_THAT(refusalOf(text + "\n"), ContainsSubstring("something follows it"));
+  CHECK_THAT(refusalOf(text + "\n"), ContainsSubstring("text follows it"));
   std::string changed = text;
   changed[changed.find("lineage-only")] = 'L';
   CHECK_THAT(refusalOf(changed), ContainsSubstring("the scene was changed after it had been written"));
@@ -106,7 +106,7 @@ TEST_CASE("Numbers that a member cannot be are refused") {
              ContainsSubstring("13 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.senses = {{.kind = SenseKind(13)}}; }), ContainsSubstring("13 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.dna.genes[0].product = 1000; }),
-             ContainsSubstring("a substance that it does not have"));
+             ContainsSubstring("a substance that is not in its list"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = 42; }), ContainsSubstring("names vertex 42"));
   CHECK_THAT(refused([](Scene& s) { std::swap(s.mechanics->mesh.faces[0][1], s.mechanics->mesh.faces[0][2]); }),
              ContainsSubstring("a mesh of the scene: "));
