@@ -36,7 +36,7 @@ Launched with(const char* verb, const TemporaryFolder& folder, const std::string
 
 }  // namespace
 
-TEST_CASE("run holds a scenario's invariants also where the scenario has no golden file") {
+TEST_CASE("run holds a scenario's invariants also where there is no golden file") {
   const TemporaryFolder folder;
   const auto good = with("run", folder, two + "check: {volume: [0.9, 1.3], momentum: 1e-9, end-overlap: 0.01}\n");
   INFO(good.err);

@@ -50,7 +50,7 @@ std::vector<std::string> descentWarnings(const Scenario& scenario, const Node& r
   const Scene& scene = scenario.scene;
   const auto end = plannedEnd(scene);
   if (!end || *end < CellPath::maxDepth * shortestCycle(scene.cycle)) return {};
-  // What cells sense, their sizes, their number and the experiments are not known before the run.
+  // Senses, sizes and number of cells, and the experiments, are not known before the run.
   if (!scene.senses.empty() || scene.cycle.divisionSize || scene.variation.cycle > 0 || scene.stop.cells ||
       !scene.experiments.empty())
     return {};

@@ -90,7 +90,7 @@ TEST_CASE("a golden that cannot be written or read") {
   TemporaryFolder folder;
   writeText(folder / "file", "");
   CHECK_THROWS_AS(acceptGolden(folder / "file/x.golden", exampleGolden(), {"A. Tester", "why"}), FileError);
-  CHECK_THROWS_WITH(readGoldenFile(folder / "none.golden"), ContainsSubstring("the scenario has no golden file"));
+  CHECK_THROWS_WITH(readGoldenFile(folder / "none.golden"), ContainsSubstring("there is no golden file"));
   CHECK_THROWS_AS(readGoldenFile(folder / "none.golden"), InputError);
 }
 
