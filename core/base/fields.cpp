@@ -62,7 +62,7 @@ void FieldReader::refuse(const std::string& why) const { throw InputError(what_ 
 
 std::string_view FieldReader::take(std::size_t bytes) {
   if (bytes > rest_.size())
-    refuse("it ends in the middle: " + std::to_string(bytes) + " more bytes are announced, " +
+    refuse("the data end in the middle: " + std::to_string(bytes) + " more bytes are announced, " +
            std::to_string(rest_.size()) + " are there");
   const std::string_view taken = rest_.substr(0, bytes);
   rest_.remove_prefix(bytes);

@@ -33,19 +33,19 @@ double position(const CellContext& cell, const SenseParameters& sense, const Cou
 // clang-format off
 constexpr SenseKindRow bodyRows[] = {
     {.kind = SenseKind::volume, .name = "volume",
-     .meaning = "Its volume over what it would be if nothing pressed on it",
+     .meaning = "Volume of the cell over its volume at rest, if nothing pressed on it",
      .needs = SenseNeeds::bodies, .least = 0, .measure = volume},
-    {.kind = SenseKind::pressure, .name = "pressure", .meaning = "Its inner pressure less the outer one",
+    {.kind = SenseKind::pressure, .name = "pressure", .meaning = "Inner pressure of the cell minus the outer one",
      .unit = "force/length²", .needs = SenseNeeds::membrane, .measure = pressure},
-    {.kind = SenseKind::age, .name = "age", .meaning = "The time since its birth", .unit = "time",
+    {.kind = SenseKind::age, .name = "age", .meaning = "Time since the birth of the cell", .unit = "time",
      .least = 0, .measure = age},
     {.kind = SenseKind::elongation, .name = "elongation",
-     .meaning = "Its largest over its second largest extent, as the measure of that name; 1 of a ball",
+     .meaning = "Largest over second largest extent of the cell, as the measure elongation; 1 for a ball",
      .needs = SenseNeeds::mesh, .least = 1, .measure = elongation},
-    {.kind = SenseKind::shell, .name = "shell", .meaning = "The share of its surface that lies on the shell",
+    {.kind = SenseKind::shell, .name = "shell", .meaning = "Share of the cell's surface that lies on the shell",
      .needs = SenseNeeds::shell, .least = 0, .most = 1, .measure = shell},
     {.kind = SenseKind::position, .name = "position",
-     .meaning = "Where its centre is along an axis through the origin", .unit = "length",
+     .meaning = "Coordinate of the cell's centre along an axis through the origin", .unit = "length",
      .needs = SenseNeeds::bodies, .takesAxis = true, .measure = position},
 };
 // clang-format on

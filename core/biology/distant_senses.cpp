@@ -31,12 +31,12 @@ Threshold distanceAtMost(const SenseParameters& sense) { return {.atMost = sense
 // clang-format off
 constexpr SenseKindRow distantRows[] = {
     {.kind = SenseKind::near, .name = "near",
-     .meaning = "The centre of a cell that holds `of` lies within this `distance` of its own",
+     .meaning = "The centre of another cell that holds `of` lies within this `distance` of the cell's centre",
      .needs = SenseNeeds::bodies, .of = {"of", true}, .number = {"distance", "length", true},
      .measure = nearest, .threshold = distanceAtMost},
     {.kind = SenseKind::diffusion, .name = "diffusion",
-     .meaning = "What cells that hold `of` release, where it diffuses and decays with this `range`: the sum of "
-                "e^(−r/range)/r over these cells, its own share not counted, r between centres",
+     .meaning = "Concentration of a signal that cells with `of` release, and that diffuses and decays with this "
+                "`range`: the sum of e^(−r/range)/r over these cells without the cell itself, r between centres",
      .unit = "1/length", .needs = SenseNeeds::bodies, .of = {"of", true}, .number = {"range", "length", true},
      .least = 0, .measure = concentration},
 };

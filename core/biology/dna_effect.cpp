@@ -65,7 +65,7 @@ class EffectCheck {
     if (isActing(name)) {
       if (!surroundings_) return;
       if (const auto found = surroundings_->inert.find(name); found != surroundings_->inert.end())
-        diagnostics_.add(word.place, quoted(name) + " does nothing here: " + found->second);
+        diagnostics_.add(word.place, quoted(name) + " has no effect here: " + found->second);
       return;
     }
     if (isReadOutside(name) && !isCase(name)) return;
@@ -94,7 +94,7 @@ class EffectCheck {
                                     ", so cells neither divide nor change; add a gene such as g1(divide|" + name + ")");
     else
       diagnostics_.add(word.place, "no gene reads " + quoted(name) +
-                                       ", so it does nothing; remove it, or write a gene that reads it");
+                                       ", so it has no effect; remove it, or write a gene that reads it");
   }
 
   /// Notes that a cell can come to hold this substance, and so what genes make of it. Repressors may be absent.
@@ -140,8 +140,9 @@ class EffectCheck {
       if (gene.product.text == name) producers += (producers.empty() ? "" : ", ") + gene.name.text;
     if (producers == reader.name.text)
       return "only this gene produces " + quoted(name) +
-             ", and it needs it, so it is never active; add it to START or write another gene that produces it";
-    return quoted(name) + " is never present, because what produces it (" + producers +
+             " and needs the substance itself, so the gene is never active; add the substance to START or write "
+             "another gene that produces it";
+    return quoted(name) + " is never present, because its producer (" + producers +
            ") is never active; add it to START or write another gene that produces it";
   }
 

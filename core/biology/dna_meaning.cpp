@@ -35,7 +35,7 @@ std::set<std::string> inputsOfAllGenes(const Lines& lines) {
 bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
 
 /// Only the simulator inserts substances that senses name: START and genes must not.
-const char* const sensedOnly = " is inserted for what a cell senses (senses); take another name";
+const char* const sensedOnly = " is inserted by a sense (senses); take another name";
 
 void checkStart(const Lines& lines, const std::set<std::string>& sensed, Diagnostics& diagnostics) {
   if (!lines.hasStartLine)
@@ -126,7 +126,9 @@ void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible
       diagnostics.add(repressor.place, name + " represses this gene already; remove one");
     } else if (inputs.contains(repressor.text)) {
       diagnostics.add(repressor.place,
-                      name + " must be present and must not, so this gene is never active; remove one");
+                      name +
+                          " must be both present and absent, so this gene is never active; remove one of the two "
+                          "inputs");
     } else if (repressor.text == substance::die) {
       diagnostics.add(repressor.place,
                       "a cell that holds 'die' runs no further cycle, so '!die' is always true; remove it");

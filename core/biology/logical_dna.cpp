@@ -146,8 +146,8 @@ void LogicalDna::readSenses(const Dna& dna, std::span<const SenseParameters> sen
   for (const SenseParameters& parameters : senses) {
     const auto id = findSubstance(dna, parameters.substance);
     if (!id)
-      throw InputError::at("senses",
-                           ": no gene reads '" + parameters.substance + "'; write a gene that does, or remove this");
+      throw InputError::at(
+          "senses", ": no gene reads '" + parameters.substance + "'; write a gene that reads it, or remove this");
     senses_.push_back({parameters, *id});
   }
 }

@@ -51,21 +51,21 @@ Threshold oneAtLeast(const SenseParameters&) { return {.atLeast = 1}; }
 // clang-format off
 constexpr SenseKindRow neighbourRows[] = {
     {.kind = SenseKind::neighbours, .name = "neighbours",
-     .meaning = "How many cells touch it; with `of` only those that hold it",
+     .meaning = "Number of cells that touch the cell; with `of` only of cells that hold that substance",
      .needs = SenseNeeds::contact, .of = {"of"}, .least = 0, .measure = countNeighbours},
     {.kind = SenseKind::contact, .name = "contact",
-     .meaning = "A cell that holds `of` touches it, over at least this `area` if one is given",
+     .meaning = "A cell that holds `of` touches the cell, over at least this `area` if one is given",
      .needs = SenseNeeds::contact, .of = {"of", true}, .number = {"area", "length²"},
      .measure = largestContact, .threshold = areaAtLeast},
     {.kind = SenseKind::majority, .name = "majority",
-     .meaning = "Cells that hold `of` have more than half of its contact area [Nilsson 2008, §6.2.5]",
+     .meaning = "Cells that hold `of` have more than half of the cell's contact area [Nilsson 2008, §6.2.5]",
      .needs = SenseNeeds::contact, .of = {"of", true}, .measure = shareOfContact, .threshold = moreThanHalf},
     {.kind = SenseKind::connected, .name = "connected",
-     .meaning = "It is connected to a cell that holds `to`, or to any cell without `to`",
+     .meaning = "The cell is connected to a cell that holds `to`, or, without `to`, to any cell",
      .needs = SenseNeeds::connections, .of = {"to"}, .measure = countConnected, .threshold = oneAtLeast},
     {.kind = SenseKind::sister, .name = "sister",
-     .meaning = "Its mother's other daughter lives and `holds` this; or she `lives`; or, with `lives: false`, she has "
-                "divided or died",
+     .meaning = "The cell's sister lives and `holds` this substance; or she `lives`; or, with `lives: false`, she "
+                "has divided or died",
      .of = {"holds"}, .takesLives = true, .measure = sister, .threshold = oneAtLeast},
 };
 // clang-format on

@@ -21,7 +21,8 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFa
   const double volumeA = halves.volumeA, volumeB = halves.volumeB;
   const double volume = volumeA + volumeB;
   if (!(volumeA >= least * volume && volumeB >= least * volume)) {
-    result.failure = "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
+    result.failure =
+        "the plane would cut the cell's volume into " + numberText(volumeA) + " and " + numberText(volumeB);
     return result;
   }
   const double shareA = cut.share.value_or(volumeA / volume);

@@ -98,7 +98,7 @@ std::size_t countOf() {
 void add(Writer& w, const double& a) { w.number(std::bit_cast<std::uint64_t>(a)); }
 void add(Reader& r, double& a) {
   a = std::bit_cast<double>(r.number());
-  if (std::isnan(a)) r.refuse("these are the bits of what is not a number");
+  if (std::isnan(a)) r.refuse("these bits are not those of a finite number");
 }
 void add(Writer& w, const std::string& a) { w.text(a); }
 void add(Reader& r, std::string& a) { a = r.text(); }
@@ -162,7 +162,10 @@ void add(Writer& w, std::map<std::string, double>& a) {
 void add(Reader& r, std::map<std::string, double>& a) {
   for (std::size_t left = r.length(); left > 0; --left) {
     std::string name = r.text();
-    if (!a.empty() && name <= a.rbegin()->first) r.refuse("names rise, each once; this one does not");
+    if (!a.empty() && name <= a.rbegin()->first)
+      r.refuse(
+          "this name is not after the one before it; needs names in "
+          "ascending order, each once");
     add(r, a[name]);
   }
 }
@@ -187,7 +190,7 @@ void checkReferences(const Scene& scene, const Reader& reader) {
   bool good = std::is_sorted(dna.substances.begin(), dna.substances.end()) && areKnown(dna.start);
   for (const Gene& gene : dna.genes)
     good = good && areKnown({gene.product}) && areKnown(gene.inputs) && areKnown(gene.repressors);
-  if (!good) reader.refuse("the DNA names a substance that it does not have");
+  if (!good) reader.refuse("the DNA names a substance that is not in its list");
   if (!scene.mechanics) return;
   std::vector<const Mesh*> meshes{&scene.mechanics->mesh};
   for (const Mesh& mesh : scene.mechanics->coarser) meshes.push_back(&mesh);
@@ -217,13 +220,14 @@ std::string writeScene(Scene scene) {
 Scene readScene(std::string_view text, const std::string& name) {
   const std::string first = std::string(title) + std::to_string(sceneFormat) + '\n';
   const auto fail = [&](const std::string& what) { throw InputError(name + ":1: " + what); };
-  if (!text.starts_with(title)) fail("this is no scene; one begins with \"" + first.substr(0, first.size() - 1) + "\"");
+  if (!text.starts_with(title))
+    fail("the text is no scene; a scene begins with \"" + first.substr(0, first.size() - 1) + "\"");
   if (!text.starts_with(first))
     fail("a scene of another version; needs " + std::to_string(sceneFormat) +
          ", as the program writes that this one belongs to");
   const std::size_t tail = lastWord.size() + 33;
   if (text.size() < first.size() + tail || text.substr(text.size() - tail, lastWord.size()) != lastWord)
-    fail("the scene is cut off, or something follows it; its last line is its hash");
+    fail("the scene is cut off, or text follows it; needs a hash as its last line");
   const std::string_view body = text.substr(0, text.size() - tail);
   const std::string hash = Hasher().add(body).digest().text() + '\n', stored(text.substr(text.size() - 33));
   if (hash != stored)

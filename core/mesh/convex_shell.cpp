@@ -10,9 +10,8 @@ namespace morula {
 namespace {
 
 constexpr double planeWithin = 1e-9;  // [size] min tolerance of a plane: a polygon's corners, as decimal numbers
-constexpr double maxRounding =
-    1e-3;                           // [size] max tolerance from a file's digits; more is a shape, not rounding
-constexpr double minOffset = 1e-3;  // [size] if nearer, rounding of a distant vertex could reach the origin
+constexpr double maxRounding = 1e-3;  // [size] max tolerance from a file's digits; more is a shape, not rounding
+constexpr double minOffset = 1e-3;    // [size] if nearer, rounding of a distant vertex could reach the origin
 constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
 class Planes {
@@ -22,7 +21,7 @@ class Planes {
     if (!(size_ >= smallestSize && size_ <= largestSize))
       throw InputError(source.name + ": its farthest vertex lies " +
                        (size_ > largestSize ? "more than 1e6" : "less than 1e-6") +
-                       " from the origin; write a shell of a size in between");
+                       " from the origin; needs a shell of a size in between");
   }
 
   std::vector<ShellPlane> find() {

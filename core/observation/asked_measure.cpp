@@ -50,11 +50,11 @@ AskedMeasure readRow(const std::string& text, bool hasCells, IfSeveral several) 
     names.push_back(m.row);
     if (m.row == row) scopes.push_back(m.name);
   }
-  if (row == "count") throw InputError("'count' is of some cells; say of which cells, as count of skin");
+  if (row == "count") throw InputError("'count' needs cells to count; say which, as count of skin");
   if (!scopes.empty()) {
     std::string remedy = "write " + scopes[0];
     for (std::size_t i = 1; i < scopes.size(); ++i) remedy += " or " + scopes[i];
-    throw InputError("'" + text + "' is measured of more than one thing; " + remedy);
+    throw InputError("'" + text + "' is the name of several measures; " + remedy);
   }
   const std::string near = closest(row, names);
   throw InputError("there is no measure '" + text + "'; " +
@@ -83,13 +83,13 @@ AskedMeasure readMeasure(const std::string& text, IfSeveral several) {
                                        : readRow(measured, true, several);
   if (!m.isCount() && m.scope == Scope::world && !m.ofClones)
     throw InputError("'" + measured +
-                     "' is of the organism as a whole and takes no 'of'; measures of cells, pairs and clones do, "
-                     "and count");
+                     "' measures the whole organism and takes no 'of'; measures of cells, pairs and clones take it, "
+                     "and so does count");
   m.of = parseSelection(text.substr(at + beforeSelection.size()));
   if (m.ofClones && m.of->kind != CellSelection::Kind::generation)
     throw InputError("'" + measured +
-                     "' is of all clones, in the mean; needs generation N behind 'of': clones are then those of the "
-                     "cells N divisions from the egg");
+                     "' is the mean over all clones; needs 'of generation N', which takes the clones of the cells N "
+                     "divisions from the egg");
   m.name += std::string(beforeSelection) + m.of->text();
   return m;
 }

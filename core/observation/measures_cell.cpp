@@ -27,18 +27,19 @@ Vector extentsOf(Cell cell) {
 // clang-format off
 constexpr CellMeasure ofCell[] = {
     {.name = "volume", .unit = "length³",
-     .meaning = "What its surface encloses, by the divergence theorem [Nilsson 2008, eq. 4.4]",
+     .meaning = "Volume that its surface encloses, by the divergence theorem [Nilsson 2008, eq. 4.4]",
      .followsNumber = true, .get = [](Cell cell) -> Value { return shapeOf(cell).volume; }},
-    {.name = "area", .unit = "length²", .meaning = "Of its surface",
+    {.name = "area", .unit = "length²", .meaning = "Area of its surface",
      .followsNumber = true, .get = [](Cell cell) -> Value { return shapeOf(cell).area; }},
     {.name = "pressure", .unit = "force/length²",
-     .meaning = "Inner minus outer [Nilsson 2008, eq. 4.3]; absent in models without contents under pressure",
+     .meaning = "Inner minus outer pressure [Nilsson 2008, eq. 4.3]; absent in models without contents under "
+                "pressure",
      .get = [](Cell cell) -> Value { return shapeOf(cell).pressure; }},
-    {.name = "x", .unit = "length", .meaning = "Of the mean of its vertices, which carry the mass",
+    {.name = "x", .unit = "length", .meaning = "Mean x of its vertices, which carry the mass",
      .get = [](Cell cell) -> Value { return shapeOf(cell).centre.x; }},
-    {.name = "y", .unit = "length", .meaning = "The same along y",
+    {.name = "y", .unit = "length", .meaning = "Mean y of its vertices",
      .get = [](Cell cell) -> Value { return shapeOf(cell).centre.y; }},
-    {.name = "z", .unit = "length", .meaning = "The same along z",
+    {.name = "z", .unit = "length", .meaning = "Mean z of its vertices",
      .get = [](Cell cell) -> Value { return shapeOf(cell).centre.z; }},
     {.name = "sphericity", .meaning = "π^(1/3) (6V)^(2/3) / A: 1 for a sphere [Wadell 1935]",
      .get = [](Cell cell) -> Value {
@@ -46,18 +47,19 @@ constexpr CellMeasure ofCell[] = {
        return shape.isBall ? 1 : sphericity(shape.volume, shape.area);
      }},
     {.name = "elongation",
-     .meaning = "Largest over second largest extent, root mean square distances of its vertices from their mean along "
-                "the principal axes: 1 for a ball and a disc",
+     .meaning = "Largest over second largest extent: root mean square distances of its vertices from their mean "
+                "along the principal axes; 1 for a ball and a disc",
      .get = [](Cell cell) -> Value { return cell.elongation(); }},
-    {.name = "neighbours", .meaning = "Cells that it touches; 0 where cells cannot touch", .needs = Needs::contact,
+    {.name = "neighbours", .meaning = "Number of cells that it touches; 0 where cells cannot touch",
+     .needs = Needs::contact,
      .isWhole = true,
      .followsNumber = true, .get = [](Cell cell) -> Value { return double(cell.neighbours().size()); }},
     {.name = "volume_over_rest",
-     .meaning = "Volume over what it would be if nothing pressed on the cell: with contents under pressure its share of "
-                "the egg's, otherwise that of its mesh with its rest lengths",
+     .meaning = "Volume over the volume at rest, if nothing pressed on the cell: with contents under pressure its "
+                "share of the egg's, otherwise that of its mesh with its rest lengths",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getRestVolume(); }},
-    {.name = "volume_over_mesh", .meaning = "Volume over that of its mesh with its rest lengths",
+    {.name = "volume_over_mesh", .meaning = "Volume over the volume of its mesh with its rest lengths",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getMeshVolume(); }},
     {.name = "inverted", .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
@@ -75,47 +77,53 @@ constexpr CellMeasure ofCell[] = {
      .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Cell cell) -> Value { return extentsOf(cell).z; }},
     {.name = "shell_share",
-     .meaning = "Share of its surface that lies on the shell: a vertex there stands for a third of the area of its faces; 0 "
-                "of a ball",
+     .meaning = "Share of its surface that lies on the shell: a vertex there stands for a third of the area of its "
+                "faces; 0 for a ball",
      .needs = Needs::shell, .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Cell cell) -> Value { return cell.shellShare(); }},
     {.name = "surface_distance", .unit = "length",
-     .meaning = "Of its centre from the organism's outer surface, as a ball with half the radius of a mean cell feels it from "
-                "outside, to 2h of the grid of lumen; a lumen is not outside, the gap to a shell is",
+     .meaning = "Distance of its centre from the organism's outer surface, as a ball with half the radius of a mean "
+                "cell feels it from outside, to 2h of the grid of lumen; a lumen is not outside, the gap to a shell "
+                "is",
      .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Cell cell) { return cell.surfaceDistance(); }},
     {.name = "shell_r",
-     .meaning = "How far out its centre is: 0 in the shell's middle, 1 on the shell; of a sphere the share of the radius",
+     .meaning = "Place of its centre between the shell's middle, 0, and the shell, 1; in a sphere the share of the "
+                "radius",
      .needs = Needs::shell, .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.placeInShell()->out; }},
-    {.name = "shell_x", .meaning = "Its centre's x over how far the shell reaches that way: −1 to 1",
+    {.name = "shell_x", .meaning = "x of its centre over the shell's extent in that direction: −1 to 1",
      .needs = Needs::shell, .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.placeInShell()->along.x; }},
-    {.name = "shell_y", .meaning = "The same along y", .needs = Needs::shell, .taken = Taken::onDemand,
+    {.name = "shell_y", .meaning = "y of its centre over the shell's extent in that direction: −1 to 1",
+     .needs = Needs::shell, .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.placeInShell()->along.y; }},
-    {.name = "shell_z", .meaning = "The same along z", .needs = Needs::shell, .taken = Taken::onDemand,
+    {.name = "shell_z", .meaning = "z of its centre over the shell's extent in that direction: −1 to 1",
+     .needs = Needs::shell, .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.placeInShell()->along.z; }},
-    {.name = "age", .unit = "time", .meaning = "Since its birth", .needs = Needs::nothing, .taken = Taken::onDemand,
+    {.name = "age", .unit = "time", .meaning = "Time since its birth",
+     .needs = Needs::nothing, .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return cell.age(); }},
-    {.name = "generation", .meaning = "Divisions between the egg and the cell", .needs = Needs::nothing,
+    {.name = "generation", .meaning = "Number of divisions between the egg and the cell", .needs = Needs::nothing,
      .taken = Taken::onDemand, .isWhole = true,
      .followsNumber = true, .get = [](Cell cell) -> Value { return double(cell.path.depth()); }},
     {.name = "axis_turn", .unit = "degree",
-     .meaning = "Between the axis of the division that made it and that of the division before, as lines, 0 to 90; absent "
-                "where no two divisions made it",
+     .meaning = "Angle between the axes of the division that made it and of the division before, as lines, 0 to 90; "
+                "absent where no two divisions made it",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value {
        const DivisionRecord *own = cell.motherDivision(), *before = cell.grandmotherDivision();
        return own && before ? Value(angleOfLines(own->axis, before->axis)) : Value();
      }},
     {.name = "axis_to_x", .unit = "degree",
-     .meaning = "Between the axis of the division that made it and the body's x axis, as lines, 0 to 90",
+     .meaning = "Angle between the axis of the division that made it and the body's x axis, as lines, 0 to 90",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value {
        const DivisionRecord* own = cell.motherDivision();
        return own ? Value(angleOfLines(own->axis, {1, 0, 0})) : Value();
      }},
-    {.name = "birth_share", .meaning = "Share of its mother's volume that it was given; absent where no division made it",
+    {.name = "birth_share",
+     .meaning = "Share of its mother's volume that it was given; absent where no division made it",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value {
        const DivisionRecord* own = cell.motherDivision();
@@ -123,15 +131,16 @@ constexpr CellMeasure ofCell[] = {
        return cell.path.letter(cell.path.depth() - 1) ? 1 - own->share : own->share;
      }},
     {.name = "birth_ambiguity",
-     .meaning = "Its mother's two largest extents over each other when she was cut: towards 1 it was ambiguous which is the "
-                "longest; absent of balls",
+     .meaning = "Ratio of its mother's two largest extents when she was cut: near 1 her longest extent was "
+                "ambiguous; absent for balls",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value {
        const DivisionRecord* own = cell.motherDivision();
        return own ? own->extentRatio : Value();
      }},
     {.name = "displacement", .unit = "length",
-     .meaning = "Of its centre from where that lay at its birth, in a straight line; absent where no division made it",
+     .meaning = "Distance of its centre from the centre's place at its birth, in a straight line; absent where no "
+                "division made it",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value {
        const DivisionRecord* own = cell.motherDivision();

@@ -12,9 +12,10 @@ using Value = std::optional<double>;
 // clang-format off
 constexpr PairMeasure ofPair[] = {
     {.name = "area", .unit = "length²",
-     .meaning = "Of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if it is 0.005 of the smaller one's surface at least; of cells "
-                "that stick, the mean of that and of the area on which attraction acts, by pressure p and adhesion's stress 3 W/A, A one and a half reaches; of two "
-                "balls the disc in which their surfaces meet",
+     .meaning = "Area of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if "
+                "the area is at least 0.005 of the smaller cell's surface; for cells that stick, the mean of this "
+                "area and of the area on which attraction acts, by pressure p and adhesion's stress 3 W/A, where A "
+                "is one and a half reaches; for two balls the disc in which their surfaces meet",
      .needs = Needs::contact,
      .followsNumber = true, .get = [](const Touch& touch) -> Value { return touch.area; }},
     {.name = "contact_share", .meaning = "Area of the contact over the surface of the cell with less of it",
@@ -30,8 +31,8 @@ constexpr PairMeasure ofPair[] = {
        return double(std::max(a.depth(), b.depth()) - commonDepth(a, b));
      }},
     {.name = "contact_duration", .unit = "time",
-     .meaning = "Since the first of the samples in a row, this one the last, in which the two touch: 0 in the first, and after "
-                "a sample without; what is between samples is not seen",
+     .meaning = "Time for which the two have touched, by samples: since the first sample of an unbroken row that "
+                "ends with this one, 0 in the first; breaks between samples are not seen",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .get = [](const Touch& touch) -> Value { return touch.duration; }},
 };

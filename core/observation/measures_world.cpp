@@ -34,10 +34,10 @@ Value ofClones(Now now) {
 
 // clang-format off
 constexpr WorldMeasure ofWorld[] = {
-    {.name = "cells", .meaning = "Cells that live", .needs = Needs::nothing, .isWhole = true,
+    {.name = "cells", .meaning = "Number of living cells", .needs = Needs::nothing, .isWhole = true,
      .followsNumber = true, .get = [](Now now) -> Value { return double(now.world.cells.path.size()); }},
     {.name = "volume", .unit = "length³",
-     .meaning = "Of all cells, as the last evaluation of the forces found it [Nilsson 2008, eq. 4.4]",
+     .meaning = "Volume of all cells at the last evaluation of the forces [Nilsson 2008, eq. 4.4]",
      .get = [](Now now) -> Value { return sumOf(now, volumeOf); }},
     {.name = "kinetic_energy", .unit = "force·length",
      .meaning = "½ Σ m v² over the vertices of all cells",
@@ -51,7 +51,8 @@ constexpr WorldMeasure ofWorld[] = {
     {.name = "shell_fill", .meaning = "Volume of all cells over the shell's", .needs = Needs::shell,
      .get = [](Now now) -> Value { return sumOf(now, volumeOf) / measureShellVolume(*bodiesOf(now).parameters.shell); }},
     {.name = "outermost", .unit = "shell radii",
-     .meaning = "How far out the farthest vertex, or ball, reaches: 1 on the shell; absent without cells",
+     .meaning = "Max place of a vertex, or of a ball's surface, between the shell's middle, 0, and the shell, 1; "
+                "absent without cells",
      .needs = Needs::shell,
      .get = [](Now now) -> Value {
        Value most;
@@ -59,15 +60,16 @@ constexpr WorldMeasure ofWorld[] = {
        return most;
      }},
     {.name = "extent", .unit = "length",
-     .meaning = "The farthest that a vertex, or a ball's surface, is from the origin",
+     .meaning = "Max distance of a vertex, or of a ball's surface, from the origin",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureExtent(bodiesOf(now)); }},
     {.name = "energy", .unit = "force·length",
-     .meaning = "The sum of kinetic_energy, membrane_energy, contents_energy, connection_energy, contact_energy and "
-                "adhesion_energy: constant but for the time step's error where nothing takes or gives any",
+     .meaning = "Sum of kinetic_energy, membrane_energy, contents_energy, connection_energy, contact_energy and "
+                "adhesion_energy: constant but for the time step's error if nothing adds or takes energy",
      .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).total(); }},
-    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2]",
+    {.name = "membrane_energy", .unit = "force·length",
+     .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2]",
      .taken = Taken::onDemand, .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).membrane; }},
     {.name = "contents_energy", .unit = "force·length",
      .meaning = "k_p (r − 1 − ln r) with r = P₀V/k_p, of every cell: 0 at rest [Nilsson 2008, eq. 4.3]",
@@ -76,29 +78,32 @@ constexpr WorldMeasure ofWorld[] = {
      .meaning = "k_c times the length of every connection [Nilsson 2008, eq. 4.9], or of a spring ½ k (d − rest)²",
      .taken = Taken::onDemand, .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).connections; }},
     {.name = "contact_energy", .unit = "force·length",
-     .meaning = "What overlaps hold: ½ s K D² u² (1 + 6B + 200B²) of every pair of vertices (core/contacts/pair_law_kernel.h); 0 with the "
-                "thesis' law and of spheres, of which none is told",
+     .meaning = "Energy of overlaps: ½ s K D² u² (1 + 6B + 200B²) of every pair of vertices "
+                "(core/contacts/pair_law_kernel.h); 0 with the thesis' law and for spheres, whose overlap energy is "
+                "not computed",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).contact; }},
     {.name = "adhesion_energy", .unit = "force·length",
-     .meaning = "Less than nothing: what it would take to part cells that stick, −W per area of flat contact",
+     .meaning = "Energy of cells that stick, below 0: minus the work that parts them, −W per area of flat contact",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).adhesion; }},
     {.name = "dissipated_power", .unit = "force·length/time",
-     .meaning = "What drag, the membranes' damping, and the damping and friction of contacts take from energy now; not what "
-                "the shell takes from cells that hit it",
+     .meaning = "Power that drag, the membranes' damping, and the damping and friction of contacts take now; "
+                "without the energy that the shell takes from cells that hit it",
      .taken = Taken::onDemand, .followsNumber = true, .get = [](Now now) -> Value { return measureDissipation(now.world); }},
     {.name = "momentum_x", .unit = "mass·length/time",
      .meaning = "Σ m v over the vertices of all cells, along x",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).x; }},
-    {.name = "momentum_y", .unit = "mass·length/time", .meaning = "The same along y", .taken = Taken::onDemand,
+    {.name = "momentum_y", .unit = "mass·length/time", .meaning = "Σ m v over the vertices of all cells, along y",
+     .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).y; }},
-    {.name = "momentum_z", .unit = "mass·length/time", .meaning = "The same along z", .taken = Taken::onDemand,
+    {.name = "momentum_z", .unit = "mass·length/time", .meaning = "Σ m v over the vertices of all cells, along z",
+     .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).z; }},
     {.name = "mean_overlap",
-     .meaning = "Share of a cell's volume that lies in another cell too, by the surfaces that contacts act on, in the mean "
-                "over the cells, by 256 × 256 scan lines",
+     .meaning = "Share of a cell's volume that lies in another cell, too, by the surfaces that contacts act on, in "
+                "the mean over the cells, by 256 × 256 scan lines",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now), now.world.contacts.get()); }},
     {.name = "organism_elongation",
@@ -109,7 +114,8 @@ constexpr WorldMeasure ofWorld[] = {
      .needs = Needs::contact, .taken = Taken::onDemand,
      .get = [](Now now) { return measureRelativesInContact(now, 1); }},
     {.name = "cousin_contact",
-     .meaning = "The same of cousins: cells with one grandmother and two mothers, at the same depth",
+     .meaning = "Share of the living pairs of cousins that touch: cells with one grandmother and two mothers, at "
+                "the same depth; absent without a pair",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .get = [](Now now) { return measureRelativesInContact(now, 2); }},
     {.name = "clone_contact",
@@ -136,21 +142,23 @@ constexpr WorldMeasure ofWorld[] = {
      .needs = Needs::contact, .taken = Taken::onDemand,
      .followsNumber = true, .get = ofClones<measureClonePieces>, .ofClones = measureClonePieces},
     {.name = "mixing_index",
-     .meaning = "Contacts that join different clones over how many would if the cells were dealt out at random: 0 apart, "
-                "1 mixed; a join count [Cliff, Ord 1981]",
+     .meaning = "Number of contacts that join different clones over the number expected if cells were dealt out at "
+                "random: 0 apart, 1 mixed; a join count [Cliff, Ord 1981]",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .followsNumber = true, .get = ofClones<measureMixing>, .ofClones = measureMixing},
     {.name = "lumen",
-     .meaning = "Empty space that cells enclose, over their volume and this: what balls of half the radius of a mean cell cover that "
-                "fit between cells and cannot get out, on a grid [mesh/cavities.h]; the gap to a shell is outside. With cubes of edge "
-                "h, 1/16 of the ball's radius or as long as 2 million cubes need, off by √3/2 h times the pockets' surface at "
-                "most; absent with more than some 60 000 cells",
+     .meaning = "Empty space that cells enclose over the sum of their volume and this space: the space covered by "
+                "balls of half the radius of a mean cell that fit between cells and cannot get out, on a grid "
+                "[mesh/cavities.h]; the gap to a shell is outside. The grid has cubes of edge h, 1/16 of the ball's "
+                "radius or as long as 2 million cubes need; max error √3/2 h times the pockets' surface. Absent "
+                "with more than some 60 000 cells",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value {
        const auto lumen = measureLumen(now);
        return lumen ? Value(lumen->all) : Value();
      }},
-    {.name = "largest_lumen", .meaning = "The same of the largest connected pocket alone", .taken = Taken::onDemand,
+    {.name = "largest_lumen", .meaning = "Empty space of the largest connected pocket alone, as a share like lumen",
+     .taken = Taken::onDemand,
      .get = [](Now now) -> Value {
        const auto lumen = measureLumen(now);
        return lumen ? Value(lumen->largest) : Value();
@@ -169,7 +177,8 @@ constexpr WorldMeasure ofWorld[] = {
        const double any = c.here + c.there - c.both;
        return any > 0 ? Value(c.both / any) : Value();
      }},
-    {.name = "contact_f1", .meaning = "The same contacts, 2·both / (here + there): the harmonic mean of precision and recall [Dice 1945]",
+    {.name = "contact_f1", .meaning = "Agreement of contacts with check.reference.contacts, 2·both / (here + "
+                                      "there): the harmonic mean of precision and recall [Dice 1945]",
      .needs = Needs::referenceContacts, .taken = Taken::onDemand,
      .get = [](Now now) -> Value {
        const ContactsCompared c = compareContacts(now);
@@ -184,8 +193,8 @@ constexpr WorldMeasure ofWorld[] = {
        return compared ? Value(compared->distance) : Value();
      }},
     {.name = "position_shape_rmsd",
-     .meaning = "The same with the best scale, too, over the root mean square radius of the reference: of the shape alone, "
-                "in whatever unit it is given",
+     .meaning = "Distance of the shapes alone: position_rmsd with the best scale, too, over the root mean square "
+                "radius of the reference, in whatever unit the reference is given",
      .needs = Needs::referencePositions, .taken = Taken::onDemand,
      .get = [](Now now) -> Value {
        const auto compared = comparePositions(now);

@@ -92,10 +92,10 @@ void requireCellsInTime(const World& world) {
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
   if (!(world.clock.time > double(maxCyclesForCells) * longestCycle(scene.cycle))) return;
   throw NumericalError(world.clock.step,
-                       "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
+                       "stop.cells: " + std::to_string(*scene.stop.cells) + " cells do not live within " +
                            std::to_string(maxCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +
                            " live",
-                       "give fewer stop.cells, or a stop.time or stop.cycles besides");
+                       "give fewer stop.cells, or also a stop.time or stop.cycles");
 }
 
 void findAdhesion(World& world) {

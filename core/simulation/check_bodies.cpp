@@ -88,9 +88,10 @@ void checkBodies(const World& world) {
     throw BodyFailure(
         world.cells.path[cell].text(), world.clock.step,
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out" : "its volume is not finite",
-        "look at physics.time_step (now " + exactText(world.clock.timeStep) +
-            "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
-            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
+        "check physics.time_step (now " + exactText(world.clock.timeStep) +
+            "), the start of the cells (cells: velocity, stretch), physics.pressure.constant over "
+            "physics.pressure.outside, as compared with the mesh's volume, and the forces of physics.contact and "
+            "connections");
   }
 }
 

@@ -39,9 +39,9 @@ Division divide(const World& world, const ObservedCell& cell) {
   if (!result.failure.empty()) {
     const std::string insane = describeInsanity(world);
     throw NumericalError(
-        cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,
+        cell.path.text(), world.clock.step, "the cell cannot divide: " + result.failure,
         insane.empty() ? "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)"
-                       : "the cells were not sane before: " + insane);
+                       : "the cells were not sane before the division: " + insane);
   }
   auto& [a, b] = result.daughters;
   record.share = a.mass / mother.mass;  // mass goes by volume

@@ -194,7 +194,7 @@ void settle(World& world) {
         "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
             " of what holds cells in shape, more than " + numberText(farOff) + " times physics.settle.tolerance " +
             exactText(p.tolerance) + ": cells are far from rest",
-        "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower what is stiff "
+        "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower a stiffness "
         "(physics.contact.stiffness, physics.pressure.constant)");
   if (p.sample && record.step % *p.sample == 0) measureDistance(world, descent, world.settlings->back());
 }

@@ -147,7 +147,7 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
 
 /// Throws for XPBD without pair contact, and for spheres that nothing touches and nothing drags.
 [[noreturn]] void refuseUnbounded(const World& world) {
-  refuse(world, 0, "physics.time_step", ": auto goes by stability limits, and this scene has none",
+  refuse(world, 0, "physics.time_step", ": auto follows stability limits, and this scene has none",
          "give physics.time_step a number");
 }
 
@@ -156,9 +156,9 @@ void refuseEndless(const World& world, int cell, double timeStep) {
   const auto end = plannedEnd(world.model);
   if (!end || *end - world.clock.time <= maxSteps * timeStep) return;
   refuse(world, cell, "physics.time_step",
-         " is " + numberText(timeStep) + " and time goes on to " + numberText(*end) + ": more than " +
+         " is " + numberText(timeStep) + " and the run ends at time " + numberText(*end) + ": more than " +
              numberText(maxSteps) + " steps",
-         "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
+         "give cells more mass (physics.cell.mass, cells: scale), lower a stiffness "
          "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
          "stop earlier");
 }

@@ -13,8 +13,8 @@ namespace morula {
 void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values) {
   if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
   throw NumericalError(world.cells.path[cell].text(), world.clock.step, "its " + std::string(field) + " is not finite",
-                       "speeds, masses or forces are beyond what numbers can hold: look at cells: velocity, "
-                       "physics.cell.mass and stiffnesses");
+                       "speeds, masses or forces are too large for numbers: lower cells: velocity, "
+                       "physics.cell.mass or stiffnesses");
 }
 
 void checkNumbers(const World& world) {

@@ -52,18 +52,18 @@ std::string sealed(const std::string& fields) {
 
 std::string_view unsealed(std::string_view bytes) {
   if (bytes.substr(0, magic.size()) != magic) refuse("these bytes are not a checkpoint");
-  if (bytes.size() < headSize) refuse("it is cut short within its first bytes");
+  if (bytes.size() < headSize) refuse("the checkpoint is cut short within its first bytes");
   const std::uint64_t version = numberAt(bytes, magic.size()), length = numberAt(bytes, magic.size() + numberSize);
   if (version != checkpointVersion)
-    refuse("it has format " + std::to_string(version) + ", and this program reads format " +
-           std::to_string(checkpointVersion) + ": go on with the program that wrote it");
+    refuse("the checkpoint has format " + std::to_string(version) + ", and this program reads format " +
+           std::to_string(checkpointVersion) + "; resume with the program that wrote the checkpoint");
   const std::size_t rest = bytes.size() - headSize;
   if (rest < tailSize || rest - tailSize < length)
-    refuse("it is cut short: " + std::to_string(bytes.size()) + " bytes of it are here");
+    refuse("the checkpoint is cut short: " + std::to_string(bytes.size()) + " bytes of it are present");
   if (rest - tailSize > length) refuse("more bytes follow than belong to it");
   const std::string_view fields = bytes.substr(headSize, length);
   const Hash kept{numberAt(bytes, headSize + length), numberAt(bytes, headSize + length + numberSize)};
-  if (kept != hashOf(version, fields)) refuse("it is damaged: its hash is not that of its content");
+  if (kept != hashOf(version, fields)) refuse("the checkpoint is damaged: its hash is not that of its content");
   return fields;
 }
 
@@ -77,7 +77,7 @@ void writeScene(FieldWriter& out, const Scene& scene) {
 void checkScene(FieldReader& in, const Scene& scene) {
   const Texts names = in.texts("scene.parts"), hashes = in.texts("scene.hashes");
   const std::vector<ScenePart> parts = hashSceneParts(scene);
-  if (names.size() != hashes.size()) refuse("it tells too little of its scene");
+  if (names.size() != hashes.size()) refuse("the checkpoint does not hold enough of its scene");
   std::string others;
   const auto differ = [&](const std::string& name) { others += (others.empty() ? "" : ", ") + name; };
   for (const auto& [name, hash] : parts) {
@@ -86,7 +86,7 @@ void checkScene(FieldReader& in, const Scene& scene) {
   }
   for (const std::string& name : names)  // parts that only the other scene has
     if (std::ranges::find(parts, name, &ScenePart::name) == parts.end()) differ(name);
-  if (!others.empty()) refuse("it is of another scene; this one differs in: " + others);
+  if (!others.empty()) refuse("the checkpoint belongs to another scene; this scene differs in: " + others);
 }
 
 /// False for infinities.

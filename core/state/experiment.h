@@ -23,7 +23,7 @@ inline constexpr auto choices<Deed> = std::to_array<Choice<Deed>>({
     {Deed::geneOn, "gene-on", "the gene acts again"},
     {Deed::set, "set", "the parameter has another value from then on"},
     {Deed::cycles, "cycles", "cycle lengths of these cells are multiplied by a factor from then on"},
-    {Deed::delay, "delay", "the next cycle of these cells comes so much later"},
+    {Deed::delay, "delay", "the next cycle of these cells is delayed by a time"},
     {Deed::connect, "connect", "two cells are connected"},
     {Deed::release, "release", "a connection of two cells ends"},
 });

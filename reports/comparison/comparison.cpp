@@ -63,7 +63,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
     map.cells[i].colour = neutralGrey;
     for (const double d : distances[i]) map.cells[i].shares.push_back(most > 0 ? d / most : 0);
   }
-  map.title = what.ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
+  map.title = what.ofCentres ? "displacement of the centroids" : "distance of the surfaces";
   map.caption = most > 0
                     ? "at most " + numberText(most, 3) + " [length], " + numberText(most / eggRadius, 2) +
                           " radii of the egg, of " + cellName(where) + "; mean " + numberText(sum / double(count), 3)
@@ -92,7 +92,7 @@ ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, do
   const auto isOnly = [](std::size_t count, const std::string& which) {
     return cellsOf(count) + (count == 1 ? " is" : " are") + " only in the " + which + " picture.";
   };
-  if (grey) images.unmatched = "Grey, for there is nothing to compare: " + isOnly(grey, ofWhich);
+  if (grey) images.unmatched = "Grey, because these cells cannot be compared: " + isOnly(grey, ofWhich);
   if (missing) images.unmatched += (grey ? " " : "") + isOnly(missing, besideWhich);
   return images;
 }

@@ -19,7 +19,7 @@ void check(const OrganismGrid& grid) {
                      std::to_string(columns));
   if (rows > maxGridRows || columns > maxGridColumns)
     throw InputError("a grid of " + std::to_string(rows) + " rows and " + std::to_string(columns) +
-                     " columns is too large for one picture; it has room for " + std::to_string(maxGridRows) + " and " +
+                     " columns is too large for one picture; needs at most " + std::to_string(maxGridRows) + " and " +
                      std::to_string(maxGridColumns));
 }
 

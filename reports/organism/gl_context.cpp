@@ -111,7 +111,7 @@ void requireMemoryToDraw(double bytes, const std::string& remedy) {
   void* const place = ::mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (place == MAP_FAILED)
     throw NumericalError(
-        "there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) + " MB" + remedy,
+        "there is not enough memory to draw; drawing takes " + std::to_string(all / 1'000'000) + " MB" + remedy,
         Want::memory);
   ::munmap(place, all);
 }
@@ -133,7 +133,7 @@ int threadsToDraw() {
 
 OffscreenContext::OffscreenContext() {
   const std::string remedy =
-      ", however small the picture; draw where there is more; morula run draws none with --no-pictures";
+      ", however small the picture; draw on a machine with more memory, or run with --no-pictures";
   requireMemoryToDraw(ofContext, remedy);
   settleDriver();
   loadDriver(remedy);

@@ -112,7 +112,7 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
     // Bytes of Targets' textures and of the samples read back, translucent parts included.
     constexpr double ofSample = 68, ofPixel = 24, ofThreads = 100e6;
     requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
-                        "; draw a smaller picture, with less --supersample, or where there is more");
+                        "; draw a smaller picture, with less --supersample, or on a machine with more memory");
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);

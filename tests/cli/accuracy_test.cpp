@@ -73,7 +73,7 @@ TEST_CASE("accuracy for people: series, orders, speeds and the line to use") {
 
 TEST_CASE("accuracy refuses what has no error") {  // wrong options: bad_commands
   const Bench bench;
-  refuses(bench.words({"--until", "1e-9"}), 3, "nothing to compare");
+  refuses(bench.words({"--until", "1e-9"}), 3, "are too short to compare");
   refuses(bench.words({"--set", "physics.integrator=explicit-euler", "--set", "physics.drag=0"}), 3,
           "physics.drag > 0");
 }

@@ -86,5 +86,5 @@ TEST_CASE("Bullet's worker is not for people, and tells a broken request") {
   CHECK(launch({"no-such-verb"}).err.find("engine-worker") == std::string::npos);
   const auto run = launch({"engine-worker"});  // stdin is empty
   CHECK(run.code == 3);
-  CHECK_THAT(run.err, ContainsSubstring("question to another engine cannot be read"));
+  CHECK_THAT(run.err, ContainsSubstring("request to another engine cannot be read"));
 }

@@ -54,7 +54,7 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
   const std::string changed = replaced(replaced(pair, "stop:", genes + "  h20(die|A)\nstop:"), "drag: 5", "drag: 8");
   const std::string without = pageOf(changed);
   CHECK(has(without, "spheres with the accepted volumes"));
-  CHECK(has(without, "git has no other"));
+  CHECK(has(without, "git does not have these files"));
 
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
   const auto git = [&](const std::string& words) {
@@ -66,10 +66,10 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     WARN("skipped: no git here");
     return;
   }
-  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "the accepted state, from its scenario run again, bit for bit"));
   // Pictures also work after the change was committed: the golden's own commit has its scenario.
   REQUIRE(git("commit -a -m second"));
-  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "the accepted state, from its scenario run again, bit for bit"));
 }
 
 TEST_CASE("compare tells how different two pictures look") {
@@ -82,9 +82,9 @@ TEST_CASE("compare tells how different two pictures look") {
   writeWhole(folder / "other.png", morula::pngFile(image));
   writeWhole(folder / "small.png", morula::pngFile(morula::Image(30, 40, morula::paper)));
 
-  CHECK(succeeds({"compare", folder / "one.png", folder / "one.png"}).out == "the same pixels\n");
+  CHECK(succeeds({"compare", folder / "one.png", folder / "one.png"}).out == "the pictures have the same pixels\n");
   CHECK_THAT(succeeds({"compare", folder / "one.png", folder / "rounded.png"}).out,
-             ContainsSubstring("they look the same: at most") && ContainsSubstring("needs at most 2.3"));
+             ContainsSubstring("the pictures look the same: at most") && ContainsSubstring("needs at most 2.3"));
   const auto json = jsonOf({"compare", folder / "one.png", folder / "other.png", "-o", folder / "map.png"}, 1);
   CHECK(json.at("passed") == false);
   CHECK(json.at("most") > json.at("threshold"));

@@ -69,7 +69,7 @@ TEST_CASE("check: a run that must stop and does not, or for another reason, diff
   const TemporaryFolder folder;
   const auto well = with("check", folder, two + inside);
   CHECK(well.code == 1);
-  CHECK(well.err.find("it ended well") != std::string::npos);
+  CHECK(well.err.find("the run ended well") != std::string::npos);
   const auto other = with("check", folder, collapses + "check: {fails: [friction]}\n");
   CHECK(other.code == 1);
   CHECK(other.err.find("missing: friction") != std::string::npos);

@@ -85,7 +85,7 @@ TEST_CASE("the same run gives the same bytes, kept or made again, whatever compu
   CHECK_THAT(told.err, ContainsSubstring("run " + stored.id +
                                          " kept no surfaces (record.meshes keeps them); simulating it "
                                          "again to its end at 2.25") &&
-                           ContainsSubstring("its end is the stored one, bit for bit"));
+                           ContainsSubstring("the end equals the stored one, bit for bit"));
   CHECK(stored.exported("gltf", "d.glb", {"--quiet"}).err.empty());
   CHECK(stored.exported("gltf", "e.glb", {"--time", "2.25"}).code == 0);
   CHECK(readWhole(stored.folder / "c.glb") == readWhole(stored.folder / "d.glb"));
@@ -104,7 +104,7 @@ TEST_CASE("a time that was not kept is made again; a kept one is the first step 
 TEST_CASE("a run that ends otherwise now is not exported") {
   StoredRun stored(bodies);
   change(stored.database, "UPDATE run SET state_hash = '000102030405060708090a0b0c0d0e0f'");
-  refuses(stored.exported("ply", "end.ply"), 1, "ends otherwise when it is simulated again: stored 0001020304");
+  refuses(stored.exported("ply", "end.ply"), 1, "simulated again, ends in another state: stored 0001020304");
   CHECK(!fs::exists(stored.folder / "end.ply"));
 }
 
@@ -136,7 +136,9 @@ TEST_CASE("a run that failed is left out among others, which is said, and keeps 
   stored.run(bodies, {"--set", "physics.membrane.production=40"}, 4);
   const auto launched = stored.exported("vtk", "all");
   CHECK(launched.code == 0);
-  CHECK_THAT(launched.err, ContainsSubstring("run " + stored.id + " is left out: it did not come to its end: "));
+  CHECK_THAT(launched.err, ContainsSubstring("run " + stored.id +
+                                             " is left out, because it did not come to its "
+                                             "end: "));
   CHECK(stored.files("all") == Words{good});
   CHECK_THAT(stored.exported("npz", "failed.npz", {"--run", stored.id}).err,
              ContainsSubstring("did not come to its end (failed), so there are no surfaces of it"));

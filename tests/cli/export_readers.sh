@@ -84,7 +84,7 @@ for format in ply gltf vtk; do export_as gone $format "gone-$format"; done
 export_as again ply again.ply
 export_as again npz again.npz
 export_as again gltf again.glb --time 2
-for told in "kept no surfaces" "simulating it again to its end at 4.25" "its end is the stored one, bit for bit"; do
+for told in "kept no surfaces" "simulating it again to its end at 4.25" "the end equals the stored one, bit for bit"; do
   [ "$(grep -c "$told" "$work/messages")" = 3 ] || { cat "$work/messages"; echo "not said three times: $told"; exit 1; }
 done
 run kept --seed 4 # a second run in the same database

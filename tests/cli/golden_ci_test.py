@@ -110,7 +110,7 @@ with tempfile.TemporaryDirectory() as folder:
     holds("one failed case, and those that follow", [case.get("name") for case in failed] == ["scenario"] and follow >= 4)
     if failed:
         text = failed[0].find("failure").text
-        holds("with the change in words", "physics.pressure.constant: 155 → 160" in text and "from it follow: bits" in text)
+        holds("with the change in words", "physics.pressure.constant: 155 → 160" in text and "consequences: bits" in text)
         holds("and what to type", "explain scenarios/pair.yaml" in text)
 
     # The waiting result lies in this folder, and is accepted by its name.

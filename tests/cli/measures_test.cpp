@@ -88,11 +88,10 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   CHECK_THAT(wrong("shell_share of skni"), ContainsSubstring("record.measures: the DNA has no substance 'skni'; "
                                                              "did you mean skin?"));
   CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
-  CHECK_THAT(wrong("volume of A*"),
-             ContainsSubstring("'volume of A*' is taken at every sample without being asked; remove it"));
+  CHECK_THAT(wrong("volume of A*"), ContainsSubstring("'volume of A*' is part of every sample already; remove it"));
   CHECK_THAT(wrong("age of A B"), ContainsSubstring("'A B' selects no cells; needs a path"));
   CHECK_THAT(wrong("lumen of A"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
-  CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("stands there twice; remove it"));
+  CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("is given twice; remove it"));
 
   write("shell-share of A*, count of skin, generation, clone_spread of generation 1");
   const std::string db = folder / "four.db";
@@ -122,7 +121,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "shell_share of A B", "-o", folder / "a.png"}).err,
              ContainsSubstring("'A B' selects no cells"));
   CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "clone_radius", "-o", folder / "a.png"}).err,
-             ContainsSubstring("is nothing to colour cells by"));
+             ContainsSubstring("is no colouring of cells"));
   CHECK(launch({"lineage", db, "--colour", "volume of A*", "-o", folder / "tree.svg", "--quiet"}).code == 0);
 }
 

@@ -83,7 +83,8 @@ TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is 
   refuses({"lineage", scenario, "--cell", "ABpa"}, 2,
           "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
           "that 'morula lineage' lists without --cell");
-  refuses({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"}, 2, "--cell and --output: give one of them");
+  refuses({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"}, 2,
+          "--cell and --output: give only one of them");
   // A dead cell has no daughters; her line ends with her.
   writeWhole(scenario,
              "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");

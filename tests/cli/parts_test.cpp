@@ -72,7 +72,7 @@ TEST_CASE("parts of a lineage: genes only") {
   CHECK(part(json, "contact")["needs"] == "physics.contact");
   CHECK_THAT(succeeds({"parts", "scenarios/thesis/elegans-1024.yaml"}).out,
              ContainsSubstring("elegans-1024") && ContainsSubstring("4094 genes") &&
-                 ContainsSubstring("absent, and free") && !ContainsSubstring("B/vertex"));
+                 ContainsSubstring("absent parts, which cost nothing") && !ContainsSubstring("B/vertex"));
 }
 
 TEST_CASE("parts: a time step that the scene does not bear is refused, as everywhere") {

@@ -86,7 +86,7 @@ TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
   const TemporaryFolder folder;
   const Words film{"render", uniqueFour,    "--time", "0.5", "--size",
                    "101",    "--turntable", "3",      "-o",  folder / "turn.mp4"};
-  refuses(launch(film, {{"PATH", folder / "nothing"}}), 2, "there is none in PATH; needs a name that ends in .png");
+  refuses(launch(film, {{"PATH", folder / "nothing"}}), 2, "PATH does not have it; needs a name that ends in .png");
   const auto end = launch(film);
   if (end.code == 2) {
     WARN("no ffmpeg: films are not tried");
@@ -119,6 +119,6 @@ TEST_CASE("chart draws measures over time, contacts and divisions of a stored ru
     CHECK(readWhole(folder / "a.svg").starts_with("<?xml"));
   }
   refuses({"chart", folder / "four.db", "volum"}, 2, "did you mean volume?");
-  refuses({"chart", folder / "four.db", "extent_1", "-o", folder / "b.svg"}, 3, "record.measures must name it");
+  refuses({"chart", folder / "four.db", "extent_1", "-o", folder / "b.svg"}, 3, "name it in record.measures");
   CHECK(launch({"lineage", folder / "four.db", "--colour", "volume", "--labels", "-o", folder / "tree.svg"}).code == 0);
 }

@@ -121,8 +121,8 @@ TEST_CASE("A check's page shows Bullet, too, and the scenario that differs from 
   const auto first = page.find("<section id=\"bullet-1\">"), second = page.find("<section id=\"bullet-2\">");
   REQUIRE(first != page.npos);
   REQUIRE(second != page.npos);
-  CHECK_THAT(page, ContainsSubstring("farther apart than they may be in 1 of 1 quantity"));
-  CHECK_THAT(page, ContainsSubstring("come to the same end within every tolerance"));
+  CHECK_THAT(page, ContainsSubstring("differ by more than the tolerance in 1 of 1 quantity"));
+  CHECK_THAT(page, ContainsSubstring("agree within every tolerance"));
 }
 
 TEST_CASE("accuracy --json makes a page: its verdict, the cheapest settings, where it comes from, the same bytes") {

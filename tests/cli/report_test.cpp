@@ -68,7 +68,7 @@ TEST_CASE("Seeds that change nothing are no replicates, and the page says so") {
   stored.run({"--seeds", "1..3"});
   const std::string page = stored.report({"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("3 seeds of small gave one and the same result, bit for bit"));
-  CHECK_THAT(page, ContainsSubstring("The scenarios are the same but for their seeds."));
+  CHECK_THAT(page, ContainsSubstring("The scenarios differ only in their seeds."));
 }
 
 TEST_CASE("Two runs of one scenario are called by what they differ in, and the page says what became of it") {
@@ -118,11 +118,11 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
       "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\n");
   const std::string page = stored.reportOf(study, {"--frames", "2"});
   CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
-  CHECK_THAT(page, ContainsSubstring("Every run is done, and sane"));
+  CHECK_THAT(page, ContainsSubstring("Every run is done and sane"));
   CHECK_THAT(page,
              ContainsSubstring("2 runs have divisions with an ambiguous axis, under <b>less</b> and <b>more</b>"));
   CHECK_THAT(page, ContainsSubstring("Seeds change nothing under <b>less</b>"));
-  CHECK(page.find("What the study finds") < page.find("id=\"explorer\""));
+  CHECK(page.find("Findings of the study") < page.find("id=\"explorer\""));
   CHECK_THAT(page, ContainsSubstring("less, seed 1"));
   CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
   CHECK_THAT(page, ContainsSubstring("the pictures that the study keeps in"));

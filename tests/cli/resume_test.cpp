@@ -104,7 +104,7 @@ TEST_CASE("killed three times and resumed, a run leaves the same database and th
   }
   const auto end = succeeds(joined(resume, {"--json"}));
   CHECK(Json::parse(end.out)["resumed_at"] == step);
-  CHECK_THAT(end.err, ContainsSubstring("stopped goes on from step " + std::to_string(step)));
+  CHECK_THAT(end.err, ContainsSubstring("stopped continues from step " + std::to_string(step)));
   const auto content = contentOf(whole + "/run.db");
   CHECK_THAT(content, ContainsSubstring("== contact\n'"));
   CHECK_THAT(content, ContainsSubstring("== connection\n'"));
@@ -137,7 +137,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
   SECTION("forgotten, it is told, and nothing is lost") {
     const auto step = checkpointStep(database);
     const auto forgotten = stopComputing(SIGKILL, how);
-    CHECK_THAT(forgotten.err, ContainsSubstring("--resume goes on from there"));
+    CHECK_THAT(forgotten.err, ContainsSubstring("--resume continues it"));
     CHECK(checkpointStep(database) == step);
     CHECK(launch(again).code == 0);
     CHECK_THAT(contentOf(database), ContainsSubstring("'done'"));
@@ -150,8 +150,9 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
   }
   SECTION("a damaged checkpoint is refused") {
     change(database, "UPDATE checkpoint SET state = substr(state, 1, 1000)");
-    CHECK_THAT(endsWith(6, again).err, ContainsSubstring("cannot be resumed: checkpoint: it is cut short") &&
-                                           ContainsSubstring("leave out --resume"));
+    CHECK_THAT(endsWith(6, again).err,
+               ContainsSubstring("cannot be resumed: checkpoint: the checkpoint is cut short") &&
+                   ContainsSubstring("leave out --resume"));
   }
   SECTION("another seed is another run, which says what differs") {
     CHECK_THAT(succeeds(joined(again, {"--seed", "5", "--set", "stop.time=0.1"})).err,

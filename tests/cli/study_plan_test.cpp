@@ -34,8 +34,8 @@ TEST_CASE("A study that init writes is valid, and its plan is told, written once
 
   const auto dry = succeeds({"study", "plan", study, "--out", to, "--dry-run"});
   for (const char* text : {"4 conditions × 10 seeds = 40 replicates: 22 distinct scenes, each run once",
-                           "2 conditions without anything that a seed changes", "division: longest, connections: none",
-                           "of CPU time", "on disk"}) {
+                           "2 conditions without random parts, which no seed changes",
+                           "division: longest, connections: none", "of CPU time", "on disk"}) {
     CAPTURE(text);
     CHECK(dry.out.find(text) != std::string::npos);
   }

@@ -109,7 +109,8 @@ TEST_CASE("a study that was changed goes on with what is there, and is the same 
   REQUIRE(study.run({"run", "--json", "--quiet"}).code == 0);
   with("seeds: 1..2", "seeds: 0..2");
   with("random: {division.plane: random}", "x: {division.plane: {axis: [1, 0, 0]}}, random: {division.plane: random}");
-  refuses(study.run({"run", "--quiet"}), 6, "study run --update plans it anew (4 of its 9 results are there and stay)");
+  refuses(study.run({"run", "--quiet"}), 6,
+          "study run --update plans the study anew (4 of its 9 results exist and stay)");
   const auto updated = study.run({"run", "--update", "--json", "--quiet"});
   INFO(updated.err);
   REQUIRE(updated.code == 0);
@@ -136,7 +137,7 @@ TEST_CASE("a run that is ended from outside is no result") {
   });
   INFO(l.out + l.err);
   CHECK(l.code == 5);
-  CHECK_THAT(l.out, ContainsSubstring("stopped from outside by SIGKILL; the next run does it again"));
+  CHECK_THAT(l.out, ContainsSubstring("stopped from outside by SIGKILL; the next study run repeats it"));
   CHECK(s.results() == 0);
   CHECK(s.run({"status"}).code == 5);
 }
@@ -151,7 +152,7 @@ TEST_CASE("Ctrl-C ends a study in good order, and the same command goes on") {
     kill(process, SIGINT);
   });
   CHECK(l.code == 128 + SIGINT);
-  CHECK_THAT(l.out, ContainsSubstring("were not begun; the same command goes on"));
+  CHECK_THAT(l.out, ContainsSubstring("were not begun; the same command continues the study"));
   for (const int child : children) CHECK_FALSE(runs(child));
   CHECK(s.files(".part").empty());
   CHECK(s.results() == 3);

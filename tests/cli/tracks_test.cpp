@@ -102,7 +102,7 @@ TEST_CASE("cells of a table that die, and cells without a mother, live and run a
   const std::string file = folder / "cells.csv", scenario = folder / "cells.yaml";
   writeWhole(file, "cell,parent,birth,end,fate,x,y\na,,0,8,,0,0\nb,a,8,12,dies,0,5\nc,a,,,,5,0\nd,,0,,,5,5\n");
   const auto said = succeeds({"init", scenario, "--from", file});
-  CHECK_THAT(said.err, ContainsSubstring("2 cells have no mother") && ContainsSubstring("there is no column z"));
+  CHECK_THAT(said.err, ContainsSubstring("2 cells have no mother") && ContainsSubstring("the table has no column z"));
   const auto ran = succeeds({"run", scenario, "--db", folder / "cells.db", "--no-pictures"});
   CHECK_THAT(ran.out + ran.err, !ContainsSubstring("warning"));
   const std::string tree = succeeds({"lineage", folder / "cells.db"}).out;

@@ -31,7 +31,7 @@ mkdir -p "$scratch/project/scenarios"
 cd "$scratch/project"
 try 0 "$morula" run "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --no-pictures
 has "run of a shipped scenario" "checks   all 13 pass ($prefix/share/morula/golden/thesis/unique-four.golden)"
-has "run of a shipped scenario" "picture  not drawn: not compared"
+has "run of a shipped scenario" "picture  not compared: the run draws no picture"
 try 0 "$morula" check "$prefix/share/morula/scenarios/thesis/unique-four.yaml"
 has "check of a shipped scenario" "  ok    images"
 hash=$(sed -n 's/^ *state *//p' "$scratch/out")
@@ -63,7 +63,7 @@ try 0 "$scratch/example/example" "$scratch/four.scene"
 has "the example" "state hash $hash"
 has "the example" "AB: a5, "
 try 1 "$scratch/example/example" "$scratch/project/scenarios/one.yaml"
-has "the example of no scene" 'scene:1: this is no scene; one begins with "morula-scene 3"'
+has "the example of no scene" 'scene:1: the text is no scene; a scene begins with "morula-scene 3"'
 
 # Completion of the installed shells, and the manual.
 share="$prefix/share"

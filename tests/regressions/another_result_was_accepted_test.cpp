@@ -68,7 +68,8 @@ TEST_CASE("pictures are of the result beside which they lie") {
   // A page of a check whose scenario has changed since shows no pictures.
   project.write("scenarios/one.yaml", cellOf(3));
   REQUIRE(project.shell("$M report reports/report.json -o later.html --quiet").code == 0);
-  CHECK_THAT(readWhole(project.folder / "later.html"), ContainsSubstring("There are no pictures: since this check"));
+  CHECK_THAT(readWhole(project.folder / "later.html"),
+             ContainsSubstring("There are no pictures, because the scenario"));
   // The next result has no bodies, and so no picture.
   project.write("scenarios/one.yaml", treeOf(1));
   REQUIRE(project.shell("$M check").code == 1);

@@ -33,7 +33,7 @@ TEST_CASE("a project without scenarios is not green") {
   const Project project;
   const auto empty = project.shell("$M check --reports reports");
   CHECK(empty.code == 3);
-  CHECK_THAT(empty.err, ContainsSubstring("there is nothing to check"));
+  CHECK_THAT(empty.err, ContainsSubstring("there is no scenario to check"));
   CHECK_THAT(readWhole(project.folder / "reports/junit.xml"), ContainsSubstring("failures=\"1\""));
   project.write("scenarios/family/some.study.yaml", "");
   CHECK(project.shell("$M check").code == 3);

@@ -45,7 +45,7 @@ TEST_CASE("what differs is told by key, lineage, movement, and only then by hash
                     " %\n",
                     "pressure  ",
                     " %\n"};
-  const Words cause{"FAIL  scenario: INPUT_CHANGED, the scenario changed\n", "from it follow: bits; step_hashes"};
+  const Words cause{"FAIL  scenario: INPUT_CHANGED, the scenario changed\n", "consequences: bits; step_hashes"};
   for (const char* verb : {"check", "explain", "review"}) {
     const auto run = endsWith(1, {verb, file});
     INFO(run.out);

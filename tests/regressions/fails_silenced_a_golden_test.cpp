@@ -30,7 +30,7 @@ TEST_CASE("what must stand in the reason is no text that fits everything, and th
     const auto run = project.shell("$M check");
     CHECK(run.code == 3);
     CHECK_THAT(run.err,
-               ContainsSubstring("scenarios/one.yaml:") && ContainsSubstring("stands in nearly every message"));
+               ContainsSubstring("scenarios/one.yaml:") && ContainsSubstring("is part of nearly every message"));
   }
   project.write("scenarios/one.yaml", treeOf(1, refused + "check: {fails: [scenarios/one.yaml]}\n"));
   CHECK(project.shell("$M check").code == 1);

@@ -14,7 +14,8 @@ TEST_CASE("a measure's column under another name is not exported as one of anoth
   const auto run = project.shell("$M export run.db --format csv -o tables");
   CHECK(run.code == 6);
   CHECK_THAT(run.err, ContainsSubstring(
-                          "its table sample has a column 'voluMe2', which is not known here, and no column volume"));
+                          "its table sample has a column 'voluMe2', which this program does not know, and no column "
+                          "volume"));
 }
 
 TEST_CASE("rows of no run, and changed rows of a study's own tables, are not exported") {

@@ -34,7 +34,7 @@ TEST_CASE("a run that memory ends keeps its checkpoint, and goes on from there w
   const Words words{"run",  folder / "tree.yaml", "--no-pictures",      "--no-check", "--out", folder.path(),
                     "--db", folder / "run.db",    "--checkpoint-every", "2"};
   endsWith(4, joined(words, {"--memory-limit", "300k"}));
-  CHECK_THAT(succeeds(joined(words, {"--resume"})).err, ContainsSubstring("tree goes on from step"));
+  CHECK_THAT(succeeds(joined(words, {"--resume"})).err, ContainsSubstring("tree continues from step"));
   CHECK(launch({"replay", folder / "run.db"}).code == 0);
 }
 

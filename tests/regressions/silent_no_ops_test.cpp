@@ -74,11 +74,11 @@ TEST_CASE("what has become of a cell may be named after what acted, with a warni
 
 TEST_CASE("growth needs physics.growth, and connecting needs connections by gene") {
   const std::string grows = "START: a\ng1(a|a)\ng2(grow|a)", connects = "START: a\ng1(a|a)\ng2(connect|a)";
-  checkRefused(grows, "physics: {}\n", ":8:6: dna: 'grow' does nothing here: ");
-  checkRefused("START: shrink, a\ng1(a|a)", "physics: {}\n", ":6:10: dna: 'shrink' does nothing here: ");
+  checkRefused(grows, "physics: {}\n", ":8:6: dna: 'grow' has no effect here: ");
+  checkRefused("START: shrink, a\ng1(a|a)", "physics: {}\n", ":6:10: dna: 'shrink' has no effect here: ");
   checkFine(grows, "physics: {growth: {}}\n");
   checkFine(grows);  // DNA may ask for more than a lineage does
-  checkRefused(connects, "physics: {contact: {}}\n", ":8:6: dna: 'connect' does nothing here: ");
+  checkRefused(connects, "physics: {contact: {}}\n", ":8:6: dna: 'connect' has no effect here: ");
   checkRefused(connects, "physics: {contact: {}}\nconnections: {}\n", "connections.make is at-division");
   checkFine(connects, "physics: {contact: {}}\nconnections: {make: by-gene}\n");
   checkFine("START: a\ng1(a|a)\ng2(look|grow, a)\ng3(grow|a)", "physics: {}\n");  // a gene reads it
@@ -90,7 +90,7 @@ TEST_CASE("connections by gene need a gene that wants them, and neighbours") {
     checkRefused(none, "physics: {contact: {}}\nconnections: {make: " + make + "}\n",
                  ":5:21: connections.make: no gene produces 'connect'");
   checkRefused("START: a\ng1(a|a)\ng2(connect|a)", "physics: {}\nconnections: {make: by-gene}\n",
-               ":5:21: connections.make: genes connect cells that touch");
+               ":5:21: connections.make: genes connect only cells that touch");
   checkFine("START: a, connect\ng1(a|a)", "physics: {contact: {}}\nconnections: {make: by-gene}\n");
   checkFine(none, "physics: {contact: {}}\nconnections: {make: at-division}\n");
 }
@@ -108,7 +108,7 @@ TEST_CASE("a START substance that nothing reads is refused; cells without any ge
 TEST_CASE("a gene whose input can never be present is refused, through any number of genes") {
   const std::string a = "START: a\ng0(a|a)\n";
   checkRefused(a + "g1(b|b)", "", "s.yaml:7:8: dna: only this gene produces 'b'");
-  checkRefused(a + "g1(b|c)\ng2(c|b)", "", "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
+  checkRefused(a + "g1(b|c)\ng2(c|b)", "", "s.yaml:7:8: dna: 'c' is never present, because its producer (g2)");
   checkFine(a + "g1(b|a, A)\ng2(divide|a)");
   checkFine(a + "g2(c|b)\ng1(b|a)");  // the order of genes does not matter
   // A cell may begin with substances that neither START nor a gene gives.

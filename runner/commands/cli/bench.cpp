@@ -149,11 +149,12 @@ void addBench(CLI::App& app, Action& action) {
              "Numbers of cells of the packed scenes, as 64,128");
   verb.takes("--vertices", words.options.levels, "N,...", readLevel, "Vertices of each cell: 42, 162 or 642");
   verb.takes("--isa", words.options.isas, "NAME,...", parseIsa,
-             "Only these instruction sets: scalar, narrow, avx2, avx512");
+             "Measure only these instruction sets: scalar, narrow, avx2, avx512");
   verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024), "Numbers of threads; default: 1,2");
-  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>, "Only these stages: " + namesOf<Stage>());
+  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>,
+             "Measure only these stages: " + namesOf<Stage>());
   verb.takes("--quick", words.quick, "Measure few scenes in few rounds");
-  verb.takes("--full", words.full, "Scenes of up to 4096 cells");
+  verb.takes("--full", words.full, "Measure also scenes of up to 4096 cells");
   verb.oneOf({"--quick", "--full"});
   verb.takes("--no-bullet", words.noBullet, "Do not measure Bullet, which is slow");
   verb.takes("--out", words.out, "FOLDER", "Folder for results");

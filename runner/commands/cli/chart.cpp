@@ -65,15 +65,15 @@ int act(const ChartOptions& options) {
   if (options.what != "contacts" && options.what != "divisions") try {
       measure = readMeasure(options.what, IfSeveral::first);
     } catch (const InputError& error) {
-      throw UsageError(std::string("a chart shows a measure, contacts or divisions: ") + error.what());
+      throw UsageError(std::string("WHAT needs a measure, contacts or divisions: ") + error.what());
     }
   if (options.time && options.what != "contacts")
-    throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
+    throw UsageError("--time is the time of contacts; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const RunToDraw run = resultsOf(options, scenario);
   if (options.time && *options.time > run.end)
-    throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
-                                 exactText(*options.time), run.end));
+    throw UsageError(
+        fmt::format("--time: {} is after the end of the run; needs at most {:.6g}", exactText(*options.time), run.end));
   std::string file = scenario.scene.name + "-" + options.what + ".svg";
   std::ranges::replace(file, ' ', '-'), std::ranges::replace(file, '*', '+');
   if (!options.picture.empty()) file = options.picture;
@@ -86,12 +86,12 @@ int act(const ChartOptions& options) {
 }  // namespace
 
 void addChart(CLI::App& app, Action& action) {
-  Verb verb(app, action, "chart", "Draw what was measured of a stored run, or of a scenario that is run for it");
+  Verb verb(app, action, "chart", "Draw measures of a stored run, or of a scenario, which is run first");
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
   verb.needs("what", options.what, "WHAT",
-             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, 'shell_share of "
-             "AAA*'; contacts: who touches whom; divisions: which way cells divided");
+             "A measure over time, such as cell.volume (scenarios/MEASURES.md), also of some cells, as 'shell_share "
+             "of AAA*'; contacts: areas between cells; divisions: directions of division axes");
   addRunChoice(verb, options.run);
   verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
              "Time of the contacts that are drawn; default: the end");

@@ -54,12 +54,13 @@ std::vector<std::string> projectScenarios(bool quiet) {
   const ProjectFiles found = projectFiles("scenarios");
   if (found.scenarios.empty())
     throw InputError(
-        "scenarios: there is nothing to check; needs files that end in .yaml or .yml, which are no studies");
+        "scenarios: there is no scenario to check; needs files that end in .yaml or .yml and are no studies");
   std::vector<std::string> files;
   for (const auto& file : found.scenarios) files.push_back(file.string());
   if (const std::size_t studies = found.studies.size())
-    tell(std::to_string(studies) + (studies == 1 ? " study" : " studies") + " below scenarios: check runs none; `" +
-             programWord() + " study run FILE` and `" + programWord() + " study check FILE` do, as " +
+    tell(std::to_string(studies) + (studies == 1 ? " study" : " studies") +
+             " below scenarios that check does not run; run them with `" + programWord() +
+             " study run FILE` and check them with `" + programWord() + " study check FILE`, as " +
              found.studies[0].string(),
          quiet);
   return files;
@@ -69,7 +70,8 @@ std::vector<std::string> projectScenarios(bool quiet) {
 std::string sharedGolden(const std::vector<std::string>& files, const std::string& file) {
   for (const std::string& other : files)
     if (other != file && goldenPath(other) == goldenPath(file))
-      return file + ": its golden is that of " + other + ", too: " + goldenPath(file).string() + "; rename one of them";
+      return file + ": its golden file is the same as that of " + other + ": " + goldenPath(file).string() +
+             "; rename one of them";
   return {};
 }
 
@@ -215,7 +217,7 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
 std::vector<CheckReport> orphans() {
   std::vector<CheckReport> reports;
   for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
-    const std::string why = file.string() + ": there is no scenario to this golden file";
+    const std::string why = file.string() + ": this golden file has no scenario";
     tellError(why);
     reports.push_back({file.string(), {failedCheck("orphan", FailureClass::inputChanged, "a scenario", "none", why)}});
   }
@@ -301,7 +303,7 @@ void addCheck(CLI::App& app, Action& action) {
   auto& options = verb.does<CheckOptions>(act);
   verb.takes("scenario", options.scenarios, "FILE", "Scenario files; default: all under scenarios/");
   verb.takes("--reports", options.reports, "FOLDER",
-             "Write junit.xml, report.json, summary.md and the page report.html there");
+             "Folder for junit.xml, report.json, summary.md and the page report.html");
   verb.takes<std::vector<Engine>>(
       "--beside", options.beside, "ENGINES", parseEngines,
       "Also compute the scenarios with these engines, and print a table of the same checks: thesis "

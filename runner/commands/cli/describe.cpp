@@ -27,7 +27,7 @@ inline constexpr auto choices<cli::DescriptionFor> = std::to_array<Choice<cli::D
 namespace morula::cli {
 
 void addDescribe(CLI::App& app, Action& action) {
-  Verb verb(app, action, "describe", "Print the command line for a shell's completion, or as a page for man");
+  Verb verb(app, action, "describe", "Print the verbs and options as completions for a shell, or as a page for man");
   const auto form = std::make_shared<DescriptionFor>();
   verb.does([form, &app] {
     const CommandInfo program = commandTree(app);

@@ -35,16 +35,18 @@ int act(const ExplainOptions& options) {
 }  // namespace
 
 void addExplain(CLI::App& app, Action& action) {
-  Verb verb(app, action, "explain", "Say where and why a result differs: first step, cell, vertex, both values");
+  Verb verb(app, action, "explain", "Find where and why a result differs: first step, cell, vertex, both values");
   auto& options = verb.does<ExplainOptions>(act);
   verb.needs("scenario", options.scenario, "FILE", "Scenario file");
-  verb.takes("--with", options.with, "PROGRAM", "Compare with what this Morula program gives, perhaps an older build");
+  verb.takes("--with", options.with, "PROGRAM",
+             "Compare with the results of this Morula program, perhaps an older "
+             "build");
   verb.takes("--db", options.database, "FILE", "Compare with a stored run");
   addRunChoice(verb, options.run);
   verb.oneOf({"--with", "--db"});
   verb.onlyWith({"--run"}, {"--db"});
   verb.takes("--every", options.every, "STEPS", natural(1, 1'000'000'000),
-             "Compare every so many steps first; 1 also finds differences that vanish again");
+             "First compare states N steps apart; 1 also finds differences that vanish again");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.output);

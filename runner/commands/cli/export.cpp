@@ -74,7 +74,7 @@ int listTables(Store& store, const ExportOptions& options) {
 
 int writeFormat(const ExportOptions& options) {
   ExportRequest request = options.request;
-  if (options.path.empty()) throw UsageError("--format: needs -o PATH, where to write");
+  if (options.path.empty()) throw UsageError("--format: needs -o PATH, the file or folder to write");
   request.output = options.path;
   request.execution = execution(options.execution);
   request.quiet = options.output.quiet;
@@ -100,8 +100,8 @@ int act(const ExportOptions& options) {
   if (options.crate.empty()) return listRuns(store, options);
   if (options.request.run.empty() && isMergedStudy(options.database))
     throw UsageError("--ro-crate: " + options.database + " holds " + std::to_string(store.runs().size()) +
-                     " runs of a study, and a crate holds one; --run ID names it (`" + programWord() + " export " +
-                     shellWord(options.database) + "` lists them)");
+                     " runs of a study, and a crate holds one run; choose it by --run ID (`" + programWord() +
+                     " export " + shellWord(options.database) + "` lists them)");
   const StoredRun run = store.find(options.request.run);
   requireWholeRecord(store, run);
   tellUnlessFine(store, run);
@@ -113,8 +113,8 @@ int act(const ExportOptions& options) {
   draft.takePlace();
   if (options.license.empty())
     tell(
-        "the crate names no licence, which RO-Crate 1.1 demands and strict readers refuse; --license names one, as in "
-        "--license CC-BY-4.0",
+        "the crate names no licence, so strict readers of RO-Crate 1.1 reject it; name one, as in --license "
+        "CC-BY-4.0",
         options.output.quiet);
   printEither(options.output, {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
               fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
@@ -125,23 +125,28 @@ int act(const ExportOptions& options) {
 
 void addExport(CLI::App& app, Action& action) {
   Verb verb(app, action, "export",
-            "List the runs of a database, or give them to others: as tables, trees, surfaces, arrays or a folder");
+            "List the runs of a database, or export them as tables, trees, surfaces, arrays or a crate");
   auto& options = verb.does<ExportOptions>(act);
   verb.needs("file", options.database, "FILE", "A database");
   verb.takes("--run", options.request.run, "ID",
-             "Which run of the database; default: the latest, and with --format all");
+             "Run of the database, by its id; default: the latest, or all runs with --format");
   verb.takes("--format", options.request.format, "NAME", formatCalled, formatList());
   verb.takes("-o,--output", options.path, "PATH",
-             "With --format: the file or folder, which must be new; of several runs a folder with one for each");
-  verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative), "Only the surfaces of this time");
-  verb.takes("--table", options.request.table, "NAME", "With --format csv: only this table, as cells or samples");
+             "With --format: a new file or folder; for several runs a folder with one for each");
+  verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative),
+             "Export only the surfaces of this time");
+  verb.takes("--table", options.request.table, "NAME",
+             "With --format csv: export only this table, as cells or "
+             "samples");
   verb.takes("--no-comments", options.request.noComments,
              "With --format newick: leave out path, fate and state ([&&NHX...]), which some programs cannot read");
-  verb.takes("--list", options.list, "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
-  verb.takes("--ro-crate", options.crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
+  verb.takes("--list", options.list,
+             "List the tables with their rows, bytes and readers; of all runs, or of --run "
+             "alone");
+  verb.takes("--ro-crate", options.crate, "FOLDER", "Folder for a Process Run Crate (RO-Crate 1.1)");
   verb.takes("--pictures", options.pictures, "FOLDER",
              "Folder of the run's pictures for --ro-crate; default: beside a database of one run");
-  verb.takes("--agent", options.agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
+  verb.takes("--agent", options.agent, "WHO", "Person who ran the simulation: a name, or a URI such as an ORCID");
   verb.takes("--license", options.license, "LICENCE", licenseUri,
              "The results' licence: an SPDX identifier, as CC-BY-4.0, or a URI");
   verb.oneOf({"--format", "--ro-crate", "--list"});

@@ -67,7 +67,7 @@ int writeFromTable(const InitOptions& options, const std::filesystem::path& scen
     makeFolder(pathOf(*file).parent_path());
     overwriteFile(pathOf(*file), file->text);
   }
-  tell("wrote " + scenario.string() + " and " + std::to_string(files.size() - 1) + " files that it goes with", false);
+  tell("wrote " + scenario.string() + " and " + std::to_string(files.size() - 1) + " files that belong to it", false);
   return fine;
 }
 
@@ -82,7 +82,7 @@ std::array<double, 3> readShell(const std::string& text) {
 
 /// "µm,min"; "0.5µm,2min": one length of the table is 0.5 µm, one time 2 min.
 Units readUnits(const std::string& text) {
-  const std::string example = "needs a length and a time, as µm,min, or 0.5µm,2min where one of the table is so many";
+  const std::string example = "needs a length and a time, as µm,min, or with factors, as 0.5µm,2min";
   const std::vector<std::string> parts = partsOf(text, ',');
   if (parts.size() != 2) throw InputError("'" + text + "' are no units; " + example);
   Units units;
@@ -122,12 +122,12 @@ int act(const InitOptions& options) {
 }  // namespace
 
 void addInit(CLI::App& app, Action& action) {
-  Verb verb(app, action, "init", "Write a commented scenario, study or DNA to begin with");
+  Verb verb(app, action, "init", "Write a commented scenario, study or DNA as a start");
   auto& options = verb.does<InitOptions>(act);
   verb.takes("file", options.file, "FILE", "File to write; default: standard output");
   verb.takes("-o,--output", options.output, "FILE", "File to write, as FILE");
   verb.takes("--dna", options.dna, "NAME", readDnaKind,
-             "Write DNA instead of a scenario; full-tree: every cell divides, all leaves differ");
+             "Write DNA instead of a scenario; full-tree: every cell divides, and all leaves differ");
   verb.takes("--levels", options.levels, "N", natural(1, 16),
              "Divisions from the egg to the leaves of the full tree, 1 to 16");
   verb.takes("--study", options.study, "NAME", "Write a study of this name instead of a scenario");
@@ -137,10 +137,10 @@ void addInit(CLI::App& app, Action& action) {
       "Write the scenario of tracked cells: CSV with a row per cell and frame (track_id, t, z, y, x, "
       "parent_track_id; name, volume or radius) or a row per cell (cell, parent, birth, division), or man_track.txt");
   verb.takes("--units", options.embryo.units, "LENGTH,TIME", readUnits,
-             "Units of the table: µm,min; 0.5µm,2min where one of it is so many");
+             "Units of the table, as µm,min; with factors, as 0.5µm,2min");
   verb.takes("--shell", options.embryo.shell, "X,Y,Z", readShell,
-             "Semi-axes of the shell along x, y and z, as the table's lengths; default: fitted to the cells");
-  verb.takes("--root", options.embryo.root, "CELL", "Only this cell of the table and its descendants");
+             "Semi-axes of the shell along x, y and z, in the table's unit; default: fitted to the cells");
+  verb.takes("--root", options.embryo.root, "CELL", "Take only this cell of the table and its descendants");
   verb.takes("--model", options.embryo.areSpheres, "NAME", readModel,
              "Bodies of cells: mesh, or sphere, which is faster and coarser");
   verb.showDefault("--model", "mesh");

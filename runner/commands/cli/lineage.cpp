@@ -226,9 +226,9 @@ void addLineage(CLI::App& app, Action& action) {
   auto& options = verb.does<LineageOptions>(act);
   verb.needs("file", options.file, "FILE", "A scenario or a database");
   addRunChoice(verb, options.run);
-  verb.takes("--cell", options.cell, "CELL", "Only the life of this cell, given by its name or path: AAB, egg");
+  verb.takes("--cell", options.cell, "CELL", "Print only the life of this cell, given by its name or path: AAB, egg");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("lineage", true),
-             "Also draw it: a .png, .svg or .pdf; with --quiet it is not printed");
+             "Also draw the tree into this file: .png, .svg or .pdf; with --quiet the tree is not printed");
   verb.takes(
       "--colour", options.colour, "WHAT", parseColouring,
       "Colour of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "

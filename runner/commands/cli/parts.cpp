@@ -80,15 +80,14 @@ int act(const PartsOptions& options) {
 }  // namespace
 
 void addParts(CLI::App& app, Action& action) {
-  Verb verb(app, action, "parts", "Tell what a scenario engages, why, and what each part will cost");
+  Verb verb(app, action, "parts", "List the parts that a scenario engages, with the reason and the cost of each");
   auto& options = verb.does<PartsOptions>(act);
   verb.needs("scenario", options.scenario, "FILE", "A scenario file");
   add(verb, options.input);
   add(verb, options.scene);
   add(verb, options.execution);
-  verb.takes(
-      "--rehearsal", options.rehearsal, "N", number(scenario::positive),
-      "Run the beginning for so many steps times vertices, by default 8e6; fewer are quicker, and the prediction is worse");
+  verb.takes("--rehearsal", options.rehearsal, "N", number(scenario::positive),
+             "Length of the rehearsal in steps times vertices, by default 8e6; shorter ones predict less exactly");
   verb.takes("--no-pictures", options.noPictures, "Predict a run with --no-pictures");
   add(verb, options.output);
 }

@@ -31,7 +31,7 @@ int act(const PlaygroundOptions& options) {
 
 void addPlayground(CLI::App& app, Action& action) {
   Verb verb(app, action, "playground",
-            "Write one page to write, check and run scenarios in a browser, without network");
+            "Write a page on which scenarios are written, checked and run in a browser, without network");
   auto& options = verb.does<PlaygroundOptions>(act);
   verb.takes("-o,--output", options.output, "FILE", readPageName, "The page, a .html");
   verb.takes("--scenarios", options.scenarios, "FOLDER",

@@ -41,7 +41,7 @@ ClipPlane readClip(const std::string& text) {
   if (!good)
     throw InputError(
         "'" + text +
-        "' is no plane; needs X,Y,Z,OFFSET, such as 0,-1,0,0: what has X·x + Y·y + Z·z > OFFSET is cut away");
+        "' is no plane; needs X,Y,Z,OFFSET, such as 0,-1,0,0: the part with X·x + Y·y + Z·z > OFFSET is cut away");
   return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
@@ -89,16 +89,16 @@ void checkOutput(const RenderOptions& options) {
   };
   const bool isTree = options.style == PictureStyle::lineage, isFilm = isFilmName(options.output) && !isTree;
   if (options.perSecond && !isFilm)
-    throw UsageError("--fps is of a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
+    throw UsageError("--fps needs a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
   if (!isFilm) try {
       return checkPictureName("render", options.output, isTree);
     } catch (const InputError& error) { throw UsageError(std::string("--output: ") + error.what()); }
   if (!options.moves())
-    refuse(", a film, and one picture does not move; needs --turntable N or --frames N, or a name that ends in .png");
+    refuse(", a film, but there is one picture; needs --turntable N or --frames N, or a name that ends in .png");
   if (!hasFfmpeg())
     refuse(
-        ", which takes the program ffmpeg, and there is none in PATH; needs a name that ends in .png "
-        "(numbered pictures), or ffmpeg (Debian: apt install ffmpeg)");
+        ", which needs the program ffmpeg, and PATH does not have it; needs a name that ends in .png (numbered "
+        "pictures), or ffmpeg (Debian: apt install ffmpeg)");
 }
 
 void add(Verb& verb, RenderOptions& options) {
@@ -109,7 +109,7 @@ void add(Verb& verb, RenderOptions& options) {
   verb.takes("--style", options.style, "NAME", parseChoice<PictureStyle>, namesOf<PictureStyle>());
   verb.takes(
       "--view", wishes.camera, "VIEW", parseView,
-      "From where to look: front, back, left, right, top, bottom, iso, or azimuth and elevation in degrees: 30,20; "
+      "Direction of view: front, back, left, right, top, bottom, iso, or azimuth and elevation in degrees: 30,20; "
       "default: from the front, a little from the right and above");
   verb.takes("--size", options.size, "N|WxH", pictureSize(64, 8192),
              "Width and height in pixels: 900 or 1920x1080; default: 900");
@@ -122,29 +122,30 @@ void add(Verb& verb, RenderOptions& options) {
   verb.takes("--opacity", wishes.opacities, "[SUBSTANCE=]NUMBER,...", readOpacity,
              "Opacity of all cells, or of cells with a substance: 0 to 1");
   verb.takes("--clip", wishes.clip, "X,Y,Z,OFFSET", readClip, "Cut away the part in which X·x + Y·y + Z·z > OFFSET");
-  verb.takes("--labels", wishes.labels, "WHAT", parseChoice<Labels>, "Write this at the cells: name or path");
+  verb.takes("--labels", wishes.labels, "WHAT", parseChoice<Labels>, "Labels of the cells: name or path");
   verb.takes("--forces", options.forces, "KIND,...", readForces,
-             "Draw arrows for these forces: " + namesOf<ForceKind>() + "; or all");
+             "Draw arrows for forces: " + namesOf<ForceKind>() + "; or all");
   verb.takes("--normals", wishes.normals, "Draw the normal of each vertex");
   verb.takes("--connections", wishes.connections, "Draw a line between the centres of connected cells");
-  verb.takes("--axes", wishes.axes, "Show which way x, y and z point");
+  verb.takes("--axes", wishes.axes, "Show the directions of x, y and z");
   verb.takes("--scale-bar", wishes.scaleBar, "Show a scale bar");
   verb.takes("--transparent", wishes.transparent, "Leave the background transparent");
   verb.takes("--turntable", options.turntable, "N", natural(2, 10'000), "N pictures from all around");
   verb.takes("--frames", options.frames, "N", natural(2, 10'000),
-             "N pictures, evenly from the start to the end, or to --time");
+             "Draw N pictures, evenly from the start to the end, or to --time");
   verb.oneOf({"--turntable", "--frames"});
   verb.takes("--fps", options.perSecond, "N", number({.low = 0.1, .high = 1000}),
              "Pictures per second of a film; default: 25");
   verb.takes("--beside", options.beside, "FILE",
-             "Draw another scenario or database beside it, and how far their surfaces are apart");
+             "Draw another scenario or database beside it, and the distance of their surfaces");
   verb.excludes("--beside", {"--style both", "--forces", "--turntable", "--frames"},
-                "it shows one moment of solid cells");
+                "--beside shows one moment of solid cells");
   verb.excludes(
       "--style lineage",
       {"--view", "--supersample", "--colour", "--opacity", "--clip", "--labels", "--forces", "--normals",
        "--connections", "--axes", "--scale-bar", "--transparent", "--turntable", "--frames", "--fps", "--beside"},
-      "the one is a tree, the other is of cells in space (morula lineage -o has labels and colours of trees)");
+      "--style lineage draws a tree, and the other option is for cells in space (morula lineage -o has labels and colours "
+      "of trees)");
   verb.takes(
       "-o,--output", options.output, "FILE",
       "File to write: .png (numbered if there are several), .mp4, .webm or .gif; a lineage also as .svg or .pdf; "

@@ -29,7 +29,7 @@ Target targetOf(const ReplayOptions& o) {
   if (o.database.empty() && fileExists(o.what)) return {o.what, o.run};
   if (o.database.empty())
     throw UsageError("replay: there is no file '" + o.what + "'; give a database, or a run's id and --db FILE");
-  if (!o.run.empty()) throw UsageError("replay: '" + o.what + "' and --run: give one run");
+  if (!o.run.empty()) throw UsageError("replay: '" + o.what + "' and --run name a run each; give one of them");
   return {o.database, o.what};
 }
 
@@ -59,7 +59,7 @@ int act(const ReplayOptions& options) {
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)
     throw UsageError("replay: run " + before.id + " has not ended (" + name(before.status) +
-                     "); morula run --resume goes on with it");
+                     "); continue it with morula run --resume");
   Replay found;
   found.record = store.changedRecord(before.id);
   if (!found.record.empty()) return report(found, before, options.output);
@@ -75,12 +75,14 @@ int act(const ReplayOptions& options) {
 }  // namespace
 
 void addReplay(CLI::App& app, Action& action) {
-  Verb verb(app, action, "replay", "Run a stored run again and say what differs in its conditions and its bits");
+  Verb verb(app, action, "replay", "Run a stored run again and list differences of its conditions and its bits");
   auto& options = verb.does<ReplayOptions>(act);
   verb.needs("what", options.what, "FILE|ID", "A database, or a run's id with --db");
   addRunChoice(verb, options.run);
   verb.takes("--db", options.database, "FILE", "The database, if a run's id is given");
-  verb.takes("--db-out", options.databaseOut, "FILE", "Store the replayed run in this file; default: nowhere");
+  verb.takes("--db-out", options.databaseOut, "FILE",
+             "Store the replayed run in this file; default: the run is not "
+             "stored");
   add(verb, options.execution);
   verb.showDefault("--threads", "as then");
   add(verb, options.output);

@@ -60,28 +60,27 @@ int act(const ReportOptions& options) {
 }  // namespace
 
 void addReport(CLI::App& app, Action& action) {
-  Verb verb(app, action, "report",
-            "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
+  Verb verb(app, action, "report", "Write one page of stored runs: verdict, explorer, pictures, checks, provenance");
   auto& options = verb.does<ReportOptions>(act);
   verb.needs("what", options.question.what, "WHAT",
-             "Databases of runs or of a merged study, study files whose runs are there, report.json of a check, what "
-             "accuracy --json printed, or folders of these");
+             "Databases of runs or of a merged study, files of studies that have been run, report.json of a check, "
+             "output of accuracy --json, or folders of these");
   verb.takes("-o,--output", options.output, "FILE", readPageName,
              "The page, a .html; default: report.html beside the first database");
   verb.takes("--run", options.question.run, "ID",
-             "Only this run of the database, of a study also 'CONDITION, seed N'; default: all");
+             "Show only this run of the database, for a study also 'CONDITION, seed N'; default: all");
   verb.takes("--explore", options.question.explored, "N", natural(1, 1000),
              "Number of a study's runs that the explorer offers, if they fit into the page; the conditions that "
              "differ most come first");
   verb.showDefault("--explore", "24");
   verb.takes("--frames", options.question.frames, "N", natural(0, 10'000),
-             "Number of shapes of each run, evenly over its time; 0: none, and nothing is run again");
+             "Number of shapes of each run, evenly over its time; 0: no shapes, and no run is repeated");
   verb.takes("--size-limit", options.limit, "SIZE", readSize,
              "Max size of the page; frames that do not fit are left out, and the page says so");
   verb.showDefault("--size-limit", "10M");
   verb.takes("--no-bullet", options.noBullet, "Do not run Bullet beside Morula for scenarios with check.bullet");
   verb.takes("--rerun", options.question.rerun,
-             "Put the simulator into the page, so that its readers can make the run again");
+             "Put the simulator into the page, so that its readers can repeat the run");
   add(verb, options.execution);
   add(verb, options.messages);
 }

@@ -27,7 +27,7 @@ int act(const SchemaOptions& options) {
 void addSchema(CLI::App& app, Action& action) {
   Verb verb(app, action, "schema", "Print the JSON Schema of scenarios, for editors");
   auto& options = verb.does<SchemaOptions>(act);
-  verb.takes("--markdown", options.markdown, "Print tables for people instead, as in scenarios/PARAMETERS.md");
+  verb.takes("--markdown", options.markdown, "Print Markdown tables instead, as in scenarios/PARAMETERS.md");
   verb.takes("--measures", options.measures,
              "Print the list of measures instead; with --markdown: scenarios/MEASURES.md");
   verb.takes("--study", options.study, "Print the schema of studies instead; with --markdown: scenarios/STUDIES.md");

@@ -49,9 +49,9 @@ void addTrail(CLI::App& app, Action& action) {
   verb.needs("scenario", options.scenario, "FILE", "Scenario file");
   verb.takes("--from", options.from, "STEP", natural(0, toTheEnd), "The first step");
   verb.takes("--to", options.to, "STEP", natural(0, toTheEnd), "The last step");
-  verb.takes("--every", options.every, "N", natural(1, toTheEnd), "Every so many steps");
+  verb.takes("--every", options.every, "N", natural(1, toTheEnd), "Number of steps between hashes");
   verb.takes("--state", options.state, "STEP", natural(0, toTheEnd),
-             "Instead, the whole state after this step, as bytes");
+             "Print the whole state after this step as bytes instead");
   add(verb, options.input);
   add(verb, options.execution);
   verb.hide();  // for programs

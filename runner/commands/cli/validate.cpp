@@ -85,7 +85,7 @@ int act(const ValidateOptions& options) {
 }  // namespace
 
 void addValidate(CLI::App& app, Action& action) {
-  Verb verb(app, action, "validate", "Tell all mistakes in scenario and study files");
+  Verb verb(app, action, "validate", "List all mistakes in scenario and study files");
   auto& options = verb.does<ValidateOptions>(act);
   verb.needs("scenario", options.scenarios, "FILE", "Scenario or study files");
   add(verb, options.input);

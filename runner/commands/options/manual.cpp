@@ -49,11 +49,15 @@ std::string manualPage(const CommandInfo& program, const std::string& version) {
       "\" \"User Commands\"\n.SH NAME\nmorula \\- simulate dividing cells, the same bits every time\n.SH SYNOPSIS\n"
       "\\fBmorula\\fR \\fIVERB\\fR [\\fIOPTION\\fR]... [\\fIFILE\\fR]...\n.SH DESCRIPTION\n" +
       roffText(program.purpose) +
-      "\n.PP\nA scenario is one experiment in a YAML file. Genes decide what each cell does, and a simulation of soft "
-      "bodies decides where it lies. Every run is stored with its provenance and held against an accepted "
-      "result.\n.PP\nA project is a folder with \\fIscenarios/\\fR and \\fIgolden/\\fR, which holds the accepted "
-      "results. Start the program there; results go into \\fIresults/\\fR, and what waits for a review into "
-      "\\fIgolden/.pending/\\fR.\n.SH VERBS\n";
+      "\n"
+      ".PP\n"
+      "A scenario is one experiment in a YAML file. Genes decide what each cell does, and a simulation of soft "
+      "bodies decides where it lies. Every run is stored with its provenance and compared with an accepted result.\n"
+      ".PP\n"
+      "A project is a folder with \\fIscenarios/\\fR and \\fIgolden/\\fR, which holds the accepted results. Start "
+      "the program there; results go into \\fIresults/\\fR, and results that wait for a review into "
+      "\\fIgolden/.pending/\\fR.\n"
+      ".SH VERBS\n";
   for (const CommandInfo& command : program.commands) addCommand(command, command.name, text);
   return text +
          ".SH EXIT STATUS\n0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "

@@ -9,8 +9,8 @@
 namespace morula::cli {
 
 void add(Verb& verb, OutputOptions& options) {
-  verb.takes("--json", options.json, "One JSON object on standard output");
-  verb.takes("--quiet", options.quiet, "No remarks and no progress");
+  verb.takes("--json", options.json, "Print one JSON object on standard output");
+  verb.takes("--quiet", options.quiet, "Print no remarks and no progress");
 }
 
 void add(Verb& verb, InputOptions& options) {
@@ -20,8 +20,8 @@ void add(Verb& verb, InputOptions& options) {
 
 void add(Verb& verb, SceneOptions& options) {
   verb.takes("--set", options.set, "PATH=VALUE",
-             "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat");
-  verb.takes("--seed", options.seed, "N", natural(0, scenario::largestNatural), "Another seed than the scenario's");
+             "Change a parameter: --set physics.time_step=0.001; null removes it; may repeat");
+  verb.takes("--seed", options.seed, "N", natural(0, scenario::largestNatural), "Seed that replaces the scenario's");
 }
 
 void add(Verb& verb, ExecutionOptions& options) {
@@ -34,11 +34,12 @@ void add(Verb& verb, ExecutionOptions& options) {
 
 void addMemoryLimit(Verb& verb, ExecutionOptions& options) {
   verb.takes("--memory-limit", options.memoryLimit, "SIZE", readSize,
-             "Refuse or end a run that needs more memory than this, as 8G; default: nine tenths of what is free");
+             "Max memory of a run, as 8G; a run that needs more does not start or ends; default: nine tenths of the "
+             "free memory");
 }
 
 void addRunChoice(Verb& verb, std::string& run) {
-  verb.takes("--run", run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--run", run, "ID", "Run of the database, by its id; default: the latest");
 }
 
 std::vector<Override> overrides(const SceneOptions& options) {

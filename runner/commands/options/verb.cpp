@@ -98,7 +98,7 @@ void Verb::excludes(const std::string& name, const std::vector<std::string>& oth
   checks_->ofOptions.push_back([=, verb = verb_] {
     for (const auto& other : others)
       if (isGiven(*verb, name) && isGiven(*verb, other))
-        throw UsageError(name + " and " + other + ": give one of them" + (why.empty() ? "" : "; " + why));
+        throw UsageError(name + " and " + other + ": give only one of them" + (why.empty() ? "" : "; " + why));
   });
 }
 

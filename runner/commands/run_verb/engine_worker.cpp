@@ -9,7 +9,9 @@
 namespace morula::cli {
 
 void addEngineWorker(CLI::App& app, Action& action) {
-  Verb verb(app, action, "engine-worker", "Computes one scene: question on stdin, answer on stdout, both JSON");
+  Verb verb(app, action, "engine-worker",
+            "Compute one scene: reads a request from stdin and writes an answer to "
+            "stdout, both JSON");
   verb.hide();  // not listed
   verb.does([] {
     serveEngine(questionStream(), answerStream());

@@ -188,7 +188,7 @@ int act(const RunOptions& options) {
 }  // namespace
 
 void addRun(CLI::App& app, Action& action) {
-  Verb verb(app, action, "run", "Simulate a scenario, store, check and draw it");
+  Verb verb(app, action, "run", "Simulate a scenario, and store, check and draw the run");
   auto& options = verb.does<RunOptions>(act);
   verb.needs("scenario", options.scenarios, "FILE", "Scenario files");
   add(verb, options.input);
@@ -196,11 +196,11 @@ void addRun(CLI::App& app, Action& action) {
   verb.takes<std::vector<std::uint64_t>>("--seeds", options.seeds, "FIRST..LAST", readSeeds,
                                          "Run once for each seed of a range: 1..50");
   verb.takes("--db", options.database, "FILE", "Store in this file; default: run.db beside the pictures");
-  verb.takes("--out", options.out, "FOLDER", "Folder for results, one folder in it per run");
-  verb.takes("--no-pictures", options.noPictures, "Draw nothing, not even the picture that the golden file holds");
+  verb.takes("--out", options.out, "FOLDER", "Folder for results, with one folder for each run");
+  verb.takes("--no-pictures", options.noPictures, "Draw no pictures, not even the one of the golden file");
   verb.takes("--no-check", options.noCheck, "Do not compare with the golden file");
   verb.takes("--checkpoint-every", options.checkpointEvery, "STEPS", natural(1, 1'000'000'000'000),
-             "Keep a checkpoint every so many steps; one is always kept at Ctrl-C");
+             "Number of steps between checkpoints; a checkpoint is always kept at Ctrl-C");
   verb.showDefault("--checkpoint-every", "");
   verb.takes("--resume", options.resume, "Continue from the last checkpoint of the same run");
   verb.takes("--dry-run", options.dryRun, "Read and check the scenarios; run nothing and write nothing");

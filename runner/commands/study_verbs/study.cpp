@@ -4,7 +4,7 @@
 namespace morula::cli {
 
 void addStudy(CLI::App& app, Action& action) {
-  auto& study = addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
+  auto& study = addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, and compare the results");
   // The verbs in the order of their use.
   for (AddVerb* add :
        {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyCheck, addStudyEmit})

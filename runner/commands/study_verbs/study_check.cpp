@@ -50,7 +50,7 @@ int act(const CheckCommand& command) {
   const Study study = isFile ? loadStudy(command.study, command.input.allowOutside) : plannedStudy(database);
   if (study.claims.empty())
     throw InputError(study.file +
-                     ": check: there are no claims to hold against the results; write some, as check: "
+                     ": check: the study makes no claims to compare with the results; write some, as check: "
                      "[{measure: clone-radius, a: {division: longest}, b: {division: random}, says: lower}]");
   const StudyResults results = readStudyResults(database);
   const StudyState state = stateOf(results, study.allowed, isFile ? differenceFrom(database, study) : PlanDifference{});
@@ -78,14 +78,14 @@ int act(const CheckCommand& command) {
 
 void addStudyCheck(CLI::App& study, Action& action) {
   Verb verb(study, action, "check",
-            "Check the claims of a study file (its key check) against the results; exit code 1: one does not hold, or "
-            "more runs failed or are insane than limits allow, or the results are not those of the file; 5: runs are "
-            "missing");
+            "Check the claims of a study file (its key check) against the results; exit code 1: a claim does not "
+            "hold, or more runs failed or are insane than limits allow, or the results belong to another plan than "
+            "the file's; 5: runs are missing");
   auto& command = verb.does<CheckCommand>(act);
   verb.needs("study", command.study, "FILE",
              "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, with the "
              "claims that the file made when it was planned");
-  verb.takes("--reports", command.reports, "FOLDER", "Write junit.xml and summary.md there");
+  verb.takes("--reports", command.reports, "FOLDER", "Folder for junit.xml and summary.md");
   add(verb, command.input);
   add(verb, command.output);
 }

@@ -56,7 +56,7 @@ int act(const EmitCommand& command) {
 
 void addStudyEmit(CLI::App& study, Action& action) {
   Verb verb(study, action, "emit",
-            "Write the file with which Slurm, Snakemake or GNU parallel runs the study; print its path");
+            "Write a file with which Slurm, Snakemake or GNU parallel runs the study, and print its path");
   auto& command = verb.does<EmitCommand>(act);
   verb.needs("site", command.emit.site, "SITE", parseChoice<Site>, namesOf<Site>());
   add(verb, command.of);
@@ -65,9 +65,9 @@ void addStudyEmit(CLI::App& study, Action& action) {
   verb.takes("--force", command.force, "Replace the file that -o names");
   verb.onlyWith({"--force"}, {"--output"});
   verb.takes("--jobs", command.emit.shares, "N", natural(1, 1'000'000),
-             "Into how many jobs the runs are packed; default: of about ten minutes each");
+             "Number of jobs for all runs; default: jobs of about ten minutes each");
   verb.showDefault("--jobs", "");
-  verb.takes("--resume", command.resume, "Take the plan in the folder, also if the study file has changed since");
+  verb.takes("--resume", command.resume, "Use the plan in the folder, even if the study file has changed since");
 }
 
 }  // namespace morula::cli

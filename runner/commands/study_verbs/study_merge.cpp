@@ -39,7 +39,7 @@ void addStudyMerge(CLI::App& study, Action& action) {
             "has two results");
   auto& command = verb.does<MergeCommand>(act);
   add(verb, command.of);
-  verb.takes("shards", command.shards, "SHARD", "Folders of the same study on other machines, or files of tasks");
+  verb.takes("shards", command.shards, "SHARD", "Folders of this study on other machines, or files of tasks");
   verb.takes("-o,--output", command.output, "FILE", "The database; default: study.db in the study's folder");
 }
 

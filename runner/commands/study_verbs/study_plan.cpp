@@ -39,12 +39,12 @@ int act(const PlanCommand& command) {
 }  // namespace
 
 void addStudyPlan(CLI::App& study, Action& action) {
-  Verb verb(study, action, "plan", "Decide what a study computes, and tell what that costs");
+  Verb verb(study, action, "plan", "Plan the runs of a study, and predict their cost");
   auto& command = verb.does<PlanCommand>(act);
   verb.needs("study", command.study, "FILE", "A study file");
   addStudyFolder(verb, command.out);
-  verb.takes("--dry-run", command.dryRun, "Tell the plan, and write nothing");
-  verb.takes("--no-predict", command.noPredict, "Do not predict what the runs cost");
+  verb.takes("--dry-run", command.dryRun, "Print the plan, and write nothing");
+  verb.takes("--no-predict", command.noPredict, "Do not predict the cost of the runs");
   add(verb, command.input);
   add(verb, command.output);
 }

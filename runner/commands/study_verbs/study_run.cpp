@@ -32,9 +32,9 @@ std::size_t taskNamed(const Plan& plan, const std::string& id) {
     ids.push_back(plan.tasks[i].id);
   }
   const auto near = closest(id, ids);
-  throw UsageError(
-      "--task: '" + id + "' is no task of this plan" +
-      (near.empty() ? "; morula study status --json lists those without a result" : "; did you mean " + near + "?"));
+  throw UsageError("--task: '" + id + "' is not a task of this plan" +
+                   (near.empty() ? "; morula study status --json lists the tasks without a result"
+                                 : "; did you mean " + near + "?"));
 }
 
 std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan) {
@@ -117,7 +117,7 @@ int act(const RunCommand& command) {
   }
   const AllowedRuns allowed = allowedOf(command, study.plan);
   if (merged && !isAcceptable(merged->counts().worst(allowed)))
-    tellError(study.plan.study.name + ": " + merged->counts().text() + "; its limits allow " +
+    tellError(study.plan.study.name + ": " + merged->counts().text() + "; the study's limits allow " +
               std::to_string(allowed.failed) + " failed and " + std::to_string(allowed.insane) + " insane runs");
   return exitCodeOf(report, merged ? &*merged : nullptr, allowed);
 }
@@ -125,25 +125,23 @@ int act(const RunCommand& command) {
 }  // namespace
 
 void addStudyRun(CLI::App& study, Action& action) {
-  Verb verb(study, action, "run", "Compute what has no result yet; a whole study is then merged");
+  Verb verb(study, action, "run", "Compute the runs that have no result yet, and merge the study when it is complete");
   auto& command = verb.does<RunCommand>(act);
   add(verb, command.of);
   verb.takes("--jobs", command.jobs, "N", natural(1, 1024), "Number of runs at a time");
   verb.takes("--shard", command.shard, "N/OF", parseShard,
-             "Only every OF-th run from the N-th on, for one machine of several: 3/40");
-  verb.takes("--task", command.tasks, "ID", "Only this run; may repeat");
+             "Compute only every OF-th run from the N-th on, for one machine of several: 3/40");
+  verb.takes("--task", command.tasks, "ID", "Compute only this run; may repeat");
   verb.oneOf({"--shard", "--task"});
   verb.takes("--resume", command.resume,
-             "Go on with the plan in the folder, also if the study file has changed since; runs that have a result are "
-             "never computed again");
+             "Continue the plan in the folder, even if the study file has changed since; runs with a result are "
+             "never repeated");
   verb.takes("--update", command.update,
-             "Plan anew what the study file says by now, as more seeds or conditions; runs that have a "
-             "result already stay");
+             "Plan the changed study file anew, for instance with more seeds or conditions; results of its runs stay");
   verb.oneOf({"--resume", "--update"});
-  verb.takes("--retry-failed", command.retryFailed,
-             "Compute runs once more whose result is a failure, or whose picture is missing");
-  verb.takes("--no-predict", command.noPredict, "Do not predict what a new study's runs cost");
-  verb.takes("--dry-run", command.dryRun, "Tell what would be computed, and write nothing");
+  verb.takes("--retry-failed", command.retryFailed, "Repeat runs that failed, or whose picture is missing");
+  verb.takes("--no-predict", command.noPredict, "Do not predict the cost of a new study's runs");
+  verb.takes("--dry-run", command.dryRun, "Print the runs that would be computed, and write nothing");
   add(verb, command.execution);
 }
 

@@ -41,8 +41,8 @@ int act(const StudyOptions& options) {
 void addStudyStatus(CLI::App& study, Action& action) {
   Verb verb(
       study, action, "status",
-      "Tell which runs have a result, failed, are not sane or are missing; exit code 5: some are missing, 1: more "
-      "failed or are insane than limits allow, or the study file says something else than the plan");
+      "List which runs have a result, failed, are not sane or are missing; exit code 5: runs are missing, 1: more "
+      "failed or are insane than limits allow, or the study file has changed since it was planned");
   add(verb, verb.does<StudyOptions>(act));
 }
 

@@ -86,7 +86,10 @@ double smallestAxis(const ShellParameters& shell) {
 void refuseRadius(const SceneCheck& check, double most, const std::string& whose) {
   const double reach = reachOf(check.scenario);
   std::string where = whose + ", " + exactText(most) + " [length]";
-  if (reach > 1) where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
+  if (reach > 1)
+    where += ", over " + numberText(reach) +
+             ", because the shape reaches that many radii from its "
+             "centre";
   check.refuse("physics.cell.radius", exactText(check.physics().cell.radius) + " does not fit into the shell",
                "needs at most " + where);
 }
@@ -109,7 +112,7 @@ void checkMeshShell(const SceneCheck& check) {
 void checkShell(const SceneCheck& check) {
   const PhysicsParameters& physics = check.physics();
   if (physics.shell && physics.cell.radius * reachOf(check.scenario) > smallestAxis(*physics.shell))
-    refuseRadius(check, smallestAxis(*physics.shell), "its smallest semi-axis");
+    refuseRadius(check, smallestAxis(*physics.shell), "the shell's smallest semi-axis");
 }
 
 void checkStartCells(const SceneCheck& check) {
@@ -151,10 +154,10 @@ void checkIntegrator(const SceneCheck& check) {
   const bool xpbd = physics.integrator == Integrator::xpbd;
   if (!xpbd && physics.substeps.value_or(1) > 1)
     check.refuse("physics.substeps", "is for physics.integrator xpbd: others evaluate forces once per time step",
-                 "remove this, or give integrator: xpbd");
+                 "remove this key, or give integrator: xpbd");
   if (xpbd && !physics.timeStep && !(contact && contact->law != ContactLaw::thesis))
     check.refuse("physics.time_step",
-                 "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
+                 "auto follows stability limits, and integrator xpbd has only that of pair contacts",
                  "needs a number > 0 [time]");
 }
 
@@ -178,7 +181,8 @@ void checkModel(const SceneCheck& check) {
            "remove this");
   if (kindOf(physics.integrator).solvesForces)
     refuse("physics.integrator", "xpbd solves membranes and contents" + lacking, "needs another integrator");
-  if (check.scenario.check.energy) refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
+  if (check.scenario.check.energy)
+    refuse("check.energy", "is the energy of membranes and contents" + lacking, "remove this");
 }
 
 /// Checks that spheres are given no part that they lack, and asked for nothing that they cannot do.
@@ -188,7 +192,8 @@ void checkSpheres(const SceneCheck& check) {
   if (kindOf(check.physics().cell.model).hasMesh) return;
   if (check.physics().coarsen) check.refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
   if (contact && contact->law == ContactLaw::thesis)
-    check.refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not", "needs pair");
+    check.refuse("physics.contact.law", "the thesis' law acts between vertices, which spheres do not have",
+                 "needs pair");
   if (contact && contact->radius != ContactParameters{}.radius)
     check.refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
   for (std::size_t i = 0; i < cells.size() && i < check.reading.startCells.size(); ++i) {
@@ -209,17 +214,18 @@ void checkVariation(const SceneCheck& check) {
                                                        {"variation.tilt", v.tilt},
                                                        {"variation.adhesion", v.adhesion}};
     for (const auto& [path, sd] : ofBodies)
-      if (sd > 0) check.refuse(path, "cells without bodies have none", "add a physics block, or remove this");
+      if (sd > 0)
+        check.refuse(path, "cells without bodies have nothing to vary", "add a physics block, or remove this");
     return;
   }
   const auto& contact = check.mechanics().contact;
   if (v.adhesion > 0 && !(contact && contact->adhesion))
     check.refuse("variation.adhesion", "cells stick to each other only with physics.contact.adhesion",
-                 "give that, or remove this");
+                 "give physics.contact.adhesion, or remove this");
   const PhysicsParameters& physics = check.physics();
   if (!(v.start > 0) || !physics.shell || !check.scene().cells.empty()) return;
   if (physics.cell.radius * reachOf(check.scenario) >= smallestAxis(*physics.shell))
-    check.refuse("variation.start", "the egg fills the shell, and can stand nowhere else",
+    check.refuse("variation.start", "the egg fills the shell, so it has no other place",
                  "remove this, or give a smaller physics.cell.radius");
 }
 
@@ -227,10 +233,12 @@ void checkVariation(const SceneCheck& check) {
 void checkReason(const SceneCheck& check) {
   const CheckParameters& c = check.scenario.check;
   if (!c.sane && c.because.empty() && !given(check.root, "check.because"))
-    check.refuse("check.sane", "false without a reason", "say why beside it: because: \"what the scene is about\"");
+    check.refuse("check.sane", "false needs a reason",
+                 "give the reason beside it, as because: \"what the scene is "
+                 "about\"");
   if (c.sane && !c.because.empty())
     check.refuse("check.because", "gives a reason for sane: false, and sane is true",
-                 "remove it, or write sane: false");
+                 "remove check.because, or write sane: false");
 }
 
 /// Checks the length of each text: a text of a letter or two is part of nearly every message.
@@ -238,7 +246,7 @@ void checkFails(const SceneCheck& check) {
   constexpr std::ptrdiff_t minLetters = 3;
   for (const std::string& text : check.scenario.check.fails)
     if (std::ranges::count_if(text, [](unsigned char c) { return c >= 0x80 || std::isalnum(c); }) < minLetters)
-      check.refuse("check.fails", "'" + text + "' stands in nearly every message",
+      check.refuse("check.fails", "'" + text + "' is part of nearly every message",
                    "give words that name the reason, with at least 3 letters or digits");
 }
 
@@ -267,7 +275,7 @@ void checkMeasures(const SceneCheck& check) {
   if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes && record.atCells.empty() &&
       check.scene().cells.empty())
     check.refuse("record.measures",
-                 "contact_duration would always be 0: between the egg and the end there is no sample",
+                 "contact_duration would always be 0, because no sample is taken between the egg and the end",
                  "needs record.every or record.at-cells");
   const auto& reference = check.scenario.check.reference;
   if (!reference) return;
@@ -277,14 +285,15 @@ void checkMeasures(const SceneCheck& check) {
         std::tuple(Needs::referencePositions, "check.reference.positions", !reference->positions.empty(),
                    "position_rmsd or position_shape_rmsd")})
     if (given && !asked.contains(needs))
-      check.refuse(key, "no measure compares with it", std::string("name ") + by + " in record.measures, or remove it");
+      check.refuse(key, "no measure compares with this reference",
+                   std::string("name ") + by + " in record.measures, or remove it");
 }
 
 void checkBodies(const SceneCheck& check) {
   checkFit(check);
   // Without outside pressure, contents have no volume at rest from which their energy could count.
   if (check.scenario.check.energy && check.physics().pressure.outside == 0)
-    check.refuse("check.energy", "has no zero to count from where physics.pressure.outside is 0",
+    check.refuse("check.energy", "the energy has no zero if physics.pressure.outside is 0",
                  "give a pressure > 0, or remove this");
   if (check.physics().coarsen && check.scenario.mesh.icosphere && check.mechanics().coarser.empty())
     check.refuse("physics.mesh.coarsen", "the egg's mesh is already the coarsest",
@@ -316,9 +325,9 @@ std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& 
                                    std::pair("record.pictures", record.pictures)})
     if (every && *every < shortest)
       warnings.push_back(placeText(scenario.file, placeOf(root, key)) + ": " + key + ": " + exactText(*every) +
-                         " is shorter than every cell cycle, but with physics.integrator: fire there is nothing to "
-                         "see between cell cycles: each of these times is seen at the first cell cycle at or after it, "
-                         "and times that share one are seen once");
+                         " is shorter than every cell cycle, but with physics.integrator: fire nothing happens "
+                         "between cell cycles. Each of these times is sampled at the first cell cycle at or after "
+                         "it, and times with the same cycle are sampled once");
   return warnings;
 }
 

@@ -66,7 +66,7 @@ std::vector<std::string> descentWarnings(const Scenario& scenario, const Node& r
   return {placeText(scenario.file, placeOf(root, "stop")) + ": stop: a cell divides for the " +
           std::to_string(CellPath::maxDepth + 1) + "st time on its line of descent at time " + exactText(first) +
           ", and a cell's path holds " + std::to_string(CellPath::maxDepth) +
-          " divisions: the run will end there as failed; stop before that time, or let the genes stop the division"};
+          " divisions: the run will fail at that time; stop earlier, or let the genes stop the division"};
 }
 
 }  // namespace morula::scenario

@@ -37,7 +37,7 @@ class DivisionCheck {
       if (rule.share) checkShare(rule.share, place, pathOf(i) + ".share");
       if (const PlaneChoice& plane = rule.plane ? *rule.plane : division_.otherwise;
           rule.tilt && plane.plane == DivisionPlane::random)
-        check_.reading.problems.add(place, pathOf(i) + ".tilt", "a random direction has nothing to be tilted from",
+        check_.reading.problems.add(place, pathOf(i) + ".tilt", "a random direction cannot be tilted",
                                     "remove this, or give the rule an axis or another plane");
       if (divides) checkCells(i, place);
     }
@@ -54,8 +54,8 @@ class DivisionCheck {
     const double share = given.value_or(0.5), most = largestDeviate * check_.scene().variation.share;
     if (!(most > 0) || (share - most >= minShare && share + most <= largestShare)) return;
     check_.reading.problems.add(place, path,
-                                exactText(share) + " ± 3 times variation.share leaves " + exactText(minShare) + " to " +
-                                    exactText(largestShare) + ", which a cut can give",
+                                exactText(share) + " ± 3 times variation.share is not within " + exactText(minShare) +
+                                    " to " + exactText(largestShare) + ", the shares that a cut can give",
                                 "needs a share nearer to 0.5, or a smaller variation.share");
   }
 
@@ -100,16 +100,16 @@ class DivisionCheck {
     }
     for (std::size_t before = 0; before < i; ++before)
       if (!division_.rules[before].of.empty() && takesAllOf(division_.rules[before], rule)) {
-        check_.reading.problems.add(place, path, pathOf(before) + " takes all its cells before it",
-                                    "put this rule before that one, or remove it");
+        check_.reading.problems.add(place, path, pathOf(before) + " applies to all its cells first",
+                                    "put this rule before the other one, or remove this rule");
         return;
       }
   }
 
   static std::string whyNever(const std::string& pattern) {
     if (pattern == substance::a || pattern == substance::b)
-      return "it is gone after the cell's first cycle, and a division follows a cycle";
-    if (pattern == substance::die) return "who holds it dies";
+      return "the substance is gone after the cell's first cycle, and a division follows a cycle";
+    if (pattern == substance::die) return "a cell that holds it dies";
     return "no gene produces it";
   }
 
@@ -132,11 +132,11 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   const std::string name = kind.name;
   const bool turns = kind.takes == Takes::polarity && !choice.substance.empty();
   if ((kind.needsContact || turns) && !m.contact)
-    refuse(
-        name + (turns ? " turns to contacts" : " goes by contacts") + ", and without physics.contact cells have none",
-        "add 'contact: {}' to physics, or choose another plane");
+    refuse(name + (turns ? " turns with contacts" : " depends on contacts") +
+               ", and without physics.contact cells have none",
+           "add 'contact: {}' to physics, or choose another plane");
   if (kind.needsConnections && !m.connections)
-    refuse(name + " goes by connections, and without a section connections cells have none",
+    refuse(name + " depends on connections, and without a section connections cells have none",
            "add 'connections: {}', or choose another plane");
   if (!kind.needsLongShell) return;
   const std::string right = "give physics: {shell: {ellipsoid: [3, 2, 2]}}, or choose another plane";
@@ -155,7 +155,8 @@ bool hasNoDrag(const SceneCheck& check) {
 }
 
 void checkChirality(const Chirality& chirality, bool mayBeNone, const SceneCheck& check, const Refuse& refuse) {
-  if (chirality.angle == 0 && !mayBeNone) return refuse("an angle of 0 turns nothing", "remove it, or give an angle");
+  if (chirality.angle == 0 && !mayBeNone)
+    return refuse("an angle of 0 turns no daughter", "remove it, or give an angle");
   if (!kindOf(check.physics().cell.model).hasMesh) refuse("a sphere looks the same when it has turned", "remove this");
   if (hasNoDrag(check))
     refuse("the medium turns daughters by its drag, and physics.drag is 0", "needs physics.drag > 0");

@@ -73,7 +73,9 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
           "cells neither grow nor shrink without physics.growth; add 'growth: {}' to physics, or remove this";
   for (const auto& name : {substance::connect, substance::release})
     if (!mechanics->connections)
-      around.inert[name] = "nothing connects without connections; add 'connections: {make: by-gene}', or remove this";
+      around.inert[name] =
+          "cells do not connect without a section connections; add 'connections: {make: by-gene}', "
+          "or remove this";
     else if (mechanics->connections->make == MakeConnections::atDivision)
       around.inert[name] = "connections.make is at-division; set it to by-gene or both, or remove this";
   return around;

@@ -73,7 +73,7 @@ class TableReader {
       if (!member) continue;
       if (parameter->needs.empty() || node.find(parameter->needs)) parameter->read(scenario_, member->value, reading_);
       else
-        reading_.problems.add(member->place, parameter->path, "makes no sense without " + parameter->needs,
+        reading_.problems.add(member->place, parameter->path, "has no effect without " + parameter->needs,
                               "give both, or remove this");
     }
     for (const auto* child : parameterTable().sectionsOf(section.path)) {
@@ -82,7 +82,7 @@ class TableReader {
       if (!member) continue;
       // Only top-level sections are ever needed by others.
       if (!child->needs.empty() && !root_.find(child->needs))
-        reading_.problems.add(member->place, child->path, "makes no sense without " + child->needs,
+        reading_.problems.add(member->place, child->path, "has no effect without " + child->needs,
                               "add '" + child->needs + ": {}' or remove this");
       else if (child->needs.empty() || isThere(child->needs)) read(*child, member->value);
     }

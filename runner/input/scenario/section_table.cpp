@@ -30,7 +30,7 @@ std::vector<Section> sections() {
   using enum Section::Members;
   return {
       {.path = "", .meaning = "A scenario: an organism, how it grows, and how it is shown"},
-      {.path = "cycle", .meaning = "The pace of biology"},
+      {.path = "cycle", .meaning = "Times of cell cycles"},
       {.path = "stop", .meaning = "The run ends at the first of these limits", .required = true, .members = atLeastOne},
       {.path = "physics",
        .meaning = "The mechanics of cells. Units are the scene's own: a length, a mass, a time",
@@ -56,7 +56,7 @@ std::vector<Section> sections() {
                   "[Müller et al. 2005]",
        .exists = hasRestShape},
       {.path = "physics.growth",
-       .meaning = "What cells do while their genes produce grow or shrink",
+       .meaning = "Growth of cells while their genes produce grow or shrink",
        .absent = "cells keep their size",
        .make = [](Scenario& s) { s.scene.mechanics->physics.growth.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.growth.has_value(); }},
@@ -67,29 +67,29 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.scene.mechanics->physics.shell.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.shell.has_value(); }},
       {.path = "physics.motility",
-       .meaning = "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
-                  "needs physics.drag",
+       .meaning = "Crawling of cells through the medium, each in its own direction, which changes at random; needs "
+                  "physics.drag",
        .absent = "cells do not move on their own",
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.motility.has_value(); }},
       {.path = "physics.settle",
-       .meaning = "With integrator fire: how near to equilibrium cells come after each event",
+       .meaning = "With integrator fire: relaxation to equilibrium after each event",
        .later = true,
        .exists = hasSettling},
       {.path = "physics.contact",
-       .meaning = "How cells touch",
+       .meaning = "Contact of cells",
        .absent = "cells pass through one another",
        .make = [](Scenario& s) { s.scene.mechanics->contact.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->contact.has_value(); }},
       {.path = "division",
-       .meaning = "Where cells divide",
+       .meaning = "Planes, shares and sizes of divisions",
        .needs = "physics",
        .make = makeMechanics,
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
       {.path = "division.chirality",
-       .meaning = "Both daughters turn about the division axis, against each other and with the medium around them; "
-                  "needs physics.drag",
+       .meaning = "Turning of both daughters about the division axis, against each other and with the medium around "
+                  "them; needs physics.drag",
        .absent = "daughters do not turn",
        .make = [](Scenario& s) { s.scene.mechanics->division.chirality.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->division.chirality; }},
@@ -104,7 +104,7 @@ std::vector<Section> sections() {
            },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
       {.path = "connections.spring",
-       .meaning = "Connections pull and push along the centres, instead of pulling with one strength",
+       .meaning = "Springs: connections pull and push along the centres, instead of pulling with one strength",
        .absent = "a constant pull",
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->connections->spring.emplace(); },
@@ -113,49 +113,48 @@ std::vector<Section> sections() {
              return s.scene.mechanics && s.scene.mechanics->connections && s.scene.mechanics->connections->spring;
            }},
       {.path = "variation",
-       .meaning = "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
-                  "cell's path, so that it is the same whatever else the scene does",
-       .absent = "no two runs differ by it",
+       .meaning = "Variation between seeds: standard deviations of normal deviates, cut off at 3. The path of a "
+                  "cell keys its deviates, so nothing else in the scene changes them",
+       .absent = "nothing varies",
        .members = atLeastOne,
        .later = true,
        .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
-       .meaning = "What cells perceive. The keys are substances: at a cell's cycle the simulator inserts one if its "
-                  "condition holds, as it inserts A and B, and takes it away if not",
+       .meaning = "Senses of cells. The keys are substances: at a cell's cycle the simulator inserts a substance if "
+                  "its condition holds, as it inserts A and B, and removes it if not",
        .entries = senses(),
        .details = sensesAsMarkdown()},
-      {.path = "record", .meaning = "What is written down while the scene runs"},
+      {.path = "record", .meaning = "Records of the run"},
       {.path = "names",
-       .meaning = "What people call the cells, in tables, pictures and messages: a cell goes by the name that "
-                  "is given for its path, or else by her mother's with a daughter's ending",
-       .absent = "cells go by their paths",
+       .meaning = "Names of cells in tables, pictures and messages: the name given for the path of a cell, or else "
+                  "the mother's name with a daughter's ending",
+       .absent = "cells are called by their paths",
        .members = atLeastOne,
        .decides = Decides::presentation,
        .exists = [](const Scenario& s) { return !s.names.empty(); }},
       {.path = "units",
-       .meaning = "In which units people see lengths and times: in pictures, charts, pages and sentences. What is "
-                  "computed, stored, exported and given to programs stays in the scene's own, and so does all that "
-                  "holds a mass or a force",
+       .meaning = "Units in which people see lengths and times in pictures, charts, pages and sentences. Values "
+                  "that are computed, stored, exported and given to programs stay in the scene's own units, and so "
+                  "do masses and forces",
        .absent = "the scene's own",
        .members = atLeastOne,
        .decides = Decides::presentation,
        .exists = [](const Scenario& s) { return s.units.any(); }},
-      {.path = "check",
-       .meaning = "What must hold of the run besides its golden file",
-       .decides = Decides::presentation},
+      {.path = "check", .meaning = "Checks of the run besides its golden file", .decides = Decides::presentation},
       {.path = "check.reference",
-       .meaning = "What the organism is compared with, by measures that record.measures names",
-       .absent = "compared with nothing",
+       .meaning = "Reference with which measures of record.measures compare the organism",
+       .absent = "there is no reference",
        .members = atLeastOne,
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.reference.emplace(); },
        .exists = [](const Scenario& s) { return s.check.reference.has_value(); }},
       {.path = "check.bullet",
-       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without any "
-                  "tolerance: positions 1e-10 radii where nothing touches and the integrator is velocity-verlet or "
-                  "thesis-verlet, as Bullet's then is too; where nothing touches otherwise radius and volume, 1e-6 "
-                  "with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
-       .absent = "not held against Bullet",
+       .meaning = "Comparison with the same scene computed by Bullet, with tolerances at the end. Defaults without "
+                  "any tolerance: if nothing touches and the integrator is velocity-verlet or thesis-verlet, which "
+                  "Bullet then uses, too, positions 1e-10 radii; if nothing touches with another integrator, radius "
+                  "and volume 1e-6 with b1, 1e-8 with b3; if cells touch, distance 0.01, volume 0.001 and aspect "
+                  "0.02",
+       .absent = "not compared with Bullet",
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.bullet.emplace(); },
        .exists = [](const Scenario& s) { return s.check.bullet.has_value(); }},

@@ -25,7 +25,7 @@ struct Lack {
 Lack findLack(SenseNeeds needs, const Scene& scene) {
   if (needs == SenseNeeds::nothing) return {};
   if (!scene.mechanics)
-    return {"is about bodies, and without physics there are none", "add a physics block, or remove this"};
+    return {"needs bodies, and without physics cells have none", "add a physics block, or remove this"};
   const MechanicsScene& m = *scene.mechanics;
   const CellModelKind& model = kindOf(m.physics.cell.model);
   const std::string remove = ", or remove this", name = nameOf(m.physics.cell.model);
@@ -36,16 +36,17 @@ Lack findLack(SenseNeeds needs, const Scene& scene) {
                 "needs physics.cell.model shell" + remove};
       break;
     case SenseNeeds::shell:
-      if (!m.physics.shell) return {"there is no shell to touch", "add a physics.shell" + remove};
+      if (!m.physics.shell) return {"the scene has no shell to touch", "add a physics.shell" + remove};
       [[fallthrough]];
     case SenseNeeds::mesh:
       if (!model.hasMesh) return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
       break;
     case SenseNeeds::contact:
-      if (!m.contact) return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
+      if (!m.contact) return {"cells do not touch without physics.contact", "add 'contact: {}' to physics" + remove};
       break;
     case SenseNeeds::connections:
-      if (!m.connections) return {"nothing connects without connections", "add 'connections: {}'" + remove};
+      if (!m.connections)
+        return {"cells do not connect without a section connections", "add 'connections: {}'" + remove};
       break;
     case SenseNeeds::nothing:
     case SenseNeeds::bodies: break;
@@ -76,12 +77,12 @@ void checkSenses(const SceneCheck& check) {
     if (!wrong.empty()) check.refuse(path + "." + row.name, wrong, right);
     if (dna.substances.empty() || isRead(dna, sense.substance)) continue;  // empty: an unreadable DNA
     check.refuse(path, "no gene reads '" + sense.substance + "'",
-                 "write a gene that does, as g9(a1|a0, " + sense.substance + "), or remove this");
+                 "write a gene that reads it, as g9(a1|a0, " + sense.substance + "), or remove this");
   }
   for (const SubstanceUse& use : check.reading.substances)
     if (use.path.starts_with("cells") &&
         std::ranges::find(senses, use.name, &SenseParameters::substance) != senses.end())
-      check.reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
+      check.reading.problems.add(use.place, use.path, "'" + use.name + "' is a sense, which the simulator inserts",
                                  "remove it, or take another name");
 }
 
@@ -104,8 +105,8 @@ std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root
   if (!canHold(scenario, substance::grow))
     warn("no gene produces 'grow', so no cell reaches the size for its division; write a gene such as g9(grow|a0)");
   else if (size->size > most)
-    warn("cells grow until " + exactText(most) + ", so none ever divides at " + exactText(size->size) +
-         "; raise physics.growth.until");
+    warn("cells stop growing at size " + exactText(most) + ", so no cell reaches the size for its division, " +
+         exactText(size->size) + "; raise physics.growth.until");
   return warnings;
 }
 

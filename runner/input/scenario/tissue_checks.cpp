@@ -20,8 +20,8 @@ void checkConnecting(const SceneCheck& check) {
   if (make == MakeConnections::atDivision) return;
   if (!check.mechanics().contact)
     check.refuse("connections.make",
-                 std::string(byGene ? "genes connect cells" : "it is for cells") +
-                     " that touch, and without physics.contact none do",
+                 std::string(byGene ? "genes connect only cells" : "this makes connections only of cells") +
+                     " that touch, and cells do not touch without physics.contact",
                  "add 'contact: {}' to physics, or set this to at-division");
   if (!byGene) return;
   const auto connect = findSubstance(dna, substance::connect);
@@ -46,11 +46,11 @@ void checkConnections(const SceneCheck& check) {
   checkConnecting(check);
   const ConnectionParameters& c = *check.mechanics().connections;
   if (c.spring && c.strength)
-    check.refuse("connections.strength", "stands beside spring, and a connection is either",
+    check.refuse("connections.strength", "stands beside spring, but a connection has a strength or is a spring",
                  "give one of strength or spring");
   if (c.releaseTension && !c.spring)
     check.refuse("connections.release-tension",
-                 "is the tension of a spring, and here every connection pulls with one strength",
+                 "is the tension of a spring, but here every connection pulls with one strength",
                  "add 'spring: {}' to connections, or use release-distance");
 }
 
@@ -78,7 +78,7 @@ void checkAdhesion(const SceneCheck& check) {
 
 void checkMotility(const SceneCheck& check) {
   if (check.physics().motility && check.physics().drag == 0)
-    check.refuse("physics.motility", "cells crawl against the drag of their medium, and here it is 0",
+    check.refuse("physics.motility", "cells crawl against the drag of their medium, and the drag is 0",
                  "give a physics.drag > 0, or remove this");
 }
 
@@ -95,19 +95,24 @@ void checkSettling(const SceneCheck& check) {
     check.refuse(path, "integrator fire " + why,
                  "remove this, or give another physics.integrator, such as velocity-verlet");
   };
-  if (m.physics.timeStep) cannot("physics.time_step", "has no time step: it goes from one equilibrium to the next");
+  if (m.physics.timeStep)
+    cannot("physics.time_step",
+           "has no time step, because it goes from one equilibrium to "
+           "the next");
   if (m.physics.motility) cannot("physics.motility", "knows no time in which cells could crawl");
   if (m.division.chirality) cannot("division.chirality", "knows no time in which daughters could turn");
   for (const DivisionRule& rule : m.division.rules)
     if (rule.chirality) cannot("division.rules", "knows no time in which daughters could turn (chirality)");
   if (m.contact && m.contact->law == ContactLaw::thesis)
-    cannot("physics.contact.law", "needs contacts with an energy, which the thesis' law has not");
+    cannot("physics.contact.law", "needs contacts with an energy, and the thesis' law has none");
   if (kindOf(m.physics.cell.model).hasRestShape)
-    cannot("physics.cell.model", "needs cells with an energy, and goals of shape matching move with them");
+    cannot("physics.cell.model",
+           "needs cells with an energy, and shape matching has none: its goals move with the "
+           "cells");
   for (const StartCell& cell : check.scene().cells)
-    if (norm(cell.velocity) > 0) cannot("cells", "knows no motion, and here is a velocity");
-  if (check.scenario.check.energy) cannot("check.energy", "lets energy go");
-  if (check.scenario.check.bullet) cannot("check.bullet", "has no time in which Bullet could be compared with it");
+    if (norm(cell.velocity) > 0) cannot("cells", "knows no motion, and a cell has a velocity");
+  if (check.scenario.check.energy) cannot("check.energy", "does not conserve energy");
+  if (check.scenario.check.bullet) cannot("check.bullet", "has no time at which Bullet could be compared with it");
 }
 
 }  // namespace morula::scenario

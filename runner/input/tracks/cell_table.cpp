@@ -112,8 +112,8 @@ class TableReader {
     const bool hasTimes = column_[birth] >= 0 || column_[end] >= 0;
     if (column_[time] >= 0 && hasTimes)
       text_.complain({},
-                     "there is " + inQuotes(field(column_[time])) + " as in a row per frame, and " +
-                         inQuotes(field(std::max(column_[birth], column_[end]))) + " as in a row per cell",
+                     "there is " + inQuotes(field(column_[time])) + " as in a table with a row per frame, and " +
+                         inQuotes(field(std::max(column_[birth], column_[end]))) + " as in a table with a row per cell",
                      "remove one of the two");
     table_.form = column_[time] >= 0 ? Form::frames : Form::cells;
     require(cell, "track_id, cell or id");
@@ -164,8 +164,7 @@ class TableReader {
           "fill in or remove fields; decimals follow a point, and a name with a separator stands in quotes");
     const bool isFrame = table_.form == Form::frames;
     Row row{text_.line(), fieldOf(cell), fieldOf(parent), fieldOf(name)};
-    if (row.cell.empty())
-      text_.complain({}, "the row does not say which cell it is of", "fill in its track_id or cell");
+    if (row.cell.empty()) text_.complain({}, "the row names no cell", "fill in its track_id or cell");
     row.time = number(time, true);
     row.birth = number(birth, table_.form == Form::manTrack), row.end = number(end, table_.form == Form::manTrack);
     row.place = vector(x, isFrame);

@@ -159,10 +159,12 @@ class EmbryoMaker {
       else if (*division.share != a / (a + b)) extreme.push_back(cell.name);
     }
     if (!e_.hasBodies) return;
-    assume(e_.assumed, "the table gives no axis for these divisions: division.plane decides", withoutAxis);
-    assume(e_.assumed, "the table does not give the volumes of both daughters of these cells: each gets a half",
+    assume(e_.assumed, "the table gives no axis for these divisions; division.plane gives their axes", withoutAxis);
+    assume(e_.assumed, "the table does not give the volumes of both daughters of these cells; each gets a half",
            withoutShare);
-    assume(e_.assumed, "a daughter of these cells has less than a tenth, which no cut can give: she gets a tenth",
+    assume(e_.assumed,
+           "a daughter of these cells has less than a tenth of the volume, which no cut can give; she "
+           "gets a tenth",
            extreme);
   }
 

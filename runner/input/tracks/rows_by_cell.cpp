@@ -67,7 +67,7 @@ class RowCollector {
       complain(row.line,
                "the " + what + " of " + inQuotes(row.cell) + " is " + inQuotes(said) + " here, and " + inQuotes(known) +
                    " before",
-               "a track has one " + what + ": correct it, or give the rest a track of its own");
+               "a track has one " + what + ": correct the parent, or give the rest a track of its own");
   }
 
   void takeSpan(const Row& row, Track& track) {
@@ -91,14 +91,14 @@ class RowCollector {
         const Sighting &now = track.seen[i], &before = track.seen[i - 1];
         if (now.time == before.time)
           complain(now.line,
-                   inQuotes(track.id) + " is at two places at t " + numberText(now.time) + ", here and in line " +
+                   inQuotes(track.id) + " has two places at t " + numberText(now.time) + ", here and in line " +
                        std::to_string(before.line),
                    "a track is one cell: remove a row, or give each cell a track of its own");
         else if (*++frame != now.time) {
           complain(now.line,
                    inQuotes(track.id) + " is not seen at t " + numberText(*frame) + ", between line " +
                        std::to_string(before.line) + " and here",
-                   "add the rows between, or let the rest be a track of its own with " + inQuotes(track.id) +
+                   "add the missing rows, or make the rest a track of its own with " + inQuotes(track.id) +
                        " as its parent");
           break;
         }

@@ -98,7 +98,7 @@ class LineageMaker {
       waiting.insert(waiting.end(), track.daughters.begin(), track.daughters.end());
     }
     assume(lineage_.assumed,
-           "each of these tracks is the only daughter of another, and is taken to be her mother, who goes on", joined);
+           "each of these tracks is the only daughter of another track, and is taken as its continuation", joined);
   }
 
   /// Returns false, and says so, if the track begins before its mother's ends.
@@ -138,13 +138,13 @@ class LineageMaker {
       Track& founder = tracks_[i];
       if (!isSaid(founder.birth) && !(founder.end <= 0)) founder.birth = 0;
       if (isSaid(founder.birth)) lineage_.begin = std::min(lineage_.begin, founder.birth);
-      else complain(founder, "nobody knows when " + inQuotes(founder.name) + " was born", "give its birth");
+      else complain(founder, "the table does not say when " + inQuotes(founder.name) + " was born", "give its birth");
     }
     std::vector<std::string> late;
     for (const int i : founders)
       if (tracks_[i].birth > lineage_.begin) late.push_back(tracks_[i].name), tracks_[i].birth = lineage_.begin;
     assume(lineage_.assumed,
-           "each of these cells without a mother is first seen later, and is taken to be there from the start", late);
+           "each of these cells without a mother is first seen later, and is taken to live from the start", late);
   }
 
   void add(int index, int mother) {
@@ -173,7 +173,7 @@ class LineageMaker {
       complain(mother,
                isSaid(mother.end) ? inQuotes(mother.name) + " divides at " + numberText(mother.end) +
                                         ", and is born at " + numberText(mother.birth)
-                                  : "nobody knows when " + inQuotes(mother.name) + " divides",
+                                  : "the table does not say when " + inQuotes(mother.name) + " divides",
                "give its division, or its daughters' birth");
       return false;
     }
@@ -189,7 +189,7 @@ class LineageMaker {
     Track& cell = tracks_[index];
     if (lineage_.form == Form::cells) {
       if (cell.dies && !isSaid(cell.end))
-        complain(cell, inQuotes(cell.name) + " dies, and nobody knows when", "give its end");
+        complain(cell, inQuotes(cell.name) + " dies, and the table does not say when", "give its end");
       if (!cell.dies && cell.end < lineage_.end) lost_.push_back(cell.name);
     } else {
       cell.end = cell.last + lineage_.frame;

@@ -228,13 +228,13 @@ std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string
   Lineage lineage = makeLineage(table, given.root, problems);
   problems.throwIfAny();
   if (!table.ignored.empty()) lineage.assumed.push_back("columns that are not read: " + join(table.ignored));
-  if (table.isFlat) lineage.assumed.push_back("there is no column z: all cells lie in one plane");
+  if (table.isFlat) lineage.assumed.push_back("the table has no column z, so all cells lie in one plane");
   EmbryoOptions options = given;
   if (options.units.length.empty()) options.units.length = "unit";
   if (options.units.time.empty()) options.units.time = table.form == Form::cells ? "unit" : "frame";
   if (given.units.length.empty())
     lineage.assumed.push_back(
-        "lengths and times have the table's units, whatever they are; --units says which, as --units µm,min");
+        "lengths and times have the table's units, which are not known; name them, as --units µm,min");
   const Embryo embryo = makeEmbryo(std::move(lineage), options);
   assumed = embryo.assumed;
   const auto slash = file.find_last_of('/');

@@ -46,7 +46,7 @@ std::string words(const CellPath& path) { return path.isEgg() ? "the egg" : "pat
 }  // namespace
 
 Parameter nameOfEgg() {
-  auto p = presented("names.egg", nameAllowed, "the egg has no name", "The egg's name, as P0");
+  auto p = presented("names.egg", nameAllowed, "the egg has no name", "Name of the egg, as P0");
   p.schema = nameSchema();
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (const auto name = readName(node, path, allowed, reading.problems))
@@ -62,7 +62,7 @@ Parameter nameOfEgg() {
 Parameter namesOfDaughters() {
   auto p = presented("names.daughters", "two names' endings, as [a, p], of which neither begins with the other",
                      "cells that have no name of their own have none",
-                     "What a daughter A, and a daughter B, adds to her mother's name");
+                     "Endings that daughter A and daughter B add to their mother's name");
   p.schema = listSchema(nameSchema(), 2);
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     auto& problems = reading.problems;
@@ -75,7 +75,7 @@ Parameter namesOfDaughters() {
       if (const auto ending = readName(item, path, nameAllowed, problems)) endings.push_back(*ending);
     if (endings.size() < 2) return;
     if (endings[0].starts_with(endings[1]) || endings[1].starts_with(endings[0]))
-      return problems.add(node.place, path, "one of the two begins with the other: names would be ambiguous",
+      return problems.add(node.place, path, "one ending begins with the other, so names would be ambiguous",
                           "needs " + allowed);
     s.names.daughters = endings;
   };
@@ -127,7 +127,7 @@ void readCellNames(const std::string& text, const std::string& file, const Place
     const auto path = found[0] == "egg" ? std::optional(CellPath{}) : pathIn(found[0]);
     const std::string right = "needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'";
     if (found.size() != 2)
-      complain(use, found.size() == 1 ? "has a path and no name" : "goes on behind the name", right, reading.problems);
+      complain(use, found.size() == 1 ? "has a path and no name" : "has text after the name", right, reading.problems);
     else if (!path) complain(use, "'" + found[0] + "' is not a cell's path", right, reading.problems);
     else if (!isCellName(found[1]))
       complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed, reading.problems);
@@ -141,7 +141,7 @@ void readCellNames(const std::string& text, const std::string& file, const Place
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root) {
   const CellNames& names = scenario.names;
   if (names.given.empty() && !names.daughters.empty() && reading.problems.empty())
-    reading.problems.add(root.find("names")->place, "names.daughters", "adds to no cell's name",
+    reading.problems.add(root.find("names")->place, "names.daughters", "has no cell's name to add to",
                          "name a cell that the others come from, as egg: P0");
   for (const NameUse& use : reading.names) {
     const std::string& name = names.given.at(use.path);

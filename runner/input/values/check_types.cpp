@@ -4,8 +4,8 @@
 namespace morula::scenario {
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field) {
-  Parameter p = presented(std::move(path), "two numbers ≥ 0, the least and the most, as [0.9, 1.1]", "not checked",
-                          std::move(meaning));
+  Parameter p =
+      presented(std::move(path), "two numbers ≥ 0, min and max, as [0.9, 1.1]", "not checked", std::move(meaning));
   p.schema = listSchema(numberSchema(notNegative), 2);
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto bounds = readReals(node, 2, notNegative, path, allowed, reading.problems);
@@ -13,7 +13,7 @@ Parameter optionalBounds(std::string path, std::string meaning, Field<std::optio
     const double least = bounds->front(), most = bounds->back();
     if (least <= most) field(s) = Bounds{least, most};
     else
-      reading.problems.add(node.place, path, "the least is above the most",
+      reading.problems.add(node.place, path, "min is above max",
                            "write [" + exactText(most) + ", " + exactText(least) + "]");
   };
   p.write = [field](const Scenario& s) {
@@ -31,7 +31,8 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
     if (!expectEntries(node, path, allowed, reading.problems)) return;
     for (const auto& item : node.items) {
       const auto value = readText(item, path, "a text", reading.problems);
-      if (value && value->empty()) reading.problems.add(item.place, path, "an empty text", "it names nothing");
+      if (value && value->empty())
+        reading.problems.add(item.place, path, "an empty text", "needs a text with letters, or remove it");
       else if (value) field(s).push_back(*value);
     }
   };
@@ -44,9 +45,10 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
 
 Parameter saneEnd() {
   Parameter p =
-      presented("check.sane", "false, beside because; true is what holds without it",
-                "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight",
-                "false: this scene is about an end that is not sane, and the run passes all the same");
+      presented("check.sane", "false, with a key because; without this key: true",
+                "the end must be sane: no cell is crushed, inside out, within another cell, out of its shell or out "
+                "of sight",
+                "Sanity of the end; false: this scene is about an end that is not sane, and the run still passes");
   p.schema = {{"type", "boolean"}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto value = readText(node, path, allowed, reading.problems);
@@ -60,13 +62,13 @@ Parameter saneEnd() {
 
 Parameter becauseText() {
   Parameter p = presented("check.because", "a text", "the end must be sane",
-                          "Why the end is not sane: for who reads the results");
+                          "Reason why the end is not sane, for readers of the results");
   p.needs = "sane";
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto value = readText(node, path, allowed, reading.problems);
     if (!value) return;
-    if (value->empty()) reading.problems.add(node.place, path, "is empty", "say why the end is not sane");
+    if (value->empty()) reading.problems.add(node.place, path, "is empty", "give the reason why the end is not sane");
     else s.check.because = *value;
   };
   p.write = [](const Scenario& s) { return s.check.because.empty() ? Json() : Json(s.check.because); };

@@ -142,7 +142,7 @@ class RuleReader {
       rule.chirality = readChirality(chirality->value, path_ + ".chirality", reading_.problems);
     const auto saysSomething = [](const Member& m) { return m.key != "of"; };
     if (node_.find("of") && std::ranges::none_of(node_.members, saysSomething))
-      reading_.problems.add(node_.place, path_, "says nothing of how these cells divide",
+      reading_.problems.add(node_.place, path_, "does not say how these cells divide",
                             "needs at least one of axis, plane, share, tilt, chirality");
     return rule;
   }
@@ -153,7 +153,7 @@ class RuleReader {
     const auto* of = node_.find("of");
     if (!of) {
       reading_.problems.add(node_.place, path, "is missing",
-                            "needs a substance of the cells that it is for, or a list of several, as of: AB");
+                            "needs a substance of the rule's cells, or a list of several, as of: AB");
       return;
     }
     if (of->value.kind != Node::Kind::sequence) {
@@ -245,11 +245,11 @@ Parameter divisionRules() {
   p.path = "division.rules";
   p.allowed = "a list of maps, as [{of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}, {of: [skin, 'P*'], plane: random}]";
   p.meaning =
-      "How cells divide that hold all substances of `of` (a name, its beginning and '*', or a list), by the first rule "
-      "that fits: axis, which points to daughter A, or plane, as division.plane; share of the volume for A, 0.1 to "
-      "0.9, instead of a plane through the centre; tilt, the standard deviation in degrees of the axis about its "
-      "direction, by the seed; chirality, as division.chirality";
-  p.absent = "all cells divide as division.plane says";
+      "Rules for the divisions of some cells; the first rule counts whose substances in `of` (a name, its beginning "
+      "and '*', or a list) a cell holds all. Keys: axis, which points to daughter A, or plane, as division.plane; "
+      "share of the volume for A, 0.1 to 0.9, instead of a plane through the centre; tilt, the standard deviation "
+      "in degrees of the axis about its direction, by the seed; chirality, as division.chirality";
+  p.absent = "all cells divide by division.plane";
   p.schema = {{"type", "array"}, {"items", ruleSchema()}, {"minItems", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (!expectEntries(node, path, allowed, reading.problems)) return;

@@ -47,7 +47,7 @@ class EntryReader {
     if (!member) {
       std::string near;
       for (const Member& m : node_.members) near = near.empty() ? closest(m.key, deeds) : near;
-      say(node_.place, "", "says nothing of what is done",
+      say(node_.place, "", "does not say what is done",
           near.empty() ? "needs one of " + join(deeds, " or ") : "did you mean " + near + "?");
       return {};
     }
@@ -91,7 +91,7 @@ class EntryReader {
         for (const Node& item : node.items) addCells(item, key);
     } else if (entry_.deed == Deed::connect || entry_.deed == Deed::release) {
       if (node.kind != Node::Kind::sequence || node.items.size() != 2)
-        return say(member.place, key, "is no pair of cells", "needs two, as [ABa, P2]");
+        return say(member.place, key, "is not a pair of cells", "needs two cells, as [ABa, P2]");
       for (const Node& item : node.items) addCells(item, key);
       if (!scenario_.scene.mechanics || !scenario_.scene.mechanics->connections)
         say(member.place, key, "needs connections, and the scene has none", "add 'connections: {}'");
@@ -108,7 +108,7 @@ class EntryReader {
     if (names.empty() || std::ranges::find(names, entry_.name) != names.end()) return;
     const std::string near = closest(entry_.name, names);
     say(member.place, member.key, "the DNA has no gene '" + entry_.name + "'",
-        near.empty() ? "name one as the DNA does" : "did you mean " + near + "?");
+        near.empty() ? "needs the name of a gene of the DNA" : "did you mean " + near + "?");
   }
 
   void checkParameter(const Member& member) {
@@ -118,7 +118,7 @@ class EntryReader {
     if (!changeableParameter(name)) {
       const std::string near = closest(name, paths);
       return say(member.place, member.key, "'" + name + "' cannot change while a scene runs",
-                 near.empty() ? "these can: " + join(paths) : "did you mean " + near + "?");
+                 near.empty() ? "needs one of " + join(paths) : "did you mean " + near + "?");
     }
     auto mechanics = scenario_.scene.mechanics;
     ContactParameters* const contact = mechanics && mechanics->contact ? &*mechanics->contact : nullptr;
@@ -149,7 +149,7 @@ class EntryReader {
     for (const std::string& key : whenKeys)
       if (const Member* member = node_.find(key)) given.push_back(member);
     if (given.empty())
-      return say(node_.place, "", "says no time", "needs one of at: TIME, after-birth: TIME or at-cells: N");
+      return say(node_.place, "", "does not say when", "needs one of at: TIME, after-birth: TIME or at-cells: N");
     if (given.size() > 1)
       return say(given[1]->place, given[1]->key, "stands beside " + given[0]->key,
                  "give one of " + join(whenKeys, " or "));
@@ -230,11 +230,11 @@ Parameter experiments() {
   p.path = "experiments";
   p.allowed = std::string("a list of ") + form;
   p.meaning =
-      "What is done to the organism while it grows, each at a time (at), so long after a cell's birth "
-      "(after-birth) or when so many cells live (at-cells). ";
+      "Experiments on the organism while it grows, each at a time (at), a time after a cell's birth (after-birth), "
+      "or a number of living cells (at-cells). ";
   for (const auto& row : choices<Deed>)
     p.meaning += std::string(row.name) + ": " + row.meaning + (row.value == Deed::release ? "" : "; ");
-  p.absent = "nothing is done";
+  p.absent = "no experiments";
   p.later = true;
   p.schema = {{"type", "array"}, {"items", entrySchema()}, {"minItems", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {

@@ -60,10 +60,10 @@ std::string measuresAsMarkdown() {
       "Number of cells: what `follows` it changes with how many cells there are, or how small, though nothing else "
       "differs. Compare\nit between organisms of as many cells, or take another: `clone_spread` for "
       "`clone_radius`.\n\n";
-  text += tableOf("Of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());
-  text += tableOf("Of a cell", "Table `cell_sample`; what needs bodies alone is in `bullet_sample`, too.",
+  text += tableOf("Measures of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());
+  text += tableOf("Measures of a cell", "Table `cell_sample`; what needs bodies alone is in `bullet_sample`, too.",
                   rowsAsJson<CellContext>());
-  text += tableOf("Of two cells that touch", "Table `contact`.", rowsAsJson<Touch>());
+  text += tableOf("Measures of two cells that touch", "Table `contact`.", rowsAsJson<Touch>());
   text.pop_back();
   return text;
 }

@@ -37,7 +37,9 @@ Parameter recordAtCells() {
   Parameter p;
   p.path = "record.at-cells";
   p.allowed = "rising whole numbers, as [4, 8, 28]";
-  p.meaning = "Also a sample, and with pictures a picture of the sequence, when so many cells live for the first time";
+  p.meaning =
+      "Numbers of living cells at which a sample is taken, too, and with pictures a picture of the "
+      "sequence, when each is first reached";
   p.absent = "at no number of cells";
   p.later = true;
   p.schema = {
@@ -64,8 +66,8 @@ Parameter recordMeasures() {
   p.path = "record.measures";
   p.allowed = "a list of measures on demand, as [sister_contact, shell_share of AAA*]";
   p.meaning =
-      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some cells "
-      "alone, as measures in STUDIES.md may be (count of skin)";
+      "Measures that each sample takes in addition, into table measure: those on demand of scenarios/MEASURES.md, "
+      "and measures of some cells, as in STUDIES.md (count of skin)";
   p.absent = "none";
   p.later = true;
   p.schema = measuresSchema(onDemand());
@@ -77,10 +79,9 @@ Parameter recordMeasures() {
       try {
         const AskedMeasure m = readMeasure(*text, IfSeveral::first);
         if (!m.onDemand)
-          reading.problems.add(item.place, path, "'" + *text + "' is taken at every sample without being asked",
-                               "remove it");
+          reading.problems.add(item.place, path, "'" + *text + "' is part of every sample already", "remove it");
         else if (std::ranges::find(s.record.measures, m.name) != s.record.measures.end())
-          reading.problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
+          reading.problems.add(item.place, path, "'" + *text + "' is given twice", "remove it");
         else s.record.measures.push_back(m.name);
         if (m.of && m.of->kind == CellSelection::Kind::substance)
           reading.substances.push_back({m.of->substance, item.place, path, m.of->substance.ends_with('*')});

@@ -24,7 +24,7 @@ class ReferenceReader {
     for (const Node& pair : node.items) {
       if (pair.kind != Node::Kind::sequence || pair.items.size() != 2) {
         if (pair.kind != Node::Kind::broken)
-          reading_.problems.add(pair.place, path, "is no pair of cells", std::string("needs ") + contactsAllowed);
+          reading_.problems.add(pair.place, path, "is not a pair of cells", std::string("needs ") + contactsAllowed);
         continue;
       }
       const auto one = readText(pair.items[0], path, "a cell", reading_.problems);
@@ -83,7 +83,7 @@ class ReferenceReader {
       throw InputError("'" + a + "' and '" + b +
                        "' never live together; needs two cells of which neither descends from the other");
     if (!scenario_.check.reference->contacts.insert({one, other}).second)
-      throw InputError("'" + a + "' and '" + b + "' stand there twice; remove one");
+      throw InputError("'" + a + "' and '" + b + "' are given twice; remove one");
   }
 
   void addPosition(const std::string& name, const Point& place) {
@@ -108,7 +108,8 @@ Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading
 Parameter referenceContacts() {
   auto p =
       presented("check.reference.contacts", contactsAllowed, "none",
-                "Pairs that touch, with contact_jaccard and contact_f1: all contacts that their cells have among them");
+                "Pairs of cells that touch, for contact_jaccard and contact_f1: all contacts that their cells have "
+                "among them");
   p.schema = {{"type", "array"}, {"items", listSchema({{"type", "string"}}, 2)}, {"minItems", 1}};
   p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::contacts, node, reading); };
   p.write = [](const Scenario& s) {
@@ -121,7 +122,7 @@ Parameter referenceContacts() {
 
 Parameter referencePositions() {
   auto p = presented("check.reference.positions", positionsAllowed, "none",
-                     "Centres of cells in any frame, with position_rmsd and position_shape_rmsd: at least three");
+                     "Centres of at least three cells in any frame, for position_rmsd and position_shape_rmsd");
   p.schema = {{"type", "object"}, {"additionalProperties", listSchema({{"type", "number"}}, 3)}};
   p.read = [](Scenario&, const Node& node, Reading& reading) { keep(&ReferenceSource::positions, node, reading); };
   p.write = [](const Scenario& s) {
@@ -134,7 +135,8 @@ Parameter referencePositions() {
 
 Parameter referenceFile() {
   auto p = presented("check.reference.file", "a file, relative to the scenario's folder", "none",
-                     "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
+                     "More contacts and positions, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' "
+                     "begins a comment");
   p.schema = {{"type", "string"}, {"minLength", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     if (readWords(node, path, allowed, reading.problems)) keep(&ReferenceSource::file, node, reading);

@@ -130,7 +130,7 @@ class SenseReader {
     };
     if (!below && !above && !atMost && !atLeast && hasUnknown(row, node)) return;  // perhaps a misspelt bound
     if (!below && !above && !atMost && !atLeast)
-      return complain("says of no number that it is noted", "needs below, above, at-most or at-least");
+      return complain("has no bounds for its number", "needs below, above, at-most or at-least");
     if (below && atMost) return complain("has two upper bounds", "give below or at-most");
     if (above && atLeast) return complain("has two lower bounds", "give above or at-least");
     const bool hasUpper = below || atMost, hasLower = above || atLeast;
@@ -222,7 +222,7 @@ Parameter senses() {
   Parameter p;
   p.path = "senses";
   p.allowed = std::string("a map of substances to ") + senseForm;
-  p.meaning = "What cells perceive";
+  p.meaning = "Senses of cells";
   Json forms = Json::array();
   for (const SenseKindRow* row : senseKinds()) forms.push_back(schemaOf(*row));
   p.schema = {{"additionalProperties", {{"oneOf", forms}}}};
@@ -232,7 +232,7 @@ Parameter senses() {
       const std::string path = "senses." + member.key;
       reading.senses.insert(member.key);
       if (isTaken(member.key))
-        reading.problems.add(member.place, path, "'" + member.key + "' is a substance that the simulator knows",
+        reading.problems.add(member.place, path, "'" + member.key + "' is a reserved substance of the simulator",
                              "take another name");
       if (const auto sense = SenseReader(path, reading).read(member)) s.scene.senses.push_back(*sense);
     }
@@ -249,9 +249,9 @@ Parameter senses() {
 std::string sensesAsMarkdown() {
   std::string text =
       "Each value is one condition, `{kind: {key: value}}`. A kind with bounds measures a number: `below`, `above`, "
-      "`at-most` and `at-least` say when it is noted, and beside one of them `until` where it no longer is once it "
-      "was. `of`, `to` and `holds` name a substance, or the beginning of a name and `*`.\n\n"
-      "| kind | keys | unit | needs | what is perceived |\n|---|---|---|---|---|\n";
+      "`at-most` and `at-least` say when its condition begins to hold, and `until`, beside one bound, when it "
+      "ceases to hold. `of`, `to` and `holds` name a substance, or the beginning of a name and `*`.\n\n| kind | "
+      "keys | unit | needs | what is perceived |\n|---|---|---|---|---|\n";
   for (const SenseKindRow* row : senseKinds()) {
     std::string keys;
     const auto add = [&](const std::string& key, const std::string& unit = "") {

@@ -53,9 +53,9 @@ Parameter divisionSize() {
   p.path = "division.size";
   p.allowed = "timer, {sizer: 0.8}, or {adder: 0.3}, with any number > 0";
   p.meaning =
-      "The size at which a cell may divide, of its volume at rest over the egg's: when it is time (timer), "
-      "once it has this size (sizer), or has gained so much since its birth (adder). A cell whose cycle is "
-      "due, and would make it divide, waits for that; needs growth";
+      "Size at which a cell may divide, as its volume at rest over the egg's: any size when its cycle is due "
+      "(timer), from this size on (sizer), or after gaining this size since its birth (adder). A cell whose due "
+      "cycle would make it divide waits for its size; needs growth";
   p.later = true;
   p.absent = "timer";
   Json forms = Json::array({{{"const", "timer"}}});
@@ -84,8 +84,8 @@ Parameter timeStep() {
   p.unit = "time";
   p.allowed = numberAllowed(positive, p.unit) + ", auto, or {auto: 0.5}";
   p.meaning =
-      "Smaller: more exact and slower. auto: powers of two below the stability limits, which fall as cells "
-      "halve; {auto: 0.5}: half as long ones, any share > 0 and ≤ 1";
+      "Length of a time step; shorter steps are more exact and slower. auto: powers of two below the stability "
+      "limits, which fall as cells halve; {auto: 0.5}: steps half as long, with any share > 0 and ≤ 1";
   p.absent = "auto";
   const Range share{0, 1, true};
   p.schema = {
@@ -146,8 +146,8 @@ Parameter shellEllipsoid() {
 Parameter shellMesh() {
   auto p = optionalFile(
       "physics.shell.mesh",
-      "Wavefront OBJ of a closed, convex surface around the origin, in lengths of the scene; the "
-      "shell is what all its faces have inside",
+      "Wavefront OBJ of a closed, convex surface around the origin, in lengths of the scene; the shell is the space "
+      "inside of all its faces",
       [](Scenario & s) -> auto& { return s.shellMesh; });
   p.absent = "see sphere";
   p.later = true;
@@ -157,8 +157,9 @@ Parameter shellMesh() {
 Parameter shellFill() {
   const Range share{0, 1, true};
   auto p = real("physics.shell.fill", "", share,
-                "Of the shell's volume, the egg's: sphere, ellipsoid or mesh, or a sphere where none is given, are "
-                "then a shape alone, and its size follows; in an ellipsoid the egg starts with the shell's shape",
+                "Share of the shell's volume that the egg fills: sphere, ellipsoid or mesh (a sphere if none is "
+                "given) then give the shell's shape alone, and its size follows; in an ellipsoid the egg starts "
+                "with the shell's shape",
                 nullptr);
   p.absent = "sizes are as given, and the egg is round";
   p.joins = true;

@@ -95,9 +95,9 @@ Parameter startCells() {
   p.path = "cells";
   p.allowed = std::string("a list of ") + startForm;
   p.meaning =
-      "The cells that live at time 0. Of each: at, its centre; velocity; scale of its size at rest, with its contents "
-      "and mass; turn of its mesh in degrees, [0, 0, 30] by 30 about z; stretch of its shape along x, y and z, not of its "
-      "rest lengths; mass; substances instead of START";
+      "Cells that live at time 0. Keys of each cell: at, its centre; velocity; scale of its size at rest, with its "
+      "contents and mass; turn of its mesh in degrees, [0, 0, 30] by 30 about z; stretch of its shape along x, y "
+      "and z, not of its rest lengths; mass; substances instead of START";
   p.absent = "one egg at the origin";
   p.needs = "physics";
   p.schema = {{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};

@@ -91,9 +91,9 @@ Parameter adhesion() {
   p.unit = "force/length";
   p.allowed = strengthAllowed + ", or {default: 0.5, pairs: [{of: [red, red], strength: 2}]}";
   p.meaning =
-      "Work that parts two cells, per area of contact [Steinberg 1963]: of all cells, or by pairs of substances (the "
-      "first pair that fits counts; a name may be the beginning of some and '*'), and default for the rest; at most a "
-      "tenth of stiffness and a fifth of membrane.stiffness; not of law thesis";
+      "Work that parts two cells, per area of contact [Steinberg 1963]: one value for all cells, or values by pairs "
+      "of substances (the first pair that fits counts; a name may be the beginning of some and '*') with a default "
+      "for the rest; at most a tenth of stiffness and a fifth of membrane.stiffness; not for law thesis";
   p.absent = "cells do not stick to each other";
   const Json strength = numberSchema(notNegative);
   p.schema = {

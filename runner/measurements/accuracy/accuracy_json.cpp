@@ -75,7 +75,7 @@ void listFields(T& row, auto&& field) {
   field({"vertex_steps"}, row.vertexSteps);
   field({"steps"}, row.steps);
   field({"failed"}, ValueOf{[&] { return !row.failure.empty(); },
-                            [&](const auto& failed) { row.failure = failed ? "it says not why" : ""; }});
+                            [&](const auto& failed) { row.failure = failed ? "no reason is given" : ""; }});
   field({"failure"}, NullIf{row.failure.empty(), row.failure});
 }
 

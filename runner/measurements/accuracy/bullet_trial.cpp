@@ -74,7 +74,7 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
   for (const Shapes& shapes : trial.shapes)
     for (const ComparedCell& cell : shapes.cells)
       if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())
-        trial.failure = "a cell is inside out or no number by time " + numberText(shapes.time);
+        trial.failure = "a cell is inside out or not finite by time " + numberText(shapes.time);
   return trial;
 }
 

@@ -17,9 +17,10 @@ void tellReference(const AccuracyReference& r, Facts& facts) {
   facts.say("reference",
             fmt::format("{}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}",
                         nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order));
-  facts.say("witness", fmt::format("{}, time step {}: {:.2g} away, its own error {:.2g}: {}",
-                                   nameOf(r.witness.integrator), stepText(r.witness.timeStep), r.distance,
-                                   r.witnessLeft.error, r.agrees ? "they agree" : "THEY DO NOT AGREE"));
+  facts.say("witness",
+            fmt::format("{}, time step {}: {:.2g} away, its own error {:.2g}: {}", nameOf(r.witness.integrator),
+                        stepText(r.witness.timeStep), r.distance, r.witnessLeft.error,
+                        r.agrees ? "they agree" : "WITNESS AND REFERENCE DO NOT AGREE"));
 }
 
 std::string measuresText(const StateError& e) {
@@ -40,13 +41,17 @@ void tellMesh(const MeshError& mesh, Facts& facts) {
   std::string levels;
   for (const LevelError& level : mesh.levels)
     levels += fmt::format("{} {} ({:.2g})", levels.empty() ? "" : ",", level.level, level.worst.largest());
-  const std::string order = !mesh.orderIsObserved ? fmt::format("order {:g} assumed: there are only two", mesh.order)
+  const std::string order = !mesh.orderIsObserved ? fmt::format(
+                                                        "order {:g} assumed, because there are only two "
+                                                        "meshes",
+                                                        mesh.order)
                             : mesh.order > 0 ? fmt::format("order observed in the edge's length {:.2g}", mesh.order)
-                                             : "from mesh to mesh it hardly falls: it may be larger";
+                                             : "the error hardly falls from mesh to mesh, so it may be larger";
   say(fmt::format("by icospheres{}; {}; time steps add {:.2g}; {:.1f} s of CPU time", levels, order, mesh.timeError,
                   mesh.cpuSeconds));
-  if (mesh.atStart > 0) say(fmt::format("of the surface's {:.2g} at time 0 already: faces are flat", mesh.atStart));
-  if (mesh.partedAt) say(fmt::format("from {} on other cells live on another mesh", numberText(*mesh.partedAt)));
+  if (mesh.atStart > 0)
+    say(fmt::format("the surface's error is {:.2g} at time 0 already, because faces are flat", mesh.atStart));
+  if (mesh.partedAt) say(fmt::format("other cells live on another mesh from {} on", numberText(*mesh.partedAt)));
   if (!mesh.limit.empty()) say("finer ones: " + mesh.limit);
 }
 
@@ -63,11 +68,12 @@ void tellOwn(const AccuracyReport& report, Facts& facts) {
   say(fmt::format("on its mesh, up to {}: {}", numberText(own.until), measuresText(own.errors)));
   say(fmt::format("in {:.4f} s, {} evaluations, time step {}{}", own.cpuSeconds, own.forceEvaluations,
                   stepText(own.setting), own.setting.automatic ? " at least" : ""));
-  if (own.partedAt) say(fmt::format("up to {}: then other cells live", numberText(*own.partedAt)));
+  if (own.partedAt)
+    say(fmt::format("compared up to {}, because other cells live afterwards", numberText(*own.partedAt)));
   else if (report.rival)
-    say(fmt::format("the cheapest tried that is as exact on this mesh: {}, {:.4f} s, {:.2f} times as fast",
+    say(fmt::format("the cheapest settings tried that are as exact on this mesh: {}, {:.4f} s, {:.2f} times as fast",
                     report.rival->series, report.rival->cpuSeconds, report.rival->speed));
-  else if (!report.rows.empty() && own.cpuSeconds > 0) say("nothing else that was tried is as exact on this mesh");
+  else if (!report.rows.empty() && own.cpuSeconds > 0) say("no other settings tried are as exact on this mesh");
 }
 
 Table speedTable(const std::vector<SpeedAtError>& speeds) {
@@ -95,11 +101,11 @@ Document describe(const AccuracyReport& report) {
   Document text;
   text.say(fmt::format("{}: compared up to time {}{}, at {} times{}", report.scenario, numberText(until, 6),
                        whole || !report.end ? "" : " of " + numberText(*report.end, 6), report.times.size(),
-                       report.horizon && report.horizon->parted ? "; later is chaos: see the remark" : ""))
+                       report.horizon && report.horizon->parted ? "; chaos follows, see the remark" : ""))
       .add(std::move(facts.table));
   if (report.rows.empty()) return text;
   text.heading("settings").add(settingTables(report));
-  text.heading("order, from the slope of the error on the scenario's mesh over the time step").add(orderTable(report));
+  text.heading("order: slope of the error on the scenario's mesh over the time step").add(orderTable(report));
   text.heading("speed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings");
   if (report.speeds.empty()) text.say("no error lies between two runs of a series");
   else text.add(speedTable(report.speeds));

@@ -68,24 +68,26 @@ class AccuracyExperiment {
     try {
       h = findHorizon(read_({"physics.precision=double"}).scene, options_.execution, options_.until, maxAmplification);
     } catch (const NumericalError& error) {
-      throw InputError(scenario_.file + ": with its own settings it fails: " + error.what());
+      throw InputError(scenario_.file + ": the run with the scenario's own settings fails: " + error.what());
     }
     report_.horizon = h;
     longest_ = 2 * h.minTimeStep;
     const double end = options_.until.value_or(h.end);
     report_.times = timesUpTo(end, std::max(longest_, h.maxTimeStep), options_.samples);
     if (report_.times.empty())
-      throw InputError(fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
-                                   scenario_.file, numberText(end), numberText(std::max(longest_, h.maxTimeStep))));
+      throw InputError(
+          fmt::format("{}: the times up to {} are too short to compare; needs at least {}, twice the "
+                      "time step",
+                      scenario_.file, numberText(end), numberText(std::max(longest_, h.maxTimeStep))));
     if (h.parted && !options_.until)
       remark(
-          fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; what comes "
-                      "later is not compared (--until)",
+          fmt::format("chaos: up to {} an error of one unit in the last place has grown {:g} times, as any error "
+                      "would; later times are not compared (--until)",
                       numberText(h.end), maxAmplification));
     else if (h.parted)
       remark(
-          fmt::format("chaos: from {} on, one unit in the last place has grown more than {:g} times; errors up to {} "
-                      "include this growth",
+          fmt::format("chaos: from {} on, an error of one unit in the last place has grown more than {:g} times; "
+                      "errors up to {} include this growth",
                       numberText(h.end), maxAmplification, numberText(end)));
     usual_ = settingOf(scenario_, longest_);
     report_.usual = seriesName(usual_, usual_);
@@ -270,15 +272,15 @@ class AccuracyExperiment {
     const AccuracyReference& r = report_.reference;
     if (!r.agrees)
       remark(
-          fmt::format("the witness does not agree with the reference: they are {:.2g} apart, and their own errors are "
-                      "{:.2g} and {:.2g}",
+          fmt::format("the witness does not agree with the reference: their distance is {:.2g}, and their own "
+                      "errors are {:.2g} and {:.2g}",
                       r.distance, r.witnessLeft.error, r.left.error));
     std::size_t below = 0;
     for (const AccuracyRow& row : report_.rows) below += row.error && !row.resolved;
     if (below > 0)
       remark(
-          fmt::format("{} of {} errors are below ten times the reference's own, {:.2g}: they are marked ~ and neither "
-                      "fitted nor interpolated",
+          fmt::format("{} of {} errors are below ten times the reference's own, {:.2g}; these errors are marked ~ "
+                      "and neither fitted nor interpolated",
                       below, report_.rows.size(), r.left.error));
     addCuts();
   }
@@ -298,17 +300,18 @@ class AccuracyExperiment {
       remark(fmt::format(
           "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from it{}; {}",
           list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
-          ratio ? fmt::format(": its largest extent is {:.4f} times its second largest, so that a small "
+          ratio ? fmt::format(", because its largest extent is {:.4f} times its second largest, so that a small "
                               "difference decides",
                               *ratio)
                 : std::string(),
-          options_.brief && angle > anotherPlane ? "the error is stated up to before"
-                                                 : "their errors are those of another plane, whatever the time step"));
+          options_.brief && angle > anotherPlane ? "the error is stated up to the time before"
+                                                 : "the errors of these runs are those of another plane, whatever "
+                                                   "the time step"));
     }
     if (const auto& cut = study_.error.cut)
       remark(fmt::format(
-          "on another mesh {} divides at {} across another plane, {:.0f} degrees from it{}: the mesh's error "
-          "is stated up to before",
+          "on another mesh {} divides at {} across another plane, {:.0f} degrees from it{}: the mesh's error is "
+          "stated up to the time before",
           cellText(cut->mother), numberText(cut->time), cut->angle,
           cut->extentRatio ? fmt::format(" (its two largest extents are {:.4f} to 1)", *cut->extentRatio)
                            : std::string()));
@@ -334,8 +337,8 @@ void refuseWithoutError(const Scenario& scenario) {
     throw InputError(scenario.file + ": physics: a lineage-only scene has no error; needs a physics block");
   if (kindOf(scenario.scene.mechanics->physics.integrator).settles)
     throw InputError(scenario.file +
-                     ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
-                     "accuracy without --target and --into-golden tells how far from rest settlings end");
+                     ": physics.integrator: fire has no time step whose error could be measured, and no target for "
+                     "it; accuracy without --target and --into-golden measures how far from rest settlings end");
 }
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {

@@ -94,7 +94,9 @@ void refuseIntoGolden(const Scenario& scenario) {
   const auto file = goldenPath(scenario.file);
   refuseWithinCi(file);
   if (readGoldenFile(file).data.scenarioHash != scenario.meaning.text())
-    throw InputError(file.string() + ": the scenario has changed since; accept its result first");
+    throw InputError(file.string() +
+                     ": the scenario has changed since its golden was accepted; accept its result "
+                     "first");
 }
 
 AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options) {
@@ -104,7 +106,7 @@ AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options) 
     AccuracyReport report = measureAccuracy(read, options);
     for (int i = 0; !chosen && i < maxShorter && report.times.size() > 1 && !whyNoError(report).empty(); ++i) {
       options.until = report.times[report.times.size() / 2 - 1];
-      options.tell("nothing to state: " + whyNoError(report) + "; half the time");
+      options.tell("no error can be stated: " + whyNoError(report) + "; trying half the time");
       report = measureAccuracy(read, options);
     }
     write(scenario, statedIn(report));
@@ -129,9 +131,9 @@ Document statedErrors(const Golden& golden) {
   const auto of = [&](const ErrorQuantity& q) -> const GoldenError& { return *find(golden, q); };
   const std::vector<FieldOf<ErrorQuantity>> fields{
       {"Quantity", [](const ErrorQuantity& q) { return nameOf(q) + " [" + q.unit + "]"; }},
-      {"Of the time step", [=](const ErrorQuantity& q) { return number(of(q).time, 2); }},
+      {"Error of the time step", [=](const ErrorQuantity& q) { return number(of(q).time, 2); }},
       {"up to time", [=](const ErrorQuantity& q) { return number(of(q).until); }},
-      {"Of the mesh", [=](const ErrorQuantity& q) { return sizeCell(of(q).mesh); }},
+      {"Error of the mesh", [=](const ErrorQuantity& q) { return sizeCell(of(q).mesh); }},
       {"up to time", [=](const ErrorQuantity& q) { return number(of(q).meshUntil); }},
   };
   if (!rows.empty())

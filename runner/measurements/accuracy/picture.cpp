@@ -49,8 +49,9 @@ std::vector<std::string> beatenBullets(const AccuracyReport& report) {
 Drawing drawAccuracy(const AccuracyReport& report) {
   Chart chart;
   chart.title = "Error against cost: " + report.scenario;
-  chart.caption =
-      "up to time " + numberText(report.times.back(), 6) + "; points: time steps, hollow: up to where other cells live";
+  chart.caption = "up to time " + numberText(report.times.back(), 6) +
+                  "; points: time steps; hollow: compared until other "
+                  "cells live";
   if (std::isfinite(report.reference.left.error))
     chart.caption += "; reference good to " + numberText(report.reference.left.error, 1);
   chart.xLabel = "CPU time [s]", chart.yLabel = "error on the scenario's mesh [egg radii, relative volume]";

@@ -17,9 +17,9 @@ Table measureSettlings(Scenario scenario, const Execution& how) {
       {{"evaluations", "evaluations", "evaluations"}, [](const SettlingRecord& s) { return Cell(s.evaluations); }},
       {{"residual", "residual", "residual"}, [](const SettlingRecord& s) { return number(s.residual, 2); }},
       {{"energy_left", "energy_left", "energy left"}, [](const SettlingRecord& s) { return number(s.energyLeft, 2); }},
-      {{"displacement_left", "displacement_left", "farthest vertex' way left"},
+      {{"displacement_left", "displacement_left", "Distance to rest of the farthest vertex"},
        [](const SettlingRecord& s) { return number(s.displacementLeft, 2); }}};
-  return tableOf("How far from rest settlings end", fields, *run.world.settlings);
+  return tableOf("Distance from rest at the end of settlings", fields, *run.world.settlings);
 }
 
 }  // namespace morula

@@ -103,7 +103,7 @@ Table orderTable(const AccuracyReport& report) {
                     : numberText(o.observed->slope, 3);
        }},
       {"Points", [](const Row& o) { return o.observed ? o.observed->points : 0; }},
-      {"Where all is smooth", [](const Row& o) { return number(o.theory, 3); }},
+      {"Order in smooth motion", [](const Row& o) { return number(o.theory, 3); }},
   };
   return tableOf("Orders", fields, report.orders);
 }
@@ -112,9 +112,9 @@ Table bulletTable(const AccuracyReport& report) {
   using Row = BulletSpeed;
   const std::vector<FieldOf<Row>> fields{
       {"Error", [](const Row& s) { return number(s.error, 3); }},
-      {"Ours at best", [](const Row& s) { return s.ours; }},
+      {"Morula's best", [](const Row& s) { return s.ours; }},
       {"CPU time [s]", [](const Row& s) { return number(s.ourSeconds, 3); }},
-      {"Bullet at its best", [](const Row& s) { return s.bullets; }},
+      {"Bullet's best", [](const Row& s) { return s.bullets; }},
       {"CPU time [s]", [](const Row& s) { return number(s.bulletSeconds, 3); }},
       {"times as long", [](const Row& s) { return number(s.bulletSeconds / s.ourSeconds, 3); }},
       {"with its slowest setting", [](const Row& s) { return number(s.bulletMostSeconds / s.ourSeconds, 3); }},

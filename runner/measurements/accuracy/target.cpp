@@ -127,23 +127,25 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   const std::string target = numberText(question.error);
   std::string text;
   for (const std::string& failure : answer.failures)
-    text += "cheaper, but it does not come to its end: " + failure + "\n";
+    text += "cheaper settings, which do not reach the end: " + failure + "\n";
   if (!answer.best)
     return text + (answer.outOfTime
-                       ? "no settings that hold an error of " + target +
-                             " have come to their end within the CPU time allowed; allow more by --budget\n"
-                       : "none of the settings tried holds an error of " + target + " and runs to its end\n");
+                       ? "no settings with an error of at most " + target +
+                             " have reached the end within the CPU time allowed; allow more with --budget\n"
+                       : "none of the settings tried has an error of at most " + target + " and reaches the end\n");
   const EndedRun& best = *answer.best;
   const bool toTheEnd = report.end && report.times.back() >= *report.end * (1 - 1e-6);
   text += fmt::format(
       "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to time "
-      "{}{}\n  {}\n  has been run to its end, in {:.2f} s of CPU time\n",
+      "{}{}\n"
+      "  {}\n"
+      "  this command has been run to the end, in {:.2f} s of CPU time\n",
       target, best.error, numberText(report.times.back()),
-      toTheEnd || !report.end ? "" : " of " + numberText(*report.end) + ", where later is chaos",
-      commandText(best.command), best.cpuSeconds);
+      toTheEnd || !report.end ? "" : " of " + numberText(*report.end) + ", before chaos", commandText(best.command),
+      best.cpuSeconds);
   const auto mesh = report.mesh.error();
   if (report.mesh.none) return text;
-  if (!mesh) return text + "  what the mesh adds is not known: " + report.mesh.unknown + "\n";
+  if (!mesh) return text + "  the mesh's error is not known: " + report.mesh.unknown + "\n";
   if (*mesh + best.error <= question.error)
     return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh, *mesh + best.error);
   text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own, *mesh,
@@ -151,10 +153,12 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   if (!answer.levelThatHolds) return text + "no icosphere up to 4 would hold it\n";
   text += fmt::format("icosphere {} would hold it\n", *answer.levelThatHolds);
   if (answer.finer)
-    text +=
-        fmt::format("  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
-                    commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
-  else text += "  which has not been run to its end\n";
+    text += fmt::format(
+        "  {}\n"
+        "  this command has been run to the end, in {:.2f} s of CPU time; estimate of its whole error: "
+        "{:.2g}\n",
+        commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
+  else text += "  settings with this icosphere have not been run to the end\n";
   return text;
 }
 

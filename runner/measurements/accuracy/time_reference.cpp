@@ -56,7 +56,7 @@ Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& h
   Converged a = converge(runs, Integrator::rungeKutta4, halvings),
             b = converge(runs, Integrator::velocityVerlet, halvings);
   if (b.left.error < a.left.error) std::swap(a, b);
-  if (!a.trial.failure.empty()) throw InputError(file + ": there is no reference: " + a.trial.failure);
+  if (!a.trial.failure.empty()) throw InputError(file + ": no reference could be computed: " + a.trial.failure);
   r.setting = a.trial.setting, r.witness = b.trial.setting;
   r.left = a.left, r.witnessLeft = b.left;
   r.distance = distance(b.trial, a.trial, runs.eggRadius);

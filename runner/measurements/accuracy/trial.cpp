@@ -33,7 +33,7 @@ void goTo(World& world, double time, double maxSeconds, Trial& trial, double& se
     const std::uint64_t most = stepsUntil(world.clock, time * (1 - slack));
     seconds += timeOf(ClockKind::process, [&] { takeSteps(world, most); });
     const std::uint64_t steps = world.clock.step - before;
-    if (seconds > maxSeconds) throw TooLong{"it takes more than " + numberText(maxSeconds, 3) + " s of CPU time"};
+    if (seconds > maxSeconds) throw TooLong{"the run takes more than " + numberText(maxSeconds, 3) + " s of CPU time"};
     trial.steps += steps;
     trial.forceEvaluations += steps * perStep;
     trial.vertexSteps += steps * vertices;

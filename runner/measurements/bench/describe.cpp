@@ -68,7 +68,7 @@ std::string heading(const Rows& rows) {
     if (r->pairsPerVertexStep)
       return text + fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep) +
              (*r->rebuildsPerStep > 0 ? fmt::format("a search every {:.0f} steps", 1 / *r->rebuildsPerStep)
-                                      : "no search fell due");
+                                      : "no search was due");
   return text;
 }
 

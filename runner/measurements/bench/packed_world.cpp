@@ -116,7 +116,7 @@ double moveInEdges(const World& world) {
 
 std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell>& places,
                          const std::function<void(const std::string&)>& tell) {
-  tell(fmt::format("packing {} cells of {} vertices; the next bench finds them packed", packed.cells,
+  tell(fmt::format("packing {} cells of {} vertices, which are kept for the next bench", packed.cells,
                    makeIcosphere(packed.level).vertices.size()));
   const Scene scene = describe({packed.cells, packed.level});
   const World empty = makeWorld(scene);

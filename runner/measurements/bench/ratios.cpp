@@ -47,7 +47,7 @@ void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
       const BenchRow *ours = t.row(scene, MeasuredEngine::morula, Stage::step, cells, t.reference()),
                      *bullet = t.row(scene, MeasuredEngine::bulletB1, Stage::step, cells);
       if (ours && bullet)
-        ratios.push_back({fmt::format("times faster than Bullet B1, both in {} precision, {} cells, {}",
+        ratios.push_back({fmt::format("Bullet B1's step over Morula's, both in {} precision, {} cells, {}",
                                       nameOf(precision), cells, t.reference()),
                           ns(*bullet) / ns(*ours), 25, true});
     }
@@ -69,7 +69,7 @@ void scaling(const BenchTable& t, std::vector<BenchRatio>& ratios) {
     const BenchRow *large = t.packed(Stage::step, many, t.reference()),
                    *small = t.packed(Stage::step, few, t.reference());
     if (large && small)
-      ratios.push_back({fmt::format("ns per vertex-step, {} over {} cells, {}", many, few, t.reference()),
+      ratios.push_back({fmt::format("ns per vertex and step, {} over {} cells, {}", many, few, t.reference()),
                         ns(*large) / ns(*small), most, false});
   }
 }
@@ -81,8 +81,9 @@ void kernels(const BenchTable& t, std::vector<BenchRatio>& ratios) {
       ratios.push_back({fmt::format("inner forces, share of the multiply–add peak, 64 cells, {}", isa),
                         *row->shareOfPeak, 0.7, true});
     if (row && row->shareWithRoots)
-      ratios.push_back({fmt::format("the same with an edge's root and quotient counted, 64 cells, {}", isa),
-                        *row->shareWithRoots, 0.7, true, "tells what the rest is"});
+      ratios.push_back(
+          {fmt::format("inner forces, share of the peak with an edge's root and quotient counted, 64 cells, {}", isa),
+           *row->shareWithRoots, 0.7, true, "shown to explain the share of the multiply–add peak"});
     const BenchRow *step = t.row("free", MeasuredEngine::morula, Stage::step, 64, isa),
                    *internal = t.row("free", MeasuredEngine::morula, Stage::internal, 64, isa);
     if (step && internal)
@@ -100,7 +101,7 @@ void threads(const BenchTable& t, std::vector<BenchRatio>& ratios) {
       BenchRatio ratio{fmt::format("two threads over one, {} cells, {}", cells, isa), ns(*one) / ns(*two),
                        cells >= 512 ? 1.6 : 1, true};
       if (two->processors && *two->processors < 1.8)
-        ratio.notJudged = fmt::format("others left only {:.1f} processors", *two->processors);
+        ratio.notJudged = fmt::format("other programs left only {:.1f} processors", *two->processors);
       ratios.push_back(ratio);
     }
 }

@@ -52,7 +52,7 @@ Table costTable(const Prediction& f) {
       {{"", "", "asked for by"},
        [](const Row& c) { return c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")"); }},
   };
-  return tableOf("What each part costs", fields, f.costs);
+  return tableOf("Cost of each part", fields, f.costs);
 }
 
 Table absentTable(const Prediction& f) {
@@ -61,14 +61,14 @@ Table absentTable(const Prediction& f) {
       {{"engaged", "", ""}, [](const Part&) { return exact(false); }},
       {{"needs", "", "needs"}, [](const Part& part) { return part.why; }},
   };
-  return tableOf("What is absent", fields, f.absent);
+  return tableOf("Absent parts", fields, f.absent);
 }
 
 Document describe(const Prediction& f, const std::string& title) {
   std::string size =
       title + (f.life.whole ? ": up to " : ": at least ") + counted(static_cast<std::uint64_t>(f.cells), "cell");
   std::string cost =
-      fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
+      fmt::format("predicted on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
   if (f.vertices) {
     size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
                         counted(static_cast<std::uint64_t>(f.steps), "step"));
@@ -76,8 +76,8 @@ Document describe(const Prediction& f, const std::string& title) {
                          : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   }
   Document text;
-  text.say(size).add(PlainList{{cost}}).heading("what each part costs").add(costTable(f));
-  text.heading("absent, and free").add(absentTable(f));
+  text.say(size).add(PlainList{{cost}}).heading("cost of each part").add(costTable(f));
+  text.heading("absent parts, which cost nothing").add(absentTable(f));
   for (const std::string& remark : f.remarks) text.heading(remark);
   return text;
 }

@@ -120,7 +120,7 @@ void addRecord(PartList& list, const Scenario& scenario, const RunAsk& ask) {
   list.add("hashes", wantsHashes(scenario, !golden.empty()), "of the states on the way", {"check"},
            "a golden file, or check");
   if (!golden.empty()) list.parts.back().why = golden;
-  list.add("golden", !golden.empty(), "the result against the accepted one", {}, "morula review SCENARIO --accept");
+  list.add("golden", !golden.empty(), "comparison with the accepted result", {}, "morula review SCENARIO --accept");
   if (!golden.empty()) list.parts.back().why = golden;
   list.add("pictures", ask.pictures,
            record.pictures && scenario.scene.mechanics ? "at the end, and " + every(record.pictures) : "at the end",
@@ -151,8 +151,7 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   list.add("connections", mechanics && mechanics->connections, "", {"connections"}, "connections");
   list.add("division", mechanics.has_value(), mechanics ? describeDivision(mechanics->division) : "",
            {"division.rules", "division.plane", "division"}, "physics");
-  if (scenario.scene.variation != VariationParameters{})
-    list.add("variation", "a seed makes cells differ", {"variation"});
+  if (scenario.scene.variation != VariationParameters{}) list.add("variation", "the seed varies cells", {"variation"});
   addRecord(list, scenario, ask);
   return std::move(list.parts);
 }

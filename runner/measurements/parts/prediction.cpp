@@ -94,7 +94,8 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
     const double limit = predictTimeStepLimit(trial, era.generation);
     if (fixed && *fixed > limit)
       f.remarks.push_back(fmt::format(
-          "physics.time_step will be too long from {} cells on: cells get lighter with each division", era.cells));
+          "physics.time_step will be too long from {} cells on, because cells get lighter with each division",
+          era.cells));
     else if (!fixed && limit < near * powerOfTwoBelow(limit))
       f.remarks.push_back(
           fmt::format("from {} cells on the time step may be half as long, and steps twice as many", era.cells));
@@ -172,9 +173,9 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
   if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
-    f.remarks.push_back("what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
+    f.remarks.push_back("senses and sizes for division are not predicted; divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)
-    f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
+    f.remarks.push_back("the effect of growth on the time step is not predicted beyond the rehearsal");
 }
 
 void addPictures(Costs& costs, const Prediction& f, const Scenario& scenario, const PredictionOptions& options) {
@@ -223,7 +224,7 @@ Prediction predictCost(const Scenario& scenario, const PredictionOptions& option
   f.life = predictLife(scenario.scene);
   f.cells = f.life.maxCells();
   if (!f.life.whole)
-    f.remarks.push_back("there are more cells than were followed: this is the beginning of the run only");
+    f.remarks.push_back("the run has too many cells to predict; these are the costs of its beginning only");
   Costs costs;
   costs["biology"].seconds = f.life.seconds;
   if (scenario.scene.mechanics) predictBodies(costs, f, scenario, options);

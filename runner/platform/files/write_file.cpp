@@ -49,14 +49,14 @@ void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
     requireWritable(file, *mode);
     const Content there = contentOfFile(file);
     if (there != kind && there != Content::empty)
-      refuseToWrite(file, std::string("it is there already and is ") + name(there) + ", which " + name(kind) +
+      refuseToWrite(file, std::string("the file exists already and is ") + name(there) + ", which " + name(kind) +
                               " would replace; give another name, or remove it first");
   }
   replace(file, bytes);
 }
 
 void requireNewFile(const fs::path& file) {
-  if (typeOf(file)) refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  if (typeOf(file)) refuseToWrite(file, std::string("the file exists already and is ") + name(contentOfFile(file)));
   if (file.has_parent_path() && !isFolder(file.parent_path())) refuseToWrite(file, std::strerror(ENOENT));
 }
 

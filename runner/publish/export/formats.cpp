@@ -179,7 +179,7 @@ Files tableFiles(Store& store, const ExportRequest& request, const std::string& 
     files.push_back({one ? request.output : request.output / (t.name + ".csv"), std::move(t.text)});
   if (files.empty())
     throw FileError("'" + store.file().string() + "' has no rows for the table " + request.table +
-                    "; `morula export --list` says what it holds");
+                    "; `morula export --list` lists its tables");
   return files;
 }
 
@@ -210,7 +210,7 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
   if (request.noComments && std::string_view(format.name) != "newick")
     throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time && format.wanted == Wanted::tree)
-    throw UsageError(std::string("--time: ") + format.name + " has no times of its own; leave it out");
+    throw UsageError(std::string("--time: ") + format.name + " has no times; leave --time out");
   std::vector<StoredRun> runs;
   if (request.run.empty()) runs = store.runs();
   else runs = {store.find(request.run)};
@@ -221,12 +221,12 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
   Exported all;
   for (const StoredRun& run : runs) {
     if (const std::string why = several ? whyNot(run, format) : ""; !why.empty()) {
-      tell("run " + run.id + " is left out: it " + why, request.quiet);
+      tell("run " + run.id + " is left out, because it " + why, request.quiet);
       continue;
     }
     if (run.status == RunStatus::running)
       throw FileError("'" + store.file().string() + "': run " + run.id +
-                      " has not finished; `morula run --resume` goes on with it, or run it again");
+                      " has not finished; continue it with `morula run --resume`, or run it again");
     fs::path path = request.output;
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
     requireWholeRecord(store, run);

@@ -19,17 +19,16 @@ CrateFile crateFile(const SourceText& d) {
   };
   if (d.role == "resolved")
     return made("scenario/resolved.json", Role::object, "The scenario with all defaults and changes filled in");
-  if (d.role == "diff")
-    return made("program.diff", Role::about, "What the program's sources had that their commit had not");
+  if (d.role == "diff") return made("program.diff", Role::about, "Changes of the program's sources since their commit");
   if (d.role == "faces")
     return made("faces/" + safeName(d.path, "mesh") + ".bin", Role::about,
-                "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each up to "
-                "65536 vertices, else 32");
+                "Faces of the surfaces in run.db: three corners a face, little-endian, 16 bits each up to 65536 "
+                "vertices, else 32");
   const char* what = d.role == "dna"         ? "The genes that the scenario names"
                      : d.role == "mesh"      ? "The egg's mesh that the scenario names"
                      : d.role == "shell"     ? "The egg shell's mesh that the scenario names"
                      : d.role == "names"     ? "The names of cells that the scenario names"
-                     : d.role == "reference" ? "What the scenario compares the organism with"
+                     : d.role == "reference" ? "Reference with which the scenario compares the organism"
                                              : "The scenario as it was read";
   // Role and path come from the database, which may be a stranger's, so they are made safe.
   const std::string role = safeName(d.role, "document");
@@ -44,7 +43,7 @@ void addGolden(std::vector<CrateFile>& files) {
     const fs::path golden = goldenPath(file.alternateName);
     if (!liesWithin(golden, currentFolder()) || contentOfFile(golden) != Content::golden) return;
     files.push_back({"golden/" + safeName(golden.string(), "golden"), CrateFile::Role::object,
-                     "The accepted result that the run is held against", golden.string(), "", golden});
+                     "The accepted result with which the run is compared", golden.string(), "", golden});
     return;
   }
 }
@@ -60,7 +59,7 @@ void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   };
   add("organism.png", "The organism at the end");
   add("wireframe.png", "The organism at the end, as meshes");
-  add("lineage.png", "The tree of its cells");
+  add("lineage.png", "The tree of the organism's cells");
   if (!isFolder(folder / "sequence")) return;
   for (const fs::path& frame : namesIn(folder / "sequence"))
     if (frame.extension() == ".png") add("sequence" / frame, "The organism on the way");

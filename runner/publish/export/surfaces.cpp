@@ -47,7 +47,7 @@ std::string keptTimes(const std::vector<Sample>& samples) {
 double timeWithin(double time, const StoredRun& run) {
   if (time <= run.time) return time;
   if (time <= run.time * (1 + rounding)) return run.time;
-  throw UsageError(fmt::format("--time: {} is after the end of run {}, {}; needs at most that", exactText(time), run.id,
+  throw UsageError(fmt::format("--time: {} is after the end of run {}; needs at most {}", exactText(time), run.id,
                                exactText(run.time)));
 }
 
@@ -73,13 +73,13 @@ std::vector<double> missingTimes(RunResults& results, const StoredRun& run, cons
 void requireSameEnd(const Store& store, const StoredRun& run, const RunEnd& end) {
   const std::string now = end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
   if (now == run.stateHash) return;
-  const std::string what = fmt::format("{}: run {} ends otherwise when it is simulated again: stored {}, now {}",
+  const std::string what = fmt::format("{}: run {}, simulated again, ends in another state: stored {}, now {}",
                                        store.file().string(), run.id, run.stateHash, now);
   if (buildId(run.record.build) == buildId(buildInfo()))
-    throw NondeterminismError(what + "; nothing is exported. `morula replay` says what differs", run.id, run.stateHash,
-                              now);
-  throw FileError(what + "; it was made by another build (" + run.record.build.version +
-                  "), with which it can be exported; `morula replay` says what differs");
+    throw NondeterminismError(what + "; nothing is exported. `morula replay` lists the differences", run.id,
+                              run.stateHash, now);
+  throw FileError(what + "; another build made the run (" + run.record.build.version +
+                  "), which can export it; `morula replay` lists the differences");
 }
 
 /// Samples and surfaces at these times, rising, from running it once more.
@@ -87,8 +87,8 @@ void simulateAgain(const Store& store, const StoredRun& run, const Scenario& sce
                    const SurfaceRequest& request, RunResults& results) {
   if (run.status != RunStatus::done)
     throw FileError(
-        fmt::format("{}: run {} did not come to its end ({}), so surfaces that it did not keep "
-                    "cannot be made again; give a time that it kept, if there is one: {}",
+        fmt::format("{}: run {} did not come to its end ({}), so surfaces that it did not keep cannot be computed; "
+                    "give a time with kept surfaces: {}",
                     store.file().string(), run.id, name(run.status),
                     keptTimes(results.samples).empty() ? "none" : keptTimes(results.samples)));
   const std::string kept = keptTimes(results.samples);
@@ -100,7 +100,7 @@ void simulateAgain(const Store& store, const StoredRun& run, const Scenario& sce
       simulate(scenario, request.execution, {.quiet = request.quiet, .record = {.meshesAt = std::move(times)}});
   requireEnough(again.end);
   requireSameEnd(store, run, again.end);
-  tell("its end is the stored one, bit for bit", request.quiet);
+  tell("the end equals the stored one, bit for bit", request.quiet);
   results = std::move(again.results);
 }
 

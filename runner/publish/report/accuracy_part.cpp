@@ -25,7 +25,8 @@ std::string setCommand(const AccuracyRow& row, const std::string& scenario) {
 /// Returns the whole error of a row, marked if it is above `error` or unknown.
 Words wholeText(const AccuracyRow& row, double error) {
   const double whole = row.parts.sum();
-  if (!row.parts.mesh && !row.parts.model) return "at least " + numberText(whole, 3) + ": the mesh's is not known";
+  if (!row.parts.mesh && !row.parts.model)
+    return "at least " + numberText(whole, 3) + ": the mesh's error is not known";
   return numberText(whole, 3) + " " + (whole > error ? Words("! more", Emphasis::warning) : Words("✓", Emphasis::good));
 }
 
@@ -40,9 +41,11 @@ std::string orUnknown(double error) { return std::isfinite(error) ? numberText(e
 PageSection accuracyChartSection(const AccuracyReport& report) {
   const std::size_t out = beatenBullets(report).size();
   const std::string caption =
-      "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh itself adds." +
+      "CPU times are those of the machine that ran the settings. Errors are on the scenario's own mesh; grey: the "
+      "error of that mesh itself." +
       (out ? " " + counted(out, "setting") +
-                 " of Bullet's that others of its own beat in error and time are in the table alone."
+                 " of Bullet's with both larger errors and longer times than others of Bullet's are in the table "
+                 "alone."
            : "");
   return {"accuracy", "Error against cost",
           Document().add(svgPicture(drawAccuracy(report), "error against CPU time, a line for each series of settings",
@@ -54,8 +57,8 @@ PageSection accuracyChartSection(const AccuracyReport& report) {
 PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
   PageSection section{"cheapest", "Cheapest settings for an error", {}};
   Table table{section.title,
-              {"Error at most", "Settings of ours", "CPU time [s]", "Error on the scenario's mesh",
-               "Whole error, with the mesh's"}};
+              {"Error at most", "Morula's settings", "CPU time [s]", "Error on the scenario's mesh",
+               "Whole error, including the mesh's"}};
   const bool bullet =
       std::ranges::any_of(report.rows, [](const AccuracyRow& row) { return row.engine != MeasuredEngine::morula; });
   if (bullet) table.columns.insert(table.columns.end(), {"Bullet's best", "CPU time [s]", "times as long"});
@@ -64,7 +67,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
     const auto ours = thatHold(report, error), theirs = thatHold(report, error, false);
     if (ours.empty() && theirs.empty()) continue;
     std::vector<Cell> row{number(error, 3)};
-    if (ours.empty()) row.insert(row.end(), {"none of those tried", "", "", ""});
+    if (ours.empty()) row.insert(row.end(), {"none of the settings tried", "", "", ""});
     else {
       const AccuracyRow& best = *ours.front();
       row.insert(row.end(),
@@ -74,7 +77,7 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
           std::ranges::find(section.commands, command) == section.commands.end())
         section.commands.push_back(command);
     }
-    if (bullet && theirs.empty()) row.insert(row.end(), {"none of those tried", "", ""});
+    if (bullet && theirs.empty()) row.insert(row.end(), {"none of the settings tried", "", ""});
     else if (bullet) {
       const AccuracyRow& best = *theirs.front();
       row.insert(row.end(), {nameOfRow(best), number(best.cpuSeconds, 3),
@@ -82,16 +85,16 @@ PageSection cheapestSection(const AccuracyReport& report, const std::string& sce
     }
     table.rows.push_back(std::move(row));
   }
-  if (table.rows.empty()) section.body.say(warning() + "None of the settings tried holds an error of 0.1.");
+  if (table.rows.empty()) section.body.say(warning() + "None of the settings tried has an error of at most 0.1.");
   else
     section.body
         .say(
-            "Of the runs made: each row's error, with the reference's own added, is at most that. The mesh's error is "
-            "the same for all time steps and stands apart.")
+            "Settings of the runs made whose error, with the reference's own added, is at most that of the row. The "
+            "mesh's error is the same for all time steps and stands apart.")
         .add(std::move(table));
   if (!report.bulletSpeeds.empty())
     section.body.heading("At equal error, beside Bullet")
-        .say("Between neighbouring runs of a series, the least CPU time of all settings tried.")
+        .say("Least CPU times of all settings tried, between neighbouring runs of a series.")
         .add(bulletTable(report));
   return section;
 }
@@ -102,17 +105,17 @@ PageSection referenceSection(const AccuracyReport& report) {
   const auto nameOfSetting = [](const Setting& s) {
     return nameOf(s.integrator) + (", time step " + stepText(s.timeStep));
   };
-  PageSection section{"reference", "What errors are held against", {}};
-  section.body.add(
-      Table{"Reference",
-            {},
-            {{"Reference", nameOfSetting(r.setting)},
-             {"Its own error, by Richardson", orUnknown(r.left.error)},
-             {"Order observed", r.left.order > 0 ? numberText(r.left.order, 3) : "none: it does not converge"},
-             {"Witness", nameOfSetting(r.witness)},
-             {"Distance of the two", orUnknown(r.distance)},
-             {"The witness' own error", orUnknown(r.witnessLeft.error)},
-             {"They agree", mark(r.agrees, "yes", "no")}}});
+  PageSection section{"reference", "Reference of the errors", {}};
+  section.body.add(Table{
+      "Reference",
+      {},
+      {{"Reference", nameOfSetting(r.setting)},
+       {"Its own error, by Richardson", orUnknown(r.left.error)},
+       {"Order observed", r.left.order > 0 ? numberText(r.left.order, 3) : "none: the reference does not converge"},
+       {"Witness", nameOfSetting(r.witness)},
+       {"Distance of witness and reference", orUnknown(r.distance)},
+       {"The witness' own error", orUnknown(r.witnessLeft.error)},
+       {"They agree", mark(r.agrees, "yes", "no")}}});
   using Row = LevelError;
   const MeshError& mesh = report.mesh;
   const std::vector<FieldOf<Row>> fields{
@@ -133,7 +136,7 @@ PageSection referenceSection(const AccuracyReport& report) {
                              : "Errors do not fall from mesh to mesh, so nothing is extrapolated.");
   if (!report.orders.empty())
     section.body.heading("Orders")
-        .say("How fast errors fall with the time step: contact, shell and friction lower it.")
+        .say("Orders of convergence with the time step; contact, shell and friction lower them.")
         .add(orderTable(report));
   return section;
 }
@@ -145,7 +148,7 @@ std::string sentenceOf(const AccuracyReport& report) {
   const AccuracyRow& own = report.own;
   const std::string start = report.scenario + " as it is";
   if (!own.failure.empty()) return start + " does not come to its end.";
-  if (!own.error) return start + ": not compared, for other cells live.";
+  if (!own.error) return start + ": not compared, because other cells live.";
   std::string text = start + ": error " + (own.parts.mesh ? "" : "at least ") + numberText(own.parts.sum(), 3);
   const auto add = [&](const std::optional<double>& part, const std::string& of) {
     text += (part ? numberText(*part, 3) : std::string("an unknown part")) + " of " + of;
@@ -163,11 +166,11 @@ void judgeReference(const AccuracyReport& report, std::vector<Finding>& findings
   const bool converged = std::isfinite(r.left.error) && r.left.order > 0;
   if (!converged)
     findings.push_back({Kind::bad,
-                        "No converged reference: its own error does not fall with its time step, so no error on this "
-                        "page is sure"});
+                        "The reference has not converged: its own error does not fall with its time step, so no "
+                        "error on this page is reliable"});
   if (!r.agrees)
     findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + witness +
-                                       ", is farther away than both their errors allow"});
+                                       ", is farther away than the errors of both allow"});
   if (r.agrees && converged)
     findings.push_back({Kind::good, "The reference, good to " + numberText(r.left.error, 2) +
                                         ", is confirmed by another integrator, " + witness});
@@ -177,19 +180,20 @@ void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
   const MeshError& m = report.mesh;
   if (!m.unknown.empty())
     findings.push_back(
-        {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " + m.unknown});
+        {Kind::warning, "The mesh's error is not known, so whole errors may be larger than stated: " + m.unknown});
   else if (!m.levels.empty() && m.order < minMeshOrder)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
-  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + m.limit});
+  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh was computed: " + m.limit});
   if (m.partedAt)
     findings.push_back({Kind::warning, "On another mesh other cells live from " + numberText(*m.partedAt) + " on"});
   const auto error = m.error(), time = report.own.parts.time;
   if (error && time && *error > 3 * *time && *error > 0)
-    findings.push_back({Kind::warning, "The mesh costs " +
-                                           (*time > 0 ? numberText(*error / *time, 2) + " times what the time step does"
-                                                      : "all, the time step nothing") +
-                                           ": shorter time steps gain little"});
+    findings.push_back(
+        {Kind::warning,
+         "The error of the mesh is " +
+             (*time > 0 ? numberText(*error / *time, 2) + " times the error of the time step" : "the whole error") +
+             ", so shorter time steps gain little"});
 }
 
 void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
@@ -203,20 +207,20 @@ void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
   const double until = report.times.back();
   if (report.end && until < *report.end * (1 - 1e-6))
     findings.push_back({Kind::warning, "Compared up to time " + numberText(until, 6) + " of " +
-                                           numberText(*report.end, 6) + ": nothing is said of what comes later"});
+                                           numberText(*report.end, 6) + ": later times are not compared"});
   std::size_t failed = 0, parted = 0;
   for (const AccuracyRow& row : report.rows) failed += !row.failure.empty(), parted += row.partedAt.has_value();
   if (failed)
     findings.push_back({Kind::warning, std::to_string(failed) + " of " + counted(report.rows.size(), "setting") +
-                                           " failed; a table says why"});
+                                           " failed; a table lists the reasons"});
   if (parted)
     findings.push_back({Kind::warning, std::to_string(parted) + " of " + counted(report.rows.size(), "setting") +
-                                           " come to other cells than the reference"});
+                                           " end with other cells than the reference"});
   for (const std::string& remark : report.remarks) findings.push_back({Kind::warning, remark});
   if (report.rival)
-    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + report.rival->series + ", " +
-                                        numberText(report.rival->speed, 3) +
-                                        " times as fast as the scenario as it is"});
+    findings.push_back(
+        {Kind::good, "The cheapest settings tried that are as exact on this mesh: " + report.rival->series + ", " +
+                         numberText(report.rival->speed, 3) + " times as fast as the scenario as it is"});
 }
 
 /// Adds the findings of --target.
@@ -224,7 +228,8 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const std::string error = numberText(t.at("error").get<double>(), 3);
   const Json& best = t.at("run_to_the_end");
   if (!best.is_object()) {
-    findings.push_back({Kind::bad, "None of the settings tried holds an error of " + error + " and runs to its end"});
+    findings.push_back(
+        {Kind::bad, "None of the settings tried has an error of at most " + error + " and reaches the end"});
     return;
   }
   std::string command = programWord();
@@ -234,25 +239,25 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
       {holds ? Kind::good : Kind::warning,
        "An error of " + error + " on the scenario's mesh is held for the least CPU time, " +
            numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by " + code(command) +
-           (holds ? "; with the mesh's, too"
+           (holds ? "; the mesh's error is included"
             : t.at("mesh_error").is_number()
-                ? "; the mesh itself adds " + numberText(t.at("mesh_error").get<double>(), 3) + ", which is not in it"
-                : "; what the mesh adds is not known")});
+                ? "; the mesh's own error, " + numberText(t.at("mesh_error").get<double>(), 3) + ", is not included"
+                : "; the mesh's error is not known")});
   if (t.at("icosphere_that_holds").is_number() && !holds)
-    findings.push_back({Kind::warning, "For the whole error it needs icosphere " +
+    findings.push_back({Kind::warning, "To hold the whole error takes icosphere " +
                                            std::to_string(wholeFrom<int>(t.at("icosphere_that_holds")))});
 }
 
 PageSection madeBy(const Json& json, const std::string& scenario, const std::string& file) {
   PageSection section{"made-by",
-                      "Where it comes from",
+                      "Provenance",
                       {},
                       {programWord() + " accuracy " + scenario + " --json > " + shellWord(file),
                        programWord() + " report " + shellWord(file)}};
   Table table{section.title, {}};
   if (json.contains("made_by"))
     for (const auto& [name, value] : json.at("made_by").items()) table.rows.push_back({name, value.get<std::string>()});
-  if (table.rows.empty()) section.body.say("The output does not say by which program and machine it was made.");
+  if (table.rows.empty()) section.body.say("The output does not name the program and the machine that made it.");
   else section.body.add(std::move(table));
   return section;
 }
@@ -263,11 +268,12 @@ PagePart accuracyPart(const std::string& file) {
   const std::string text = readFile(file);
   const Json json = tryParseJson(text);
   const std::string right = "; needs what morula accuracy --json has printed";
-  if (!json.is_object() || !json.contains("rows")) throw InputError(file + ": no rows of an accuracy run" + right);
+  if (!json.is_object() || !json.contains("rows"))
+    throw InputError(file + ": the file has no rows of an accuracy run" + right);
   try {
     const AccuracyReport report = accuracyFrom(json);
     const std::string scenario = json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
-    PagePart part{.title = "Accuracy of " + report.scenario, .summary = "What accuracy costs: error against CPU time"};
+    PagePart part{.title = "Accuracy of " + report.scenario, .summary = "Cost of accuracy: error against CPU time"};
     std::vector<Finding> findings;
     if (json.contains("target")) judgeTarget(json.at("target"), findings);
     judgeReference(report, findings);
@@ -284,7 +290,7 @@ PagePart accuracyPart(const std::string& file) {
                                                        {"accuracy.json", "application/json", text}}})});
     return part;
   } catch (const std::exception&) {  // the JSON is of another form, or a name is unknown
-    throw InputError(file + ": rows that are none of an accuracy run" + right);
+    throw InputError(file + ": the rows are not those of an accuracy run" + right);
   }
 }
 

@@ -50,15 +50,15 @@ std::vector<CellDistance> distancesOf(const Scenario& scenario, const World& our
 
 const char* baselineWords(Baseline baseline) {
   switch (baseline) {
-    case Baseline::b1: return "b1: our forces, moved by Bullet's integrator, with Bullet's contact";
+    case Baseline::b1: return "b1: Morula's forces, moved by Bullet's integrator, with Bullet's contact";
     case Baseline::b2: return "b2: Bullet's own springs and pressure, integrator and contact";
-    case Baseline::b3: return "b3: our springs and pressure in Bullet's implicit solver";
+    case Baseline::b3: return "b3: Morula's springs and pressure in Bullet's implicit solver";
   }
   return "";
 }
 
 std::string quantityWords(const CheckResult& r) {
-  if (r.field == "positions") return "place of the vertex farthest off [length]";
+  if (r.field == "positions") return "place of the vertex with the largest distance [length]";
   if (r.field == "radius") return "mean radius of each cell [length]";
   if (r.field == "volume") return "volume of each cell [length³]";
   if (r.field == "distance") return "distance of the centres of two cells, less Bullet's gap [length]";
@@ -68,17 +68,19 @@ std::string quantityWords(const CheckResult& r) {
 
 /// Tells which geometry decides the comparison, and which does not.
 std::string decidingWords(const BulletCheck& check, bool touching) {
-  std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
+  std::string text =
+      "The quantities of this table decide whether the check passes; the pictures and the map of "
+      "distances illustrate them. ";
   if (check.positions)
     return text +
-           "Nothing touches here and both take the same steps, so the two are held against each other vertex by "
-           "vertex.";
+           "No cells touch and both programs take the same steps, so the two results are compared vertex by vertex.";
   if (touching)
     return text + "Bullet keeps surfaces that touch two margins of " + numberText(check.margin, 4) +
-           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, how large "
-           "they are and how flat, not their surfaces point by point.";
+           " radii apart, and its contact forces differ from Morula's, so places, sizes and flatness of cells are "
+           "compared, not their surfaces point by point.";
   return text +
-         "Both come to the same rest on different ways, so each cell is compared as a whole, not vertex by vertex.";
+         "Both programs reach the same rest in different ways, so each cell is compared as a whole, not vertex by "
+         "vertex.";
 }
 
 std::string digits(const std::string& text) {
@@ -102,7 +104,7 @@ Table resultTable(const Scenario& scenario, const std::vector<CheckResult>& resu
 Document distances(std::vector<CellDistance> all, double radius) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest > b.largest; });
   Table table{"Distances of the surfaces",
-              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]", "Our volume [length³]",
+              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]", "Morula's volume [length³]",
                "Bullet's volume [length³]"}};
   for (std::size_t i = 0; i < std::min(all.size(), maxCells); ++i)
     table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3),
@@ -122,7 +124,7 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
   const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
   if (worst->largest < roundingRadii * radius)
     return "The surfaces are nowhere farther apart than " + numberText(worst->largest / radius, 2) +
-           " radii of the egg, which is rounding: the map of distances shows nothing else.";
+           " radii of the egg; the map of distances shows rounding errors only.";
   double squares = 0, count = 0;
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
@@ -141,7 +143,7 @@ Document pictures(const Scenario& scenario, const World& ours, const ExternalRun
   three.add(pngPicture(images.one, "our cells " + when, "ours, " + when, where.swipe ? "ours" : ""))
       .add(std::move(theirs));
   three.add(pngPicture(images.distance, "a map of the distances of the surfaces",
-                       "how far each vertex of ours is from Bullet's surface"));
+                       "distance of each of Morula's vertices from Bullet's surface"));
   all.add(Group{Group::Kind::pictures, "", std::move(three)});
   if (where.swipe) all.add(Swipe{"ours", "bullet", "ours | Bullet's"});
   return all;
@@ -151,33 +153,37 @@ Document pictures(const Scenario& scenario, const World& ours, const ExternalRun
 std::string whyNone(const BulletAgain& again) {
   if (again.found.bullet || again.found.results.empty()) return {};
   const CheckResult& r = again.found.results.front();
-  return wasSkipped(r) ? "Not held against Bullet: this program was built without it" : "Bullet: " + r.actual;
+  return wasSkipped(r) ? "Not compared with Bullet, because this program was built without it" : "Bullet: " + r.actual;
 }
 
 /// Returns "Ours and Bullet's are within every tolerance; the one used most …".
 std::string sentenceOf(const std::vector<CheckResult>& results) {
   const auto failed = std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed; });
   if (failed > 0)
-    return "Ours and Bullet's are farther apart than they may be in " + std::to_string(failed) + " of " +
+    return "Morula's result and Bullet's differ by more than the tolerance in " + std::to_string(failed) + " of " +
            std::to_string(results.size()) + (results.size() == 1 ? " quantity" : " quantities") + ".";
-  std::string text = "Ours and Bullet's come to the same end within every tolerance";
+  std::string text = "Morula's result and Bullet's agree within every tolerance";
   const CheckResult* most = nullptr;
   for (const CheckResult& r : results)
     if (r.share && (!most || *r.share > *most->share)) most = &r;
   if (most)
-    text += "; the one used most is that of the " + most->field + ", of which they take " +
+    text += "; the largest share of a tolerance is that of the " + most->field + ", " +
             numberText(100 * *most->share, 3) + " %";
   return text + ".";
 }
 
 Words storedWords(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored) {
   switch (compareWithStored(found, stored)) {
-    case BulletStored::none: return "The database holds no comparison with Bullet; this one was made for the page.";
+    case BulletStored::none:
+      return "The database holds no comparison with Bullet; this comparison was made for the "
+             "page.";
     case BulletStored::same:
-      return "Made again for this page, it gives the numbers that are stored with the run, digit for digit.";
+      return "The comparison, repeated for this page, gives the numbers that are stored with the run, digit for "
+             "digit.";
     case BulletStored::other:
       return warning() +
-             "Made again for this page, it gives other numbers than are stored with the run, which the checks show.";
+             "The comparison, repeated for this page, gives other numbers than are stored with the run; the checks "
+             "show the stored ones.";
   }
   return {};
 }
@@ -218,7 +224,7 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
   const bool stored = std::any_of(run.checks.begin(), run.checks.end(),
                                   [](const CheckResult& r) { return r.kind == CheckKind::bullet && !wasSkipped(r); });
   if (const std::string why = whyNone(*run.bullet); !why.empty()) {
-    findings.push_back({Kind::warning, why + (stored ? "; the stored checks stand" : "")});
+    findings.push_back({Kind::warning, why + (stored ? "; the checks are the stored ones" : "")});
     return;
   }
   const bool sameProgram = buildId(run.run.record.build) == buildId(buildInfo());
@@ -248,7 +254,7 @@ PageSection bulletSection(const std::vector<RunFacts>& runs) {
   }
   if (made > 0 && asked > made)
     section.body.note("The first " + std::to_string(made) + " of " + counted(asked, "run") +
-                      " that are held against Bullet.");
+                      " that are compared with Bullet.");
   return section;
 }
 
@@ -277,7 +283,7 @@ std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& chec
   const auto held = static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));
   if (!sections.empty() && held > sections.size())
     sections.back().body.note("Shown of " + std::to_string(sections.size()) + " of " + counted(held, "scenario") +
-                              " that were held against Bullet; morula report shows it of any run.");
+                              " that were compared with Bullet; morula report shows the comparison of any run.");
   return sections;
 }
 

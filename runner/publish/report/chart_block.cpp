@@ -122,14 +122,14 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
   const auto living = std::count_if(run.results.lineage.begin(), run.results.lineage.end(),
                                     [](const LineageEntry& c) { return c.fate == Fate::alive; });
   if (living > 1 && living <= static_cast<long>(maxTouching))
-    add("contacts", "Who touches whom at the end: contact areas", [&] {
+    add("contacts", "Contact areas between cells at the end", [&] {
       MatrixPicture matrix = contactsOf(run.results, run.run.time, run.scenario);
       matrix.title = "Contacts", matrix.caption.clear();
       matrix.width = matrix.height = living > 20 ? 640 : width;
       return drawMatrix(matrix);
     });
   if (!run.results.divisions.empty())
-    add("divisions", "Which way the axes of divisions point, towards daughter A", [&] {
+    add("divisions", "Directions of the axes of divisions, towards daughter A", [&] {
       RosePicture roses = divisionsOf(run.results, run.scenario);
       roses.title = "Divisions", roses.caption.clear();
       roses.width = 640, roses.height = 300;
@@ -147,8 +147,9 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
   Chart cells = timeChart("Living cells", "", units);
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]), units);
   if (!cells.lines.empty())
-    charts.add(
-        svgPicture(drawChart(cells), "Living cells over time", "One more at each division, one fewer at each death"));
+    charts.add(svgPicture(drawChart(cells), "Living cells over time",
+                          "Number of living cells: each division adds one, "
+                          "each death takes one"));
   const auto measures = sampledMeasures<Observation>();
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;

@@ -69,8 +69,8 @@ Document bodyOf(const CheckedScenario& c) {
                                              "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
   if (c.isOtherNow)
     body.say(
-        "There are no pictures: since this check the scenario, its golden or the program has changed, so that the result of "
-        "now is not the one that was checked. Check again.");
+        "There are no pictures, because the scenario, its golden or the program has changed since this check; run "
+        "morula check again.");
   return body.add(checksOf(c.report.results, names));
 }
 
@@ -186,10 +186,10 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
       failed ? "morula check: " + std::to_string(failed) + " of " + counted(checked.size(), "scenario") +
                    (failed == 1 ? " differs" : " differ")
              : "morula check: " + counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass");
-  if (!failed) findings.push_back({Finding::Kind::good, "Every scenario gives what is accepted"});
+  if (!failed) findings.push_back({Finding::Kind::good, "Every scenario gives its accepted result"});
   if (told > maxTold)
     findings.push_back(
-        {Finding::Kind::warning, "What differs is shown of the first " + std::to_string(maxTold) + " scenarios"});
+        {Finding::Kind::warning, "Differences are shown for the first " + std::to_string(maxTold) + " scenarios"});
   part.verdict = verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
                              (checked.size() == 1 ? " passes" : " pass") + ".",
                          std::move(findings));

@@ -49,7 +49,7 @@ Document checksOf(const std::vector<CheckResult>& checks, const CellNames& names
       messages.add(folded(r.check, Document().add(Verbatim{withNames(r.message, names.function())})));
   Document all;
   all.add(std::move(table));
-  if (!messages.empty()) all.heading("All that differs").add(std::move(messages));
+  if (!messages.empty()) all.heading("All differences").add(std::move(messages));
   return all;
 }
 

@@ -89,7 +89,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
     picture.id = "picture-" + std::to_string(i);
     pictures.add(std::move(picture));
     if (runs.size() == 1)
-      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe), before(r) + "the same as meshes",
+      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe), before(r) + "the organism as meshes",
                               before(r) + "the meshes"));
     if (r.run.status == RunStatus::done) section.commands.push_back(commandFor(r, "render", "-o organism.png"));
   }
@@ -121,7 +121,7 @@ Document goldenPictures(const BesideGolden& beside, const std::string& name) {
     };
     add(images.one, "accepted", "as accepted");
     add(images.other, "now", "as it is now");
-    add(images.distance, "distance", "how far it is from what is accepted");
+    add(images.distance, "distance", "distance from the accepted result");
   }
   all.add(Group{Group::Kind::pictures, "", std::move(pictures)});
   for (const std::string& note : beside.notes) all.note(note);

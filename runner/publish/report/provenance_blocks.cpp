@@ -64,7 +64,7 @@ Document differences(const std::vector<RunFacts>& runs) {
     if (std::any_of(row.begin(), row.end(), [&](const auto& v) { return v != row.front(); }))
       rows.push_back({key, std::move(row)});
   }
-  if (rows.empty()) return Document().say("The scenarios are the same but for their seeds.");
+  if (rows.empty()) return Document().say("The scenarios differ only in their seeds.");
   return Document().heading("What differs").add(sideBySide("Parameters that differ", runs, rows));
 }
 
@@ -78,7 +78,7 @@ constexpr std::size_t maxChanges = 4;  // max number of runs that are compared w
 
 void tellBesideGolden(const RunFacts& run, Document& changes) {
   if (run.change.empty()) {
-    changes.say("Nothing: the run gives what the accepted result, " + code(run.golden) + ", records.");
+    changes.say("Nothing: the run equals the accepted result, " + code(run.golden) + ", records.");
     return;
   }
   const auto goldens = [](const CheckResult& c) { return c.kind == CheckKind::golden; };
@@ -133,7 +133,7 @@ PageSection parameterSection(const std::vector<RunFacts>& runs) {
       const bool resolved = d.role == "resolved";
       const std::string title = resolved               ? "All parameters, defaults filled in"
                                 : d.role == "scenario" ? "The scenario as it was read"
-                                : d.role == "diff"     ? "What the program's sources had that their commit had not"
+                                : d.role == "diff"     ? "Changes of the program's sources since their commit"
                                                        : "The file that it names as " + d.role;
       section.body.add(folded(title + of + (d.path.empty() ? "" : ": " + d.path),
                               Document().add(Verbatim{resolved ? indented(d.content) : d.content})));
@@ -161,7 +161,7 @@ Document changesOf(const std::vector<RunFacts>& runs) {
     all.add(std::move(changes));
   }
   if (told > maxChanges)
-    all.note("Of the runs of one scenario the first " + std::to_string(maxChanges + 1) + " are told of.");
+    all.note("Of the runs of one scenario the first " + std::to_string(maxChanges + 1) + " are listed.");
   return all;
 }
 

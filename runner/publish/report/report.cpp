@@ -118,7 +118,8 @@ void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std:
                 std::ranges::any_of(shown, [&](const ExplorerRun& e) { return e.scenario == &run.scenario; });
     if (here == facts.ofStudies[i]) continue;
     body.note(std::to_string(here) + " of " + counted(facts.ofStudies[i], "run") +
-              " are here, first the conditions that differ most. More: --explore N and --size-limit; any other one: " +
+              " are here, first the conditions that differ most. --explore N and --size-limit give more; any other "
+              "run: " +
               programWord() + " report " + shellWord(file) + " --run 'CONDITION, seed N' -o page.html");
   }
 }

@@ -47,7 +47,7 @@ void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
         {Kind::good, others.size() == 1 ? "The check passes" : "All " + counted(others.size(), "check") + " pass"});
   else if (facts.run.status == RunStatus::done)
     findings.push_back(
-        {Kind::note, "Not held against an accepted result: the database holds no such check of this run"});
+        {Kind::note, "Not compared with an accepted result: the database holds no such check of this run"});
   for (const CheckResult& r : insane) {
     std::string message = withNames(r.message.empty() ? r.check : r.message, facts.scenario.names.function());
     if (const std::string known = "not sane at the end: "; message.starts_with(known)) message.erase(0, known.size());
@@ -73,14 +73,14 @@ void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
            shownTime(facts.scenario.units, first.time) + ", " +
            (*first.extentRatio - 1 < 1e-6 ? "longer by less than a millionth"
                                           : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
-           ". With another mesh, time step or precision the cut may lie elsewhere"});
+           ". Another mesh, time step or precision may cut elsewhere"});
 }
 
 void judgeAgain(const RunFacts& facts, std::vector<Finding>& findings) {
   if (!facts.again || facts.again->same) return;
   const bool sameBuild = buildId(facts.run.record.build) == buildId(buildInfo());
   findings.push_back({sameBuild ? Kind::bad : Kind::warning,
-                      std::string("Run again for this page, it ends in another state than is stored") +
+                      std::string("The run, repeated for this page, ends in another state than is stored") +
                           (sameBuild ? ", though by the same program"
                                      : ", by another program: pictures and explorer show what this program "
                                        "computes, the tables what is stored")});
@@ -99,7 +99,7 @@ std::string statusText(const StoredRun& run, const Units& units) {
 }
 
 std::string sentenceOf(const std::vector<const RunFacts*>& runs, bool bad, bool warned) {
-  const std::string ending = bad ? ". There are faults." : warned ? ". There are warnings." : ". Nothing is amiss.";
+  const std::string ending = bad ? ". There are faults." : warned ? ". There are warnings." : ". There are no faults.";
   if (runs.size() == 1) return "The run " + statusText(runs[0]->run, runs[0]->scenario.units) + ending;
   const auto done =
       std::count_if(runs.begin(), runs.end(), [](const RunFacts* r) { return r->run.status == RunStatus::done; });
@@ -119,8 +119,8 @@ void judgeSeeds(const std::vector<const RunFacts*>& runs, std::vector<Finding>& 
     findings.push_back(
         {Kind::warning,
          counted(same->second.size(), "seed") + " of " + r.run.record.scenario +
-             " gave one and the same result, bit for bit: they are no replicates" +
-             (usesSeed(r.scenario.scene) ? "" : ", since nothing in this scenario varies with the seed")});
+             " gave the same result, bit for bit, so they are no replicates" +
+             (usesSeed(r.scenario.scene) ? "" : ", because nothing in this scenario varies with the seed")});
     seeds.erase(same);  // told once
   }
 }
@@ -149,7 +149,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
                            ? failedBecause(Kind::bad, "The run failed: ", run.failure)
                            : failedBecause(Kind::good, "The run failed, as it has to: ", run.failure));
   if (run.status == RunStatus::killed)
-    findings.push_back({Kind::warning, "The run was interrupted; morula run --resume goes on with it"});
+    findings.push_back({Kind::warning, "The run was interrupted; morula run --resume continues it"});
   if (run.status == RunStatus::running)
     findings.push_back({Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
   judgeChecks(facts, findings);
@@ -275,7 +275,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
                                        programWord() + " explain " + shellWord(sourceOf(runs[0]))};
   }
   if (Document errors = errorsOf(runs); !errors.empty())
-    part.sections.push_back({"errors", "How exact it is", std::move(errors)});
+    part.sections.push_back({"errors", "Errors of the result", std::move(errors)});
   part.sections.push_back(provenanceSection(runs));
   part.sections.push_back(parameterSection(runs));
   part.sections.push_back(downloadSection(runs, maxBytes / 10));

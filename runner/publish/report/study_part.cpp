@@ -69,12 +69,12 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
     const Words which =
         bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
     if (trouble.status == TaskStatus::done)
-      findings.push_back(
-          {Finding::Kind::bad,
-           which + "not sane: " + (trouble.reason.empty() ? "bodies ended in a state that cannot be" : trouble.reason) +
-               ". The values count all the same"});
+      findings.push_back({Finding::Kind::bad,
+                          which + "not sane: " +
+                              (trouble.reason.empty() ? "the final state of bodies is not possible" : trouble.reason) +
+                              ". The values of this run are included"});
     else if (trouble.status == TaskStatus::missing)
-      findings.push_back({Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
+      findings.push_back({Finding::Kind::warning, which + "missing; morula study run continues the study"});
     else {
       Finding failed = failedBecause(Finding::Kind::bad, trouble.reason.empty() ? "" : ": ", trouble.reason);
       failed.words = which + nameOf(trouble.status) + failed.words;
@@ -89,12 +89,11 @@ void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
   for (const auto& names : namesOfSameRuns(r)) {
     std::vector<Words> bolds;
     for (const std::string& name : names) bolds.push_back(bold(name));
-    findings.push_back({Finding::Kind::warning, listed(bolds, 12) + " are the same runs"});
+    findings.push_back({Finding::Kind::warning, listed(bolds, 12) + " have the same runs"});
   }
   for (const std::size_t k : c.seedless)
-    findings.push_back(
-        {Finding::Kind::warning, "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +
-                                     ": its runs are one run, no replicates, and its mean has no interval"});
+    findings.push_back({Finding::Kind::warning, "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +
+                                                    ": its replicates are one run, and its mean has no interval"});
 }
 
 /// Adds findings on runs with divisions whose axis is ambiguous.
@@ -129,8 +128,8 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
     findings.push_back({Finding::Kind::warning,
                         counted(runs, "run") + (runs == 1 ? " has" : " have") +
                             " divisions with an ambiguous axis, under " + listed(conditions) +
-                            ": the longest extent of a mother is hardly longer than her next one. With another mesh, "
-                            "time step or precision such a cut may lie elsewhere"});
+                            ": the longest extent of a mother is hardly longer than her next one, so another mesh, "
+                            "time step or precision may cut elsewhere"});
 }
 
 /// Returns true if the first finished run has bodies; false if no run is done.
@@ -173,7 +172,7 @@ PagePart studyPart(const std::string& database) {
   }
   const std::string file = shellWord(database);
   part.change.push_back(
-      {"findings", "What the study finds", std::move(findings), {programWord() + " study compare " + file}});
+      {"findings", "Findings of the study", std::move(findings), {programWord() + " study compare " + file}});
   part.sections.push_back({"strips",
                            "Every value",
                            stripsDocument(c, unitsOf(c.results, database)),
@@ -204,7 +203,7 @@ void addOrganisms(PagePart& part, const std::string& database, bool quiet) {
       pictures.add(Picture{"image/png", readFile(stored->files[k]),
                            "the organism at the end of " + results.nameOf(results.conditions[k]),
                            results.nameOf(results.conditions[k])});
-    section.body.note("At the end, with seed " + std::to_string(results.seeds[stored->seed]) +
+    section.body.note("The organisms at the end, with seed " + std::to_string(results.seeds[stored->seed]) +
                       ": the pictures that the study keeps in " + stored->files[0].parent_path().generic_string() +
                       (stored->files.size() > maxShown ? "; the first " + std::to_string(maxShown) + " of " +
                                                              counted(stored->files.size(), "condition")
@@ -215,13 +214,14 @@ void addOrganisms(PagePart& part, const std::string& database, bool quiet) {
     if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return;
     if (results.conditions.size() > maxDrawn) {
       section.body.note(counted(results.conditions.size(), "condition") +
-                        " are too many to be run again for this page; the command draws them.");
+                        " are too many to be repeated for this page; the command draws them.");
     } else {
       try {
         for (const Drawing& page : drawOrganisms(results, database, {}, quiet))
           section.body.add(pngPicture(page.pixels(), "the organisms of all conditions at five moments",
-                                      "A row a condition, a column a moment; one seed, one camera, one scale", "",
-                                      Picture::Size::large));
+                                      "One row for each condition, one column for each moment; all have one seed, "
+                                      "one camera and one scale",
+                                      "", Picture::Size::large));
       } catch (const UsageError&) {  // there is nothing that can be seen
         return;
       } catch (const NondeterminismError& error) { section.body.note(error.what()); }
@@ -253,7 +253,7 @@ std::vector<Finding> findingsOf(const StudyComparison& c, const std::string& dat
   judgeDivisions(r, database, findings);
   if (std::all_of(r.tasks.begin(), r.tasks.end(),
                   [](const ResultTask& t) { return t.status == TaskStatus::done && t.isSane; }))
-    findings.push_back({Finding::Kind::good, "Every run is done, and sane"});
+    findings.push_back({Finding::Kind::good, "Every run is done and sane"});
   return findings;
 }
 

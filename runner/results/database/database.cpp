@@ -29,20 +29,21 @@ std::string remedy(int code, int systemError, const fs::path& file) {
   rlimit limit{};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   switch (code & 0xff) {
-    case SQLITE_NOTADB: return "it is not an SQLite database; give another file";
+    case SQLITE_NOTADB: return "the file is not an SQLite database; give another file";
     case SQLITE_CORRUPT: return "the file is damaged; give another file, or restore it from a copy";
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return "another process holds it; wait until it has finished, or give another file";
+    case SQLITE_LOCKED: return "another process holds the file; wait until it has finished, or give another file";
     case SQLITE_READONLY:
       return "the file or its directory is not writable; change its permissions or give another file";
     case SQLITE_FULL: return "the disk is full; free some space or give a file on another disk";
     case SQLITE_CANTOPEN:
       if (!fileExists(folder))
         return "the directory " + folder.string() + " does not exist; make it or give another file";
-      if (isFolder(file)) return "it is a directory; give a file";
+      if (isFolder(file)) return "the path is a directory; give a file";
       if (!fileExists(file))
-        return "the file is not there and cannot be made in " + folder.string() + "; is the directory writable?";
-      return "it cannot be opened; are the file and its directory readable and writable?";
+        return "the file does not exist and cannot be made in " + folder.string() +
+               "; check that the directory is writable";
+      return "the file cannot be opened; check that the file and its directory are readable and writable";
     case SQLITE_IOERR:
       // SQLite has rolled back, so nothing that was stored is lost.
       if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
@@ -216,7 +217,7 @@ void Statement::refuse(int column, const std::string& right) const {
   constexpr std::size_t most = 60;
   const std::string there = value ? printableLine(std::string_view(value).substr(0, most)) : "NULL";
   throw StoreError(db_->file().string() + ": " + sqlite3_column_name(statement_.get(), column) + ": '" + there +
-                   "' is not what Morula writes there; " + right +
+                   "' is not a value that Morula writes; " + right +
                    ". The file is damaged or not Morula's; give another one");
 }
 

@@ -27,7 +27,7 @@ void requireOneLine(const std::string& place, const std::string& text, const std
         "UTF-8; leave them out");
   if (const auto letters = std::ranges::count_if(text, isFirstByte); letters > std::ptrdiff_t(maxLetters))
     throw InputError(place + ": a text of " + std::to_string(letters) + " letters; at most " +
-                     std::to_string(maxLetters) + " are taken: tell the rest in the commit");
+                     std::to_string(maxLetters) + " are allowed; write the rest into the commit");
 }
 
 /// Returns the part of the path after its last folder of this name; empty if there is no such folder.
@@ -45,14 +45,15 @@ fs::path below(const fs::path& path, const char* folder) {
 void refuseWithinCi(const fs::path& file) {
   if (const char* ci = std::getenv("CI"); ci && *ci)
     throw InputError(file.string() +
-                     ": goldens are accepted by people; with CI set in the environment none is written");
+                     ": only people accept goldens, so none is written while CI is set in the environment; accept "
+                     "it on your own machine");
 }
 
 void requireAcceptable(const std::string& place, const Acceptance& acceptance) {
   requireOneLine(place, acceptance.why,
                  "a golden is accepted with a reason; say in one line what changed and why the new result is right: "
                  "--why \"…\"");
-  requireOneLine(place, acceptance.by, "who accepts the golden? a name is expected");
+  requireOneLine(place, acceptance.by, "the name of who accepts the golden is missing; give --by NAME");
 }
 
 void acceptGolden(const fs::path& file, Golden golden, const Acceptance& acceptance) {

@@ -31,8 +31,8 @@ std::string keysInWords(const GoldenData& before, const GoldenData& after) {
   for (const KeyChange& c : changes) texts.push_back(c.key + ": " + c.before + " → " + c.after);
   if (texts.empty() && before.scenarioHash != after.scenarioHash)
     texts.push_back(before.parameters.empty()
-                        ? "not known: the golden was accepted before goldens recorded what decides the result"
-                        : "none: the same values have another meaning to this program, or make another mesh");
+                        ? "not known: the golden is older than the record of parameters in goldens"
+                        : "none: this program interprets the same values differently, or makes another mesh of them");
   return lines("changed", texts, "keys");
 }
 
@@ -58,7 +58,7 @@ std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
   if (a->born != b->born) return who + birth(*a) + " → " + exactText(b->born);
   if (lifeOf(*a) != lifeOf(*b)) return who + lifeOf(*a) + " → " + lifeOf(*b);
   if (a->state != b->state) return who + "substances '" + a->state.text + "' → '" + b->state.text + "'";
-  return who + "the same times in other steps";
+  return who + "the same times at other steps";
 }
 
 struct Event {
@@ -93,7 +93,7 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
     if (is == h.end() || agree(GoldenItem(*is->second), GoldenItem(*was))) continue;
     const std::string cells = std::to_string(was->cells), now = std::to_string(is->second->cells);
     texts.push_back("generation " + std::to_string(was->number) + ": " +
-                    (cells == now ? "other lives of " + cells + " cells" : cells + " → " + now + " cells"));
+                    (cells == now ? "different lives of " + cells + " cells" : cells + " → " + now + " cells"));
   }
   return texts;
 }
@@ -184,7 +184,7 @@ std::vector<std::string> recordChanges(const GoldenData& before, const GoldenDat
     const std::string now = is == b.end() ? "0" : std::to_string(is->second->rows);
     std::string& text = tables[table];
     if (now != rows) text = rows + " → " + now + " rows";
-    else text += (text.empty() ? "other values in " : ", ") + name.substr(table.size() + 1);
+    else text += (text.empty() ? "different values in " : ", ") + name.substr(table.size() + 1);
   }
   for (const auto& [name, is] : b)
     if (!a.contains(name)) tables.try_emplace(tableOf(name), "0 → " + std::to_string(is->rows) + " rows");

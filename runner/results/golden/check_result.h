@@ -14,11 +14,11 @@ enum class CheckKind { golden, bullet, invariant, sanity, study, claim };
 template <>
 inline constexpr auto choices<CheckKind> =
     std::to_array<Choice<CheckKind>>({{CheckKind::golden, "golden", "the result against the golden"},
-                                      {CheckKind::bullet, "bullet", "Bullet comes to something else"},
-                                      {CheckKind::invariant, "invariant", "what must always hold does not"},
-                                      {CheckKind::sanity, "sanity", "its end is not sane"},
+                                      {CheckKind::bullet, "bullet", "Bullet's result differs"},
+                                      {CheckKind::invariant, "invariant", "an invariant does not hold"},
+                                      {CheckKind::sanity, "sanity", "the end of the run is not sane"},
                                       {CheckKind::study, "study", "the state of a study's runs"},
-                                      {CheckKind::claim, "claim", "the results say otherwise"}});
+                                      {CheckKind::claim, "claim", "the results contradict the claim"}});
 
 /// The class of a failure [golden/README.md]; the meaning says what differs.
 enum class FailureClass {
@@ -47,16 +47,16 @@ template <>
 inline constexpr auto choices<FailureClass> = std::to_array<Choice<FailureClass>>(
     {{FailureClass::none, "", "nothing differs"},
      {FailureClass::inputChanged, "INPUT_CHANGED", "the scenario or its golden changed"},
-     {FailureClass::setup, "SETUP", "it starts otherwise"},
+     {FailureClass::setup, "SETUP", "the initial state differs"},
      {FailureClass::lineage, "LINEAGE", "the lineage differs"},
      {FailureClass::computation, "COMPUTATION", "computed values differ"},
-     {FailureClass::chaos, "CHAOS", "a last place has grown"},
+     {FailureClass::chaos, "CHAOS", "an error of one unit in the last place has grown"},
      {FailureClass::image, "IMAGE", "the picture differs"},
      {FailureClass::cost, "COST", "the cost differs"},
-     {FailureClass::record, "RECORD", "what is recorded differs, the state does not"},
-     {FailureClass::nondeterminism, "NONDETERMINISM", "it gives different bits each time"},
-     {FailureClass::unread, "UNREAD", "there is nothing that can be read"},
-     {FailureClass::claim, "CLAIM", "the results say otherwise"},
+     {FailureClass::record, "RECORD", "recorded rows differ, but the state does not"},
+     {FailureClass::nondeterminism, "NONDETERMINISM", "two runs give different bits"},
+     {FailureClass::unread, "UNREAD", "the file cannot be read"},
+     {FailureClass::claim, "CLAIM", "the results contradict the claim"},
      {FailureClass::unfinished, "UNFINISHED", "runs were killed, or are still running"},
      {FailureClass::missing, "MISSING", "runs are missing"},
      {FailureClass::differs, "DIFFERS", "results are not what was claimed"},

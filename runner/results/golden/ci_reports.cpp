@@ -72,15 +72,15 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
 std::string nextInWords(const CheckReport& report) {
   if (report.file.empty()) return {};
   const std::string file = ' ' + shellWord(report.file);
-  return markdownCode(programWord() + " explain" + file) + " tells where it began; " +
+  return markdownCode(programWord() + " explain" + file) + " shows where the difference began; " +
          markdownCode(programWord() + " review" + file) +
-         " shows all of it, and with `--accept --why \"…\"` accepts it";
+         " shows all differences, and with `--accept --why \"…\"` accepts the result";
 }
 
 std::string failureOf(const CheckReport& report, const Cause& cause) {
   const CheckResult& first = *cause[0];
   std::string text = (first.kind == CheckKind::golden ? report.change : "") + first.message;
-  if (cause.size() > 1) text += "\nfrom it follow: " + followingInWords(cause);
+  if (cause.size() > 1) text += "\nconsequences: " + followingInWords(cause);
   if (const std::string next = nextInWords(report); !next.empty()) text += '\n' + next;
   return "      <failure type=\"" + xml(nameOf(first.failureClass)) + "\" message=\"" +
          xml(inOneLine(report, first, firstLine(first.message))) + "\">" + xml(text) + "</failure>\n";
@@ -112,7 +112,7 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
       told[cause[0]] = failureOf(report, cause);
       skipped += cause.size() - 1;
       for (std::size_t i = 1; i < cause.size(); ++i)
-        told[cause[i]] = "      <skipped message=\"differs, which follows from " + xml(cause[0]->check) + "\"/>\n";
+        told[cause[i]] = "      <skipped message=\"this difference follows from " + xml(cause[0]->check) + "\"/>\n";
     }
     all += report.results.size(), failed += causes.size();
     suites += "  <testsuite name=\"" + xml(report.scenario) + "\" tests=\"" + std::to_string(report.results.size()) +

@@ -83,7 +83,8 @@ CheckResult compareImages(const std::string& file, ItemPairs pairs) {
     return std::get<GoldenImage>(*p.golden).renderer != now;
   });
   CheckResult r = compareExactly(file, "images", pairs);
-  if (r.passed && pairs.size() < all) r.actual = undrawn ? "not drawn: not compared" : "another renderer: not compared";
+  if (r.passed && pairs.size() < all)
+    r.actual = undrawn ? "not compared: the run draws no picture" : "not compared: another renderer drew the picture";
   return r;
 }
 
@@ -112,14 +113,15 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
     if (expected != actual)
       differences.push_back({golden.file, 0, {}, field, expected, actual, golden.file + ": " + field + text});
   };
-  compare("scenario", golden.data.scenario, observed.scenario, "this is another scenario's golden");
+  compare("scenario", golden.data.scenario, observed.scenario, "the golden belongs to another scenario");
   const auto keys = changedKeys(golden.data, observed);
   for (const KeyChange& c : keys)
     compare(c.key.c_str(), c.before, c.after, "the scenario has changed since this golden was accepted");
   if (keys.empty())
     compare("scenario_hash", golden.data.scenarioHash, observed.scenarioHash,
             "the scenario has changed since this golden was accepted");
-  compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed), "the run has another seed");
+  compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed),
+          "the run has another seed than the golden");
   CheckResult r = resultOf("scenario", std::move(differences), 1);
   r.firstStep.reset();
   if (r.passed) r.expected = r.actual = golden.data.scenarioHash;
@@ -129,7 +131,7 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
 /// Returns the result for a golden without recorded tables: only an old golden may lack them.
 CheckResult withoutTables(const Golden& golden) {
   const std::string remedy =
-      "look at the result, and accept it anew with `morula review SCENARIO --accept --why \"…\"`";
+      "look at the result, and if it is right, accept it with `morula review SCENARIO --accept --why \"…\"`";
   if (golden.version > 1)
     return failedCheck("tables", FailureClass::inputChanged, "recorded tables", "none in the golden",
                        golden.file + ": the golden holds none of the tables that the run records; " + remedy);

@@ -74,7 +74,8 @@ void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t 
   if (rule.tolerance.kind == Tolerance::Kind::exact || !horizon || step < *horizon) return;
   const std::string what = "the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
                            std::to_string(step) + ", but from step " + std::to_string(*horizon) +
-                           " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
+                           " on, the chaos horizon, an error of one unit in the last place has grown as large; add "
+                           "until_step " +
                            std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why";
   blind.try_emplace(rule.line, ofRule(golden, rule, step, what));
 }
@@ -107,8 +108,9 @@ class NumberComparison {
     std::vector<Difference> idle;
     for (std::size_t i = 0; i < rules.size(); ++i)
       if (!matched_[i])
-        idle.push_back(ofRule(golden_, rules[i], {},
-                              "the tolerance rule '" + rules[i].pattern + "' matches no value; remove or correct it"));
+        idle.push_back(
+            ofRule(golden_, rules[i], {},
+                   "the tolerance rule '" + rules[i].pattern + "' matches no value; remove or correct the rule"));
     for (auto& [line, difference] : blind_) idle.push_back(std::move(difference));
     results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
   }

@@ -62,9 +62,9 @@ std::string followingInWords(const CheckResult& r) {
 
 std::string failedInWords(const CheckResult& failed) {
   if (failed.failureClass == FailureClass::unread) return meaningOf(failed.failureClass);
-  if (failed.check == "orphan") return "there is no scenario to this golden";
+  if (failed.check == "orphan") return "this golden has no scenario";
   if (failed.check == "golden")
-    return failed.failureClass == FailureClass::setup ? "there is no golden" : "the golden cannot be used";
+    return failed.failureClass == FailureClass::setup ? "the scenario has no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";
   if (failed.kind == CheckKind::study) return failed.check;
   if (failed.kind != CheckKind::golden) return meaningOf(failed.kind);
@@ -107,7 +107,7 @@ std::string describe(const CheckReport& report, bool differingOnly) {
   for (const Cause& cause : causesOf(report)) {
     text += "  FAIL  " + oneLine(*cause[0]) + '\n';
     for (const std::string& line : linesOf(cause[0]->message)) text += "        " + line + '\n';
-    if (cause.size() > 1) text += "        from it follow: " + followingInWords(cause) + '\n';
+    if (cause.size() > 1) text += "        consequences: " + followingInWords(cause) + '\n';
   }
   for (const CheckResult& r : report.results)
     if (r.passed && !(differingOnly && failed)) text += (wasCompared(r) ? "  ok    " : "  --    ") + oneLine(r) + '\n';

@@ -80,7 +80,8 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
   if (!golden || !observed) {
     (golden ? d.expected : d.actual) = write(item);
     d.text = d.place + ": " + nameOf(item) +
-             (golden ? ": expected, but the run has none: `" : ": the run has it, the golden does not: `") +
+             (golden ? ": the golden has this item, but the run does not: `"
+                     : ": the run has this item, but the golden does not: `") +
              write(item) + '`';
     return d;
   }
@@ -91,7 +92,7 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
       d.field = field, d.expected = goldenText(x), d.actual = goldenText(y);
       if constexpr (std::is_same_v<Item, GoldenCell>) d.step = partingStep(e, a, field);
       d.text = d.place + ": " + nameOf(item) + ": " +
-               (field == "hash" ? "another hash than accepted" : field + ": " + inWords(x, y));
+               (field == "hash" ? "the hash differs from the accepted one" : field + ": " + inWords(x, y));
     };
     visitGoldenFields(compareField, e, a);
   };

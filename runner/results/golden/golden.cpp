@@ -91,8 +91,8 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
                " were accepted; restore it from git");
   if (line.substr(space + 1) != digestOf(golden))
     lines.fail(
-        "the items above are not those that were accepted: they were edited afterwards; restore the file from git, or "
-        "accept the present result with `morula review SCENARIO --accept --why \"…\"`");
+        "the items above were edited after they had been accepted; restore the file from git, or accept the present "
+        "result with `morula review SCENARIO --accept --why \"…\"`");
 }
 
 /// Reads a line of growth. Sizes must rise and steps must not fall, since another order gives another horizon.
@@ -257,7 +257,8 @@ Golden readGolden(const std::string& text, const std::string& file) {
     }
     if (line.starts_with("error time "))
       lines.fail(
-          "an error as older versions stated it; accept the result again, and let `morula accuracy` measure anew");
+          "this error has the form of an older version; accept the result again, and measure errors again with "
+          "`morula accuracy`");
     GoldenItem item = readItem(line, lines.place());
     std::visit([&](auto& i) { i.line = lines.number(); }, item);
     expectNew(idOf(item));

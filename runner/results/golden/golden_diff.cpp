@@ -55,10 +55,10 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
       const std::string before = rule.text();
       rule.untilStep = *horizon - std::min<std::uint64_t>(*horizon, 1);
       if (!matchesOne()) {
-        notes.push_back("dropped, as it says something only beyond the chaos horizon: " + before);
+        notes.push_back("dropped, because it applies only beyond the chaos horizon: " + before);
         continue;
       }
-      notes.push_back("ends at the chaos horizon now, step " + std::to_string(*rule.untilStep) + ": " + before);
+      notes.push_back("now ends at the chaos horizon, step " + std::to_string(*rule.untilStep) + ": " + before);
     }
     limited.push_back(std::move(rule));
   }
@@ -101,7 +101,7 @@ std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed)
     if (!before.contains(idOf(item))) added.push_back(write(item));
   return section("removed", removed) + section("new", added) + section("changed in the lineage", lineage) +
          section("changed bits", bits) + section("changed values", values) +
-         section("changed in recorded tables", tables) + section("changed of pictures, counts and costs", others);
+         section("changed in recorded tables", tables) + section("changed in pictures, counts and costs", others);
 }
 
 }  // namespace morula

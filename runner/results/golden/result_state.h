@@ -18,16 +18,16 @@ namespace morula {
 enum class ResultState { fine, unchecked, unfinished, missing, differs, insane, stale, failed, unread, changed };
 template <>
 inline constexpr auto choices<ResultState> = std::to_array<Choice<ResultState>>(
-    {{ResultState::fine, "fine", "it came to its end, is sane, and agrees with all that it is compared with"},
-     {ResultState::unchecked, "unchecked", "there is nothing to compare it with"},
-     {ResultState::unfinished, "unfinished", "its run was killed, or is still running"},
-     {ResultState::missing, "missing", "it is asked for, and there is none"},
-     {ResultState::differs, "differs", "it is not what was accepted or claimed"},
-     {ResultState::insane, "not sane", "its run ended in a state that cannot be"},
-     {ResultState::stale, "stale", "it was made from other inputs than those of now"},
-     {ResultState::failed, "failed", "its run could not go on"},
-     {ResultState::unread, "unread", "it could not be read"},
-     {ResultState::changed, "changed", "its rows do not match their digest"}});
+    {{ResultState::fine, "fine", "the run came to its end, is sane, and passes all comparisons"},
+     {ResultState::unchecked, "unchecked", "the run has nothing to be compared with"},
+     {ResultState::unfinished, "unfinished", "the run was killed, or is still running"},
+     {ResultState::missing, "missing", "a result is expected, but does not exist"},
+     {ResultState::differs, "differs", "the result differs from the accepted one, or contradicts a claim"},
+     {ResultState::insane, "not sane", "the run ended in a state that is not possible"},
+     {ResultState::stale, "stale", "the result was made from other inputs than the present ones"},
+     {ResultState::failed, "failed", "the run could not continue"},
+     {ResultState::unread, "unread", "the file could not be read"},
+     {ResultState::changed, "changed", "the rows of the result do not match their digest"}});
 
 /// Returns true for results that are fine or were compared with nothing; the latter is told and is no error.
 inline bool isAcceptable(ResultState state) { return state <= ResultState::unchecked; }

@@ -38,7 +38,7 @@ std::string Tolerance::text() const {
     case Kind::relative: return "rel " + exactText(amount) + (scale > 0 ? " scale " + exactText(scale) : "");
     case Kind::ulp: return "ulp " + exactText(amount);
   }
-  throw BugError("a tolerance that is not one");
+  throw BugError("an invalid tolerance");
 }
 
 double Tolerance::size() const { return kind == Kind::ulp ? amount * std::numeric_limits<double>::epsilon() : amount; }

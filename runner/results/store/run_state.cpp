@@ -8,7 +8,7 @@ RunState stateOf(const StoredRun& run, const std::vector<CheckResult>& checks) {
   if (run.status == RunStatus::failed) return {ResultState::failed, firstLine(run.failure)};
   if (run.status != RunStatus::done)
     return {ResultState::unfinished,
-            run.status == RunStatus::killed ? "it was stopped by a signal" : "it is still running, or was killed"};
+            run.status == RunStatus::killed ? "a signal stopped the run" : "the run is still running, or was killed"};
   if (std::string why = whyInsane(checks); !why.empty()) return {ResultState::insane, std::move(why)};
   for (const CheckResult& r : checks)
     if (!r.passed) return {ResultState::differs, r.check + ": " + firstLine(r.message)};

@@ -51,7 +51,7 @@ std::string lackingMeasures(Database& db) {
     // An older program's tables lack measures, and a newer program's have more. A table with both has a renamed column.
     if (!lacks.empty() && !unknown.empty())
       refuseVersion(db, "its table " + std::string(t->info.name) + " has a column '" + unknown.front() +
-                            "', which is not known here, and no column " + lacks);
+                            "', which this program does not know, and no column " + lacks);
   }
   return sql;
 }

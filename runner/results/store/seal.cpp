@@ -36,7 +36,7 @@ void store(Database& db, const std::string& id, const std::string& table, const 
 }
 
 [[noreturn]] void refuse(Database& db, const std::string& id, const std::string& what) {
-  throw StoreError(fmt::format("{}: {}{}; restore the file from a copy, or make it again", db.file().string(),
+  throw StoreError(fmt::format("{}: {}{}; restore the file from a copy, or write it again", db.file().string(),
                                id.empty() ? "" : "run " + id + ": ", what));
 }
 

@@ -48,7 +48,7 @@ void deleteRun(Database& db, const std::string& id) {
           ": NONDETERMINISM: the same scenario, seed and build gave another result; stored " + earlier.stateHash +
           " (" + earlier.started + ", " + earlier.record.machine.cpu + ", " + earlier.record.isa + ", threads " +
           std::to_string(earlier.record.threads) + "), now " + computed +
-          "; the stored run is kept. This is a bug or broken hardware: `morula explain` finds where they part",
+          "; the stored run is kept. This is a bug or broken hardware; `morula explain` finds the first difference",
       id, earlier.stateHash, computed);
 }
 

@@ -67,9 +67,10 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   if (const auto waiting = waitingResult(scenario); waiting && !isSameResult(*waiting, observed)) {
     AcceptedRun refused{.other = true};
     refused.text = "nothing accepted: " + scenario.file +
-                   ": this run's result is another one than the result that waited for a review:\n" +
+                   ": the result of this run differs from the result that waited for a review:\n" +
                    changeInWords(*waiting, observed) + describeGoldenDiff({*waiting, {}, {}, {}}, observed) +
-                   "look at it with `" + programWord() + " review " + shellWord(scenario.file) + "`, then accept it\n";
+                   "look at the new result with `" + programWord() + " review " + shellWord(scenario.file) +
+                   "`, and accept it if it is right\n";
     putPending(scenario, run, observed, how, quiet);
     return refused;
   }
@@ -87,7 +88,7 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
       golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
       accepted.text = changeInWords(old.data, golden.data) + describeGoldenDiff(old, golden.data);
     } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it
-      accepted.text = std::string(e.what()) + "\nnothing is kept of the old golden\n";
+      accepted.text = std::string(e.what()) + "\nthe new golden keeps no tolerances or errors of the old one\n";
     }
   }
   std::vector<std::string> notes;

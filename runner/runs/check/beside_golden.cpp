@@ -29,15 +29,17 @@ struct MadeAgain {
 MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execution& how, bool quiet) {
   const auto before = goldenScenario(scenario, golden);
   if (!before)
-    return {{}, "its scenario is not known in full (DNA and meshes are recorded as a hash, and git has no other)"};
+    return {{},
+            "the full scenario of the golden is not known (goldens hold DNA and meshes as hashes, and git does "
+            "not have these files)"};
   if (before->meaning == scenario.meaning) return {{}, "this build computes other bits from the same scenario"};
   try {
     const auto run = simulate(*before, how, {.label = before->scene.name + ", the golden's", .quiet = quiet});
-    if (run.end.want != Want::nothing) return {{}, "there is not enough memory for its scenario"};
+    if (run.end.want != Want::nothing) return {{}, "the memory does not suffice for the golden's scenario"};
     if (run.end.status != RunStatus::done || run.end.stateHash->text() != acceptedBits(golden))
-      return {{}, "this build computes other bits from its scenario"};
+      return {{}, "this build computes other bits from the golden's scenario"};
     return {pictureOf(run.world, *before), ""};
-  } catch (const InputError&) { return {{}, "this build does not take its scenario any more"}; }
+  } catch (const InputError&) { return {{}, "this build no longer reads the golden's scenario"}; }
 }
 
 /// The living cells of a golden as spheres of their volumes, at their places. Empty where it holds no values of cells.
@@ -82,26 +84,26 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     return result;
   };
   if (stateHash(world).text() == acceptedBits(golden))
-    return alone("The end is the golden's, bit for bit: what differs is no place and no shape.");
+    return alone("The final state equals the golden's bit for bit, so no place and no shape differs.");
   MadeAgain again = makeAgain(scenario, golden, how, quiet);
   OrganismPicture before;
   if (again.picture) {
     result.source = BesideGolden::Source::again;
     before = std::move(*again.picture);
     result.notes = {
-        "Golden: its scenario run again, to the accepted state, bit for bit. Colours of the third picture: how far "
-        "each vertex of now is from the same cell's surface in the golden."};
+        "Golden: the accepted state, from its scenario run again, bit for bit. Colours of the third picture: "
+        "distance of each present vertex from the same cell's surface in the golden."};
   } else {
     before = spheresOf(golden, scenario);
     if (before.cells.empty())
-      return alone("The golden's organism cannot be shown: " + again.whyNot + ", and it holds no places of cells.");
+      return alone("The golden's organism cannot be shown: " + again.whyNot +
+                   ", and the golden holds no places of cells.");
     result.source = BesideGolden::Source::centres;
     before.shell = now.shell;
     result.notes = {
         "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made again: " +
             again.whyNot + ".",
-        "Colours of the third picture, and arrows where they are long enough: how far the centroid of each cell has "
-        "moved."};
+        "Colours of the third picture, and arrows where they are long enough: displacement of each cell's centroid."};
   }
   before.width = before.height = side;
   before.title = scenario.scene.name + ": golden";

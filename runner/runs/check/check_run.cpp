@@ -61,7 +61,7 @@ std::string withoutPlaces(const std::string& message, const std::string& file) {
 
 CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path& file) {
   return failedCheck("golden", FailureClass::setup, "a golden file", "none",
-                     file.string() + " is not there; accept one: " + programWord() + " review " +
+                     file.string() + " does not exist; accept the result: " + programWord() + " review " +
                          shellWord(scenario.file) + " --accept --why \"…\"");
 }
 
@@ -174,7 +174,7 @@ CheckReport checkStop(const Scenario& scenario, const std::string& failure) {
   if (const auto file = goldenFile(scenario); !scenario.check.fails.empty() && fileExists(file))
     return unusableGolden(name, file.string() +
                                     ": a scenario that must stop (check.fails) has no result to accept; remove this "
-                                    "golden if the run must stop, or check.fails if it must not");
+                                    "golden, or remove check.fails if the run must not stop");
   return {name, {stopsAsItMust(scenario.check.fails, withoutPlaces(failure, scenario.file))}};
 }
 

@@ -127,7 +127,7 @@ CheckResult stopsAsItMust(const std::vector<std::string>& fails, const std::stri
   std::vector<std::string> missing;
   for (const std::string& text : fails)
     if (failure.find(text) == failure.npos) missing.push_back(text);
-  const std::string actual = failure.empty() ? "it ended well" : failure;
+  const std::string actual = failure.empty() ? "the run ended well" : failure;
   return judged({.check = "fails",
                  .kind = CheckKind::invariant,
                  .expected = fails.empty() ? "" : "stops and names " + join(fails),

@@ -88,7 +88,7 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
     overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
-    tellError(std::string(error.what()) + "; the result is not kept for a review");
+    tellError(std::string(error.what()) + "; so the result is not kept for a review");
     return;
   }
   tell("kept for `" + programWord() + " review " + shellWord(scenario.file) + "`: " + file.string(), quiet);

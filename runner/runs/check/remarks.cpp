@@ -60,8 +60,8 @@ std::string distanceText(const std::vector<SettlingRecord>& settlings) {
   if (count == 0) return "";
   const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, way);
   return fmt::format(
-      "{} measured: from there to a hundredth of the tolerance no vertex goes farther than {:.2g}, at time "
-      "{:.4g} with {}, which loses an energy of {:.2g}",
+      "{} measured: while the residual falls to a hundredth of the tolerance, vertices move at most {:.2g}, at time "
+      "{:.4g} with {}, and lose an energy of {:.2g}",
       counted(count, "settling") + (count == 1 ? " was" : " were"), *farthest.displacementLeft, farthest.time,
       counted(farthest.cells, "cell"), farthest.energyLeft.value_or(0));
 }
@@ -83,16 +83,16 @@ std::string positionsText(const World& world, const Scenario& scenario) {
       std::ranges::find(scenario.record.measures, "position_rmsd") != scenario.record.measures.end();
   if (comparesLengths && scale > 0 && (scale > farFromOne || scale < 1 / farFromOne))
     sentences.push_back(fmt::format(
-        "check.reference.positions lie {:.3g} times as far apart as the cells, and position_rmsd compares lengths as they "
-        "are; give them in the scene's unit of length, or compare by position_shape_rmsd",
+        "check.reference.positions lie {:.3g} times as far apart as the cells, and position_rmsd compares lengths "
+        "without scaling; give the positions in the scene's unit of length, or compare by position_shape_rmsd",
         scale));
   // Fewer cells are nearly their own mirror images. An image that fits twice as well is no chance, unless both fit to 2 %.
   constexpr std::size_t fewest = 5;
   constexpr double clearlyLess = 0.5, clearly = 0.02;
   if (compared->cells >= fewest && compared->shape > clearly && mirrored->shape < clearlyLess * compared->shape)
     sentences.push_back(fmt::format(
-        "the mirror image of the cells fits check.reference.positions better than they do (position_shape_rmsd {:.2g} in "
-        "place of {:.2g}); axes that turn the other way mirror what they measure",
+        "the mirror image of the cells fits check.reference.positions better than the cells do (position_shape_rmsd "
+        "{:.2g} instead of {:.2g}); check the handedness of the reference's axes",
         mirrored->shape, compared->shape));
   return join(sentences, "; ");
 }

@@ -61,7 +61,10 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
     if (!t.missing.empty()) c.notCompared.push_back(t.table + ": the file has no column for " + join(t.missing));
   for (const TableDifference& t : c.tables)
     if (!sameProgram && t.rows == 0 && t.recomputedRows > 0) later.push_back(t.table);
-  for (const std::string& table : later) leaveOut(c, table, "another program stored none");
+  for (const std::string& table : later)
+    leaveOut(c, table,
+             "another program, which had no such column, stored the "
+             "run");
   // `keep: {samples: end}`
   bool ofStudy = false;
   for (const TableContents& t : stored.contents(runTables())) ofStudy |= t.table == "task";
@@ -69,7 +72,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const TableDifference& t : c.tables)
     for (const char* table : {"sample", "cell_sample", "contact", "measure", "connection"})
       if (ofStudy && t.table == table && t.rows < t.recomputedRows) endAlone.push_back(t.table);
-  for (const std::string& table : endAlone) leaveOut(c, table, "the study keeps those of the end alone");
+  for (const std::string& table : endAlone) leaveOut(c, table, "the study keeps samples of the end only");
   std::size_t elsewhere = 0;
   for (const CheckResult& r : stored.checks(before.id))
     elsewhere += r.kind == CheckKind::golden || r.kind == CheckKind::bullet;
@@ -152,7 +155,7 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, c
 std::string describe(const Replay& c, const StoredRun& run) {
   auto text = fmt::format("{}  seed {}: run {}, replayed\n", run.record.scenario, run.record.seed, run.id);
   if (!c.record.empty()) {
-    text = fmt::format("{}  seed {}: run {}, not replayed: its record was changed since it was stored\n",
+    text = fmt::format("{}  seed {}: run {}, not replayed, because its record was changed since it was stored\n",
                        run.record.scenario, run.record.seed, run.id);
     for (const ValueDifference& d : c.record) text += fmt::format("  {:<15} {}\n", d.table, describe(d));
     return text + "NOT the same record\n";

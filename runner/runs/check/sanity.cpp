@@ -89,7 +89,7 @@ CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParame
                  .field = name},
                 m.holds() || !check.sane,
                 "not sane at the end: " + describe(m, end) +
-                    "; if the scene is about this, say so: check: {sane: false, because: \"why\"}");
+                    "; if this end is intended, write check: {sane: false, because: \"why\"}");
 }
 
 /// A scene that says it is not sane and is.
@@ -99,7 +99,7 @@ CheckResult needlessExcuse(const CheckParameters& check) {
                  .expected = "not sane, because " + check.because,
                  .actual = "sane",
                  .field = "sane"},
-                false, "check.sane is false, and the end lies within all bounds; remove check.sane and check.because");
+                false, "check.sane is false, but the end is within all bounds; remove check.sane and check.because");
 }
 
 }  // namespace

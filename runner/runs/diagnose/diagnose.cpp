@@ -155,8 +155,8 @@ std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t step
   for (const ForceWork& w : works)
     if (w.work > 0) all += w.work;
   const std::string when = steps == 1 ? "in the step before " : "in the " + std::to_string(steps) + " steps before ";
-  if (!(all > 0) || !(all < INFINITY)) return when + "no force drove it, only its own motion";
-  std::string text = when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove it";
+  if (!(all > 0) || !(all < INFINITY)) return when + "no force drove the cell, only its own motion";
+  std::string text = when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove the cell";
   for (std::size_t i = 1; i < works.size(); ++i)
     if (works[i].work > 0.01 * all) text += ", " + works[i].force + " " + share(works[i].work, all);
   return text;
@@ -256,7 +256,7 @@ FailureFindings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, 
 std::string describe(const FailureFindings& found, const Kept& from, const BodyFailure& failure) {
   const std::string since = from.step == 0
                                 ? "tried from the start: "
-                                : "tried from step " + std::to_string(from.step) + " on, where all was well: ";
+                                : "tried from step " + std::to_string(from.step) + " on, when all was well: ";
   std::string text;
   if (!found.failed.empty())
     text = since + list(found.failed) + (found.failed.size() == 1 ? " does" : " do") + " not help";
@@ -265,9 +265,11 @@ std::string describe(const FailureFindings& found, const Kept& from, const BodyF
     return text + (failure.timeStep > 0 ? "; " + failure.remedy : ": use it");
   }
   if (found.cutShort)
-    return text + (text.empty() ? "" : "; ") + "no more was tried: the limit of the diagnosis was reached; " +
+    return text + (text.empty() ? "" : "; ") +
+           "no more remedies were tried, because the diagnosis reached its "
+           "limit; " +
            failure.remedy;
-  return text + (text.empty() ? "nothing could be tried; " : "; ") + failure.remedy;
+  return text + (text.empty() ? "no remedy could be tried; " : "; ") + failure.remedy;
 }
 
 void append(std::string& text, const std::string& more) {
@@ -281,7 +283,7 @@ std::string diagnose(const Scene& scene, const Execution& execution, const BodyF
   const auto rerun = runAgain(scene, execution, failure.step, budget);
   std::string remedy;
   if (!rerun) {
-    remedy = "nothing was tried, for the run is too long to be made again; " + failure.remedy;
+    remedy = "no remedy was tried, because the run is too long to be repeated; " + failure.remedy;
   } else {
     const bool isNear = failure.step - rerun->good.step <= maxStepsMeasured;
     World last = restored(scene, execution, (isNear ? rerun->good : rerun->last).state);

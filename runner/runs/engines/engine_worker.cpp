@@ -187,7 +187,7 @@ void serveEngine(std::istream& in, std::ostream& out) {
     out << jsonText({{"answer", answerTo(parseJson(std::string(std::istreambuf_iterator<char>(in), {})), out)}})
         << std::endl;
   } catch (const Json::exception& error) {
-    throw InputError(std::string("the question to another engine cannot be read: ") + error.what());
+    throw InputError(std::string("the request to another engine cannot be read: ") + error.what());
   }
 }
 
@@ -208,9 +208,10 @@ ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& ques
   ExternalRun silent;
   if (message.is_object() && message.contains("step") && message["step"].is_number_unsigned())
     message["step"].get_to(silent.step);
-  if (end.outOfTime()) silent.why = "no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
-  else if (!end.well()) silent.why = "its process " + end.text();
-  else silent.why = "its answer is cut";
+  if (end.outOfTime())
+    silent.why = "the engine gave no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
+  else if (!end.well()) silent.why = "the engine's process " + end.text();
+  else silent.why = "the engine's answer is cut short";
   if (!end.well()) return silent;
   try {
     return externalRunFrom(message.at("answer"));

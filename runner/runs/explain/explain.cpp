@@ -287,7 +287,7 @@ Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t ever
   Explanation x = explain(first, second, every);
   if (x.failureClass == FailureClass::none) return x;
   x.failureClass = FailureClass::nondeterminism;
-  x.text = "NONDETERMINISM: two runs of this program differ, so other differences cannot be classified\n" + x.text;
+  x.text = "NONDETERMINISM: two runs of this program differ, so other differences have no meaning\n" + x.text;
   return x;
 }
 

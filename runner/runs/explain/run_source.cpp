@@ -93,7 +93,7 @@ HashTrace StoredRunSource::hashTrace(std::uint64_t from, std::uint64_t to, std::
 }
 
 std::unique_ptr<World> StoredRunSource::stateAt(std::uint64_t) {
-  noState = "a database keeps hashes, not states";
+  noState = "a database keeps hashes and no states; compare with a program, by --with PROGRAM";
   return nullptr;
 }
 

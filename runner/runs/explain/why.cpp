@@ -103,7 +103,7 @@ void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const st
          actual = scenarioRun(scenario, question.execution);
   f.where = explain(expected, actual, question.every);
   if (f.where.failureClass == FailureClass::none) {
-    f.text += "where it began: nowhere, both scenarios give " + f.where.text;
+    f.text += "where the difference began: nowhere, because both scenarios give " + f.where.text;
     return;
   }
   f.text += "where it began: " + f.where.text.substr(std::string(nameOf(f.where.failureClass)).size() + 2) +
@@ -111,7 +111,7 @@ void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const st
   f.where.failureClass = f.failureClass;
   if (!accepted.empty() && f.where.expectedEnd && f.where.expectedEnd->text() != accepted)
     f.text +=
-        "The accepted scenario does not come to the accepted bits with this program: what it computes has "
+        "With the accepted scenario this program does not compute the accepted bits, so the computation has "
         "changed, too\n";
 }
 
@@ -135,7 +135,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
     before = goldenOf(stored, store.results(stored.id), *theirs);
   } catch (const InputError& unreadable) {  // stored by a Morula with other keys
     if (otherInput)
-      f.text += "what has changed cannot be told: this program does not read the stored scenario: " +
+      f.text += "the changed keys are not known, because this program cannot read the stored scenario: " +
                 firstLine(unreadable.what()) + '\n';
   }
   if (otherInput) {
@@ -185,8 +185,8 @@ void tellChangedScenario(const Scenario& scenario, const Simulation& run, const 
       tellWhereItBegan(*before, scenario, "the accepted scenario", acceptedBits(golden), question, f);
     else
       f.text +=
-          "where it began cannot be told: the accepted scenario is not known whole, as goldens and commits here keep "
-          "it; --db FILE compares with a stored run\n";
+          "the beginning of the difference is not known, because the goldens and commits here do not hold the whole "
+          "accepted scenario; --db FILE compares with a stored run\n";
   } catch (const InputError&) {}
 }
 
@@ -220,8 +220,8 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   if (fileExists(goldenFile(scenario))) tellChangedScenario(scenario, run, question, f);
   if (f.failureClass != FailureClass::inputChanged) {
     f.text +=
-        "A golden holds hashes, not states: for the first step, vertex and both values name what it was accepted with: "
-        "--with PROGRAM, or --db FILE\n";
+        "A golden holds hashes, not states. For the first step, the vertex and both values give the program or the "
+        "run that was accepted: --with PROGRAM, or --db FILE\n";
   }
 }
 

@@ -22,7 +22,7 @@ void refuseIf(const std::vector<ValueDifference>& changed, Store& store, const S
                   " was changed since it was stored: " + first.table + ", " + first.row + ": " +
                   (first.column.empty() ? "the row" : first.column) + " is " + first.stored + ", but " +
                   first.recomputed +
-                  " follows from what is stored; restore the file from a copy, or run the scenario again");
+                  " follows from the stored data; restore the file from a copy, or run the scenario again");
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ std::string whyNot(Store& store, const RunRecord& record) {
     RunRecord there = other->record;
     there.documents = store.documents(other->id);
     if (const std::string keys = keysThatDiffer(there, record); !keys.empty())
-      return "run " + other->id + " of " + record.scenario + " is of another scenario (" + keys + ")";
+      return "run " + other->id + " of " + record.scenario + " belongs to another scenario (" + keys + ")";
     return "run " + other->id + " of " + record.scenario +
-           " is another one; what differs: " + differences(other->record, record);
+           " belongs to another run; differences: " + differences(other->record, record);
   }
   return "there is no unfinished run of " + record.scenario + " in " + store.file().string();
 }
@@ -81,8 +81,8 @@ std::string hashesOf(const std::optional<std::uint64_t>& every) {
 void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
   if (c.every == now.every && c.hashEvery == now.hashEvery) return;
   throw UsageError(fmt::format(
-      "--resume: the checkpoint was made with {} and {}, and now it is {} and {}; record as then (--no-check and the "
-      "scenario's record and check decide), or leave out --resume to start from the beginning",
+      "--resume: the checkpoint was made with {} and {}, but this run has {} and {}; restore the former --no-check "
+      "and the scenario's former record and check, or leave out --resume to start from the beginning",
       samplesOf(c.every), hashesOf(c.hashEvery), samplesOf(now.every), hashesOf(now.hashEvery)));
 }
 
@@ -104,7 +104,7 @@ std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Ru
                     "; leave out --resume to start from the beginning");
   }
   const Clock& clock = run.world().clock;
-  tell(fmt::format("{} goes on from step {}, time {:.6g}", record.scenario, clock.step, clock.time), quiet);
+  tell(fmt::format("{} continues from step {}, time {:.6g}", record.scenario, clock.step, clock.time), quiet);
   return clock.step;
 }
 

@@ -38,7 +38,7 @@ std::optional<std::uint64_t> RunFile::begin(Run& run, const RecordOptions& recor
   if (settings_.resume) step = resumeRun(store_, record_, run, recording, settings_.quiet);
   if (!step) store_.begin(record_);
   if (const auto left = store_.checkpointStep(id_); left && !settings_.resume)
-    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *left), settings_.quiet);
+    tell(fmt::format("an earlier run was stopped at step {}; --resume continues it", *left), settings_.quiet);
   return step;
 }
 

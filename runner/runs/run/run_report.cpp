@@ -22,8 +22,8 @@ std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions, cons
   if (divisions.empty()) return "";
   const DivisionRecord& first = divisions.front();
   return fmt::format(
-      "  warning  {} by longest of cells as long in two directions (to {:.2g} %), first {} at time {}; another mesh or "
-      "time step may cut elsewhere\n",
+      "  warning  {} by longest of cells whose two largest extents are equal (to {:.2g} %), first {} at time {}; "
+      "another mesh or time step may cut elsewhere\n",
       counted(divisions.size(), "division"), 100 * (ambiguousExtentRatio - 1), cellName(first.path.text()),
       shownTime(units, first.time));
 }
@@ -81,7 +81,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
       fmt::format("{}  seed {}: {}, {} at time {} after {} steps\n", scenario.scene.name, scenario.scene.seed,
                   name(end.status), counted(end.cells, "cell"), shownTime(scenario.units, end.time, 6), end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
-  if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
+  if (outcome.canBeResumed) text += "  continue with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed()) {
     std::size_t looked = 0;

@@ -104,7 +104,7 @@ Colouring parseColouring(std::string_view text) {
   if (text == "generation") return {.by = By::generation, .measure = {}};
   if (text.starts_with("clone:") && text.size() == 7 && text[6] >= '1' && text[6] <= '4')
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
-  std::string wrong = "'" + std::string(text) + "' is nothing to colour cells by";
+  std::string wrong = "'" + std::string(text) + "' is no colouring of cells";
   try {
     if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell) return {.by = By::measure, .measure = m.name};
   } catch (const InputError& error) {

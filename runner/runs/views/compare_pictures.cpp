@@ -12,13 +12,14 @@ ComparedPictures comparePictures(const std::string& one, const std::string& othe
   compared.one = readPng(readFile(one), one);
   compared.other = readPng(readFile(other), other);
   const PictureDifference& d = compared.difference = differenceOf(compared.one, compared.other);
-  if (d.unequalPixels == 0) compared.words = "the same pixels\n";
+  if (d.unequalPixels == 0) compared.words = "the pictures have the same pixels\n";
   else
     compared.words = fmt::format(
         "{}: at most {:.3g} ΔE00, at pixel ({}, {}); needs at most {}\n"
         "  mean {:.3g}; {:.3g} % of the pixels differ noticeably, {:.3g} % at all\n",
-        d.isNoticeable() ? "they look different" : "they look the same", d.most, d.x, d.y, noticeableDifference, d.mean,
-        100 * d.share, 100 * static_cast<double>(d.unequalPixels) / static_cast<double>(d.map.size()));
+        d.isNoticeable() ? "the pictures look different" : "the pictures look the same", d.most, d.x, d.y,
+        noticeableDifference, d.mean, 100 * d.share,
+        100 * static_cast<double>(d.unequalPixels) / static_cast<double>(d.map.size()));
   return compared;
 }
 

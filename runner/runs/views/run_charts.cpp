@@ -26,8 +26,8 @@ std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
     throw InputError(measure.name + ": " + unknown);
   throw InputError("no sample of " + scenario.scene.name + " has " + measure.name +
                    (!measure.onDemand
-                        ? "; the scene has nothing that it could be measured of"
-                        : "; record.measures must name it: --set 'record.measures=[" + measure.name + "]'"));
+                        ? "; the scene has no parts that this measure needs"
+                        : "; name it in record.measures, as --set 'record.measures=[" + measure.name + "]'"));
 }
 
 std::string wordsOf(const MeasuredThing& key, const AskedMeasure& measure, const Scenario& scenario) {
@@ -103,7 +103,7 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
     if (const auto area = pair["area"]) picture.values[a * n + b] = picture.values[b * n + a] = unit.factor * *area;
   }
   picture.title = scenario.scene.name;
-  picture.caption = fmt::format("who touches whom at time {}: {} cells, {} contacts",
+  picture.caption = fmt::format("contact areas at time {}: {} cells, {} contacts",
                                 shownTime(scenario.units, last->world.time, 6), n, last->contacts.size());
   picture.quantity = unit.after("contact area");
   return picture;
@@ -115,8 +115,8 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
   RosePicture picture;
   picture.title = scenario.scene.name;
   picture.caption = fmt::format(
-      "which way division axes point, towards daughter A: {} divisions; a sector's area is its count, the outer circle "
-      "the largest",
+      "directions of division axes, towards daughter A: {} divisions; the area of a sector is its number of "
+      "divisions, and the outer circle is the largest sector",
       results.divisions.size());
   picture.roses = {{"from the front", "x", "z", {}}, {"from the right", "y", "z", {}}, {"from above", "x", "y", {}}};
   for (const DivisionRecord& division : results.divisions) {

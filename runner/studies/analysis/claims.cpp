@@ -31,14 +31,16 @@ std::string claimInWords(const Claim& claim, const StudyResults& results) {
   switch (claim.says) {
     case Says::equivalent:
       return fmt::format("{}: {} equivalent to {} within {}{}", claim.measure, a, b, claim.within, with);
-    case Says::noEffect: return fmt::format("{}: no effect of {} beside {}{}", claim.measure, a, b, with);
+    case Says::noEffect: return fmt::format("{}: no effect of {} as compared with {}{}", claim.measure, a, b, with);
     default: return fmt::format("{}: {} {} than {}{}", claim.measure, a, nameOf(claim.says), b, with);
   }
 }
 
 void requireSame(const StudyResults& results, const Study& study) {
   if (canHold(results, study)) return;
-  throw InputError(study.file + ": has other axes, labels or measures than its results; run and merge the study again");
+  throw InputError(study.file +
+                   ": the study file has other axes, labels or measures than its results; run and "
+                   "merge the study again");
 }
 
 const PairComparison* pairOf(const StudyComparison& c, const Claim& claim) {
@@ -108,7 +110,7 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
   for (const Claim& claim : study.claims) {
     ClaimFinding& finding = findings.emplace_back();
     finding.claim = claimInWords(claim, results), finding.place = claim.place;
-    finding.found = claim.measure + ": there are no values of it";
+    finding.found = claim.measure + ": no run has a value of this measure";
     if (claim.says == Says::mean) {
       judgeMean(compared("", false), claim, finding);
       continue;

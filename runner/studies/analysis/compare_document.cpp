@@ -42,7 +42,7 @@ Document header(const StudyComparison& c) {
   PlainList seedless;
   for (const std::size_t i : c.seedless) seedless.list.push_back(r.nameOf(r.conditions[i]));
   if (!seedless.list.empty())
-    text.say("seeds change nothing in these: one run each, and no interval").add(std::move(seedless));
+    text.say("conditions that seeds do not change have one run and no interval").add(std::move(seedless));
   return text;
 }
 
@@ -82,7 +82,7 @@ Json unfinished(const StudyResults& r) {
 Document describe(const StudyComparison& c) {
   Document text = header(c);
   if (const auto verdicts = verdictsOf(c); !verdicts.empty())
-    text.heading("What the study finds").add(PlainList{{verdicts.begin(), verdicts.end()}});
+    text.heading("Findings of the study").add(PlainList{{verdicts.begin(), verdicts.end()}});
   return text.add(comparedTables(c));
 }
 

@@ -53,7 +53,10 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
   MeasureEffects effects{.measure = measure, .axes = axes, .seeds = bySeed.size()};
   effects.analysis = analyseFactorial(levels, values);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
-  if (bySeed.size() < 2) effects.untested = "one seed has values everywhere: nothing says how they vary";
+  if (bySeed.size() < 2)
+    effects.untested =
+        "only one seed has values in all conditions, so their variation is not "
+        "known";
   return effects;
 }
 

@@ -39,9 +39,9 @@ struct ConditionSummary {
 enum class Known { estimated, exact, oneSeed };
 template <>
 inline constexpr auto choices<Known> = std::to_array<Choice<Known>>(
-    {{Known::estimated, "estimated", "two pairs or more: with an interval"},
-     {Known::exact, "exact", "seeds change neither side: the difference is what it is"},
-     {Known::oneSeed, "one seed", "one pair of runs alone: nothing says how far it would vary"}});
+    {{Known::estimated, "estimated", "two pairs of runs or more: the difference has an interval"},
+     {Known::exact, "exact", "seeds change neither side: the difference is exact"},
+     {Known::oneSeed, "one seed", "one pair of runs alone: the variation is not known"}});
 
 /// The test that two conditions are equal within a margin.
 struct PairEquivalence {

@@ -67,8 +67,8 @@ std::string changedFile(const Json& plan, const Json& condition, const Scenario&
 void refuseOtherBuild(const StudyResults& results, const std::filesystem::path& study) {
   const std::string ours = buildId(buildInfo());
   if (!results.buildId.empty() && results.buildId != ours)
-    throw InputError(study.string() + ": its runs were computed by another build of the program (" + results.buildId +
-                     ", this is " + ours + "); run the study again, into a new folder");
+    throw InputError(study.string() + ": the study's runs were computed by another build of the program (" +
+                     results.buildId + ", this is " + ours + "); run the study again, into a new folder");
 }
 
 /// Returns the scenario's golden, with the statistics of its runs alone.
@@ -86,17 +86,20 @@ Golden stated(const StudyResults& results, const CompareOptions& options, const 
   });
   if (std::ranges::find(isOfScenario, true) == isOfScenario.end())
     throw InputError(scenario.string() + ": " + study.string() +
-                     " is a study of another scenario, or of this one before it was changed; run the study again");
+                     " is a study of another scenario, or of an older version of this scenario; run the study again");
   if (!changed.empty())
     throw InputError(scenario.string() + ": " + study.string() + " is a study of the scenario before " + changed +
                      " was changed; run the study again");
   const StudyComparison comparison = compareStudy(ofBase(results, isOfScenario), options);
-  if (comparison.by.size() != 1) throw UsageError("--into-golden: compares the levels of one axis; name it with --by");
+  if (comparison.by.size() != 1)
+    throw UsageError(
+        "--into-golden compares the levels of one axis; name the axis "
+        "with --by");
   refuseIntoGolden(own);
   Golden golden = readGoldenFile(goldenPath(scenario));
   golden.statistics = statisticsOf(comparison, comparison.by.front());
   if (golden.statistics.empty())
-    throw InputError(study.string() + ": has no difference to state: it needs two runs of each of two levels at least");
+    throw InputError(study.string() + ": has no difference to state; needs at least two runs of each of two levels");
   return golden;
 }
 
@@ -106,7 +109,9 @@ void writeIntoGoldens(const StudyResults& results, CompareOptions options, const
                       const std::vector<std::string>& scenarios) {
   // A golden is of one base, so the axis `base` has no levels to compare.
   if (std::erase(options.by, "base") > 0 && options.by.empty())
-    throw UsageError("--into-golden: compares settings of each base by itself; name their axis with --by");
+    throw UsageError(
+        "--into-golden compares settings of each base separately; name the axis of the settings with "
+        "--by");
   std::vector<Golden> goldens;  // all are made before the first is written
   for (const std::string& scenario : scenarios) goldens.push_back(stated(results, options, study, scenario));
   for (std::size_t i = 0; i < goldens.size(); ++i)

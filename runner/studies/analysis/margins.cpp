@@ -63,7 +63,7 @@ std::string nameAmong(const std::string& option, const std::string& kind, std::s
   const std::string near = closest(word, names);
   throw UsageError(option + ": the study has no " + kind + " '" + typed + "'; " +
                    (!near.empty()   ? "did you mean " + near + "?"
-                    : names.empty() ? "it has none at all"
+                    : names.empty() ? "needs a measure of the study, which has none"
                                     : "it has " + join(names)));
 }
 

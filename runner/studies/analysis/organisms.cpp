@@ -81,16 +81,16 @@ std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
                                const std::vector<double>& times, const GridMoments& moments, bool quiet) {
   const std::vector<std::size_t>& cells = moments.cells;
   if (!scenario.scene.mechanics)
-    throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
+    throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, so there is nothing to draw");
   const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
   TileTaker watch(scenario, times, moments);
   const auto run = simulate(scenario, Execution{}, {.quiet = quiet, .watch = {&watch}});
   requireEnough(run.end);
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
   if (hash != task.stateHash)
-    throw NondeterminismError(study.string() + ": run " + task.runId + " came to the state " + task.stateHash +
-                                  " when the study was made, and now comes to " + hash +
-                                  "; was it made by another build?",
+    throw NondeterminismError(study.string() + ": run " + task.runId + " ended in the state " + task.stateHash +
+                                  " when the study was made, and now ends in " + hash +
+                                  "; check that this build made the study",
                               task.runId, task.stateHash, hash);
   const std::string time = shownTime(scenario.units, run.end.time);
   std::vector<TakenTile>& tiles = watch.tiles();

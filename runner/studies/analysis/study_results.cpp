@@ -41,7 +41,7 @@ std::map<std::int64_t, std::size_t> readConditions(Database& db, StudyResults& r
     for (std::size_t a = 0; a < results.axes.size(); ++a) {
       const auto& labels = results.axes[a].labels;
       const auto at = std::ranges::find(labels, rows.line(static_cast<int>(a) + 2));
-      if (at == labels.end()) damaged(db, "a condition has a label that its axis has not");
+      if (at == labels.end()) damaged(db, "a condition has a label that its axis lacks");
       condition.levels.push_back(static_cast<std::size_t>(at - labels.begin()));
     }
     numbers[rows.integer(0)] = results.conditions.size();
@@ -96,7 +96,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
     const auto condition = conditions.find(rows.integer(0));
     const auto task = tasks.find(rows.text(2));
     if (condition == conditions.end() || task == tasks.end())
-      damaged(db, "a replicate names a condition or a task that is not there");
+      damaged(db, "a replicate names a condition or a task that does not exist");
     all.push_back({condition->second, task->second, rows.bits(1)});
     results.seeds.push_back(all.back().seed);
   }
@@ -204,7 +204,7 @@ void readStoredPlan(const std::filesystem::path& file, const std::function<void(
   try {
     if (rows.start().next()) return read(parseJson(rows.text(0)));
   } catch (const Json::exception&) {}
-  damaged(db, "its plan cannot be read");
+  damaged(db, "the study's plan cannot be read");
 }
 
 StudyResults readStudyResults(const std::filesystem::path& file) {

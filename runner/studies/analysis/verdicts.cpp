@@ -102,12 +102,13 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
   const std::string& name = c.measureName(pair.measure);
   const std::string between =
       fmt::format("{} and {}{}", label(c, pair, pair.a), label(c, pair, pair.b), place(c, pair));
-  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", name, between);
+  if (pair.sameRuns) return fmt::format("{}: the runs of {} are the same", name, between);
   switch (pair.known) {
     case Known::exact:
-      return pair.paired.difference == 0 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
-                                         : differs(c, pair) + ", exactly: seeds change neither";
-    case Known::oneSeed: return differs(c, pair) + ", in one pair of runs: its variation is not known";
+      return pair.paired.difference == 0
+                 ? fmt::format("{}: equal under {}, and no seed changes the value", name, between)
+                 : differs(c, pair) + ", exactly, because seeds change neither side";
+    case Known::oneSeed: return differs(c, pair) + ", in one pair of runs, so the variation is not known";
     case Known::estimated: break;
   }
   if (pair.isShown()) return fmt::format("{}, {}: {}", differs(c, pair), inHowMany(pair), estimate(pair));
@@ -122,7 +123,7 @@ std::string equivalenceText(const PairComparison& pair) {
   const auto& same = *pair.equivalence;
   const double p = same.verdict == Equivalent::no ? same.correctedBeyond : same.corrected;
   const bool isSmall = same.verdict == Equivalent::yes && isDifferent(pair);
-  return fmt::format("; {}{} within ±{}{}{}", isSmall ? "small as it is, " : "", nameOf(same.verdict),
+  return fmt::format("; {}{} within ±{}{}{}", isSmall ? "a small difference, " : "", nameOf(same.verdict),
                      numberText(same.test.margin, 3), intervalText("90 %", same.test.interval),
                      pair.known == Known::estimated ? ", " + pText(p) + " after Holm" : "");
 }
@@ -130,14 +131,14 @@ std::string equivalenceText(const PairComparison& pair) {
 void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
   const Spread spread = spreadOf(c, measure);
   if (!(spread.low <= spread.high)) {
-    verdicts.open.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
+    verdicts.open.push_back(c.measureName(measure) + ": no run has a value");
     return;
   }
   const bool isSilent = tellsNothing(c, measure);
   if (isSilent) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
-    verdicts.known.push_back(fmt::format("{} is {} everywhere: it tells nothing", c.measureName(measure),
-                                         low == high ? low : low + " to " + high));
+    verdicts.known.push_back(fmt::format("{} is {} everywhere, so it distinguishes no conditions",
+                                         c.measureName(measure), low == high ? low : low + " to " + high));
   }
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
@@ -177,7 +178,7 @@ std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const P
                                                         : ": " + join(differ) + " differ");
 }
 
-/// Returns "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no
+/// Returns "a: its effect on volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no
 /// difference is shown (95 % intervals within ±0.2)".
 std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const Interaction& interaction) {
   const ResultAxis& other = c.results.axes[interaction.other];
@@ -204,7 +205,7 @@ std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const
                         (most > 0 ? " (95 % intervals within ±" + numberText(most, 2) + ")" : std::string()),
                     silent});
   std::string line =
-      fmt::format("{}: what it does to {} depends on {} (interaction, {})", c.results.axes[axis].name,
+      fmt::format("{}: its effect on {} depends on {} (interaction, {})", c.results.axes[axis].name,
                   c.measureName(interaction.of->measure), other.name, effectText(*interaction.of, interaction.effect));
   for (std::size_t i = 0; i < said.size(); ++i)
     line += fmt::format("{} with {} {}: {}", i ? ";" : ":", other.name, join(said[i].second), said[i].first);
@@ -274,8 +275,8 @@ void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdi
   }
   if (following.empty() || !(numbers.low < numbers.high)) return;
   verdicts.push_back(
-      fmt::format("numbers of cells differ between conditions, {} to {} in the mean, and {} {} with them, "
-                  "however cells lie",
+      fmt::format("numbers of cells differ between conditions, {} to {} in the mean; {} {} with the number of "
+                  "cells, even if cells are arranged alike",
                   numberText(numbers.low, 4), numberText(numbers.high, 4), join(following),
                   following.size() > 1 ? "change" : "changes"));
 }
@@ -332,10 +333,10 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
   for (const auto& [condition, seed, task] : troubledRuns(r)) {
     const std::string which = fmt::format("{}, seed {}", condition, seed);
     if (task.status == TaskStatus::done)
-      lines.push_back("not sane  " + which + ": " + task.reason + "; its values count");
+      lines.push_back("not sane  " + which + ": " + task.reason + "; the values of this run are included");
     else lines.push_back(nameOf(task.status) + ("  " + which) + (task.reason.empty() ? "" : ": " + task.reason));
   }
-  for (const auto& names : namesOfSameRuns(r)) lines.push_back("the same runs  " + join(names, " = "));
+  for (const auto& names : namesOfSameRuns(r)) lines.push_back("equal runs  " + join(names, " = "));
   return lines;
 }
 

@@ -81,7 +81,8 @@ class ClaimReader {
     for (const auto& member : node.members) {
       const auto axis = std::ranges::find(axes, member.key) - axes.begin();
       if (std::size_t(axis) == axes.size()) {
-        problems_.add(member.place, path + "." + member.key, "the study has no such axis", nearOf(member.key, axes));
+        problems_.add(member.place, path + "." + member.key, "the study has no axis of this name",
+                      nearOf(member.key, axes));
         continue;
       }
       std::vector<std::string> labels;
@@ -121,7 +122,7 @@ class ClaimReader {
     const auto* at = node_.find("at");
     claim_.a = at ? readLevels("at", at->value) : Levels(study_.axes.size());
     if (const auto open = openAxes(claim_.a); !open.empty())
-      problems_.add(node_.place, path_ + ".at", "leaves open which condition is meant",
+      problems_.add(node_.place, path_ + ".at", "does not select a single condition",
                     "needs a label of " + join(open, " and ") + ", too");
     if (const Node* node = needed("mean", "a number"))
       claim_.mean = scenario::readReal(*node, scenario::Range{}, path_ + ".mean", "a number", problems_).value_or(0);
@@ -136,7 +137,7 @@ class ClaimReader {
         readSays(*node, *text);
     if (claim_.says == Says::equivalent) readMargin();
     else if (const auto* within = node_.find("within"))
-      problems_.add(within->place, path_ + ".within", "belongs to says: equivalent", "remove it");
+      problems_.add(within->place, path_ + ".within", "has no effect without says: equivalent", "remove it");
     if (!a || !b) return;
     const std::size_t before = problems_.size();
     claim_.a = readLevels("a", *a), claim_.b = readLevels("b", *b);
@@ -153,9 +154,9 @@ class ClaimReader {
                                              : "differs from a in " + std::to_string(differing) + " axes",
                     "name the same axes in both, with different labels of one of them");
     else if (!open.empty() && open.size() + 1 != several)
-      problems_.add(a->place, path_ + ".a", "names some of the other axes",
+      problems_.add(a->place, path_ + ".a", "names some of the other axes, but not all",
                     "needs a label of " + join(open, " and ") +
-                        ", too, or the axis that differs alone, for the mean over the others");
+                        ", too, or only of the axis that differs, for the mean over the others");
   }
 
   void readSays(const Node& node, const std::string& text) {
@@ -187,11 +188,11 @@ Key checkKey() {
                               {"measure", "mean", "within"});
   return {"check",
           "a list of " + claimAllowed,
-          "Claims that `morula study check` holds against the results, each by what `morula study compare` says. Of a "
-          "pair, says is what a is beside b: lower or higher (a difference is shown), equivalent (within a margin, "
-          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name labels "
-          "of the same axes and differ in one; of the other axes they name all, or none: then it is the mean over "
-          "them. Or of a condition, which `at` names: its mean, give or take `within`",
+          "Claims that `morula study check` compares with the results of `morula study compare`. A claim on a pair: "
+          "says tells how a compares with b: lower or higher (a difference is shown), equivalent (within a margin, "
+          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name "
+          "labels of the same axes and differ in one; they name labels of all other axes, or of none for the mean "
+          "over them. A claim on a condition, which `at` names: mean is its mean, to within `within`",
           "no claims",
           {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
           [](Study&, const Node&, Problems&) {}};  // claims are read by readClaims, once all axes are known

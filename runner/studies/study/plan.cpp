@@ -123,7 +123,7 @@ std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& opt
       const auto settled = settledInstead(condition->scenario);
       if (!settled) continue;
       if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps)) cost.settled = run->seconds;
-      else cost.refused = "it stops at its beginning";
+      else cost.refused = "the run stops at its beginning";
     } catch (const InputError& error) {  // the first line without its place, which is not in the scenario's file
       const std::string text = error.what();
       const auto key = text.find(": ") + 2;
@@ -243,10 +243,10 @@ bool keepPlan(const Plan& plan, const std::filesystem::path& folder) {
   if (fileExists(file)) {
     const Plan there = loadPlan(folder);
     if (there.id == plan.id) return false;
-    throw InputError("'" + file.string() + "' is another plan (" + there.id.substr(0, 8) + ", now " +
+    throw InputError("'" + file.string() + "' holds another plan (" + there.id.substr(0, 8) + ", now " +
                      plan.id.substr(0, 8) +
-                     "): the study or a scenario was changed since it was made; study run --update plans it anew and "
-                     "keeps the results that it needs, --out gives it a folder of its own");
+                     "): the study or a scenario has changed since; study run --update plans the study anew and "
+                     "keeps the results that it needs, --out gives the study a folder of its own");
   }
   makeFolder(folder);
   writeNewFile(file, writePlan(plan));

@@ -45,7 +45,7 @@ class Comparison {
     compareSeeds();
     if (haveSameAxes_) compareConditions();
     if (found_.isNone() && then_.at("id") != now_.at("id"))
-      found_.stale.push_back("the results are of another plan than that of the study file");
+      found_.stale.push_back("the results belong to another plan than the study file's");
     return std::move(found_);
   }
 
@@ -144,7 +144,7 @@ class Comparison {
     for (const std::string& file : changed)
       found_.stale.push_back("the " + file + " has changed since the results were computed");
     if (otherwise && changed.empty())
-      found_.stale.push_back("the conditions mean something else to this build than to the one that computed them");
+      found_.stale.push_back("this build interprets the conditions differently from the build that computed them");
   }
 
   const Json &then_, &now_;

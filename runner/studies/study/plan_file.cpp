@@ -172,7 +172,7 @@ Plan planOf(const Json& json) {
   Plan plan;
   plan.study = studyOf(json.at("study"));
   const Json &conditions = json.at("conditions"), &files = json.at("files");
-  if (conditions.size() != study::countConditions(plan.study)) throw FileError("it lacks conditions");
+  if (conditions.size() != study::countConditions(plan.study)) throw FileError("the plan lacks conditions");
   for (const Json& c : conditions) {
     Condition& condition = plan.conditions.emplace_back(study::conditionOf(plan.study, plan.conditions.size()));
     const NamedFile base = fileOf(files, c.at("scenario"));
@@ -183,14 +183,14 @@ Plan planOf(const Json& json) {
     study::finish(condition, plan.study);
     if (condition.meaning.text() != c.at("meaning").get<std::string>())
       throw FileError("its condition " + nameOf(plan, condition.number) +
-                      " means something else to this build of Morula than to the one that made the plan");
+                      " has another meaning for this build of Morula than for the build that made the plan");
   }
   study::addTasks(plan);
   readMember(json.at("costs"), plan.costs);
-  if (!plan.costs.empty() && plan.costs.size() != plan.conditions.size()) throw FileError("it lacks costs");
+  if (!plan.costs.empty() && plan.costs.size() != plan.conditions.size()) throw FileError("the plan lacks costs");
   plan.id = study::planId(plan);
   if (plan.id != json.at("id").get<std::string>() || membersOf(plan) != json)
-    throw FileError("it means something else to this build of Morula than to the one that made it");
+    throw FileError("the plan has another meaning for this build of Morula than for the build that made it");
   return plan;
 }
 
@@ -212,7 +212,8 @@ Plan readPlan(const std::string& text, const std::string& file) {
     throw fail("is a plan of another version of Morula", "run it with that, or plan again in a new folder");
   const auto end = text.rfind("  \"hash\": ");
   if (end == text.npos || !json.contains("hash") || json["hash"] != hashOf(text.substr(0, end)))
-    throw fail("is damaged: it was changed since it was made", "restore it from a copy, or plan again in a new folder");
+    throw fail("is damaged, because it has been changed since it was made",
+               "restore it from a copy, or plan again in a new folder");
   json.erase("hash");
   const std::string again = "plan again in a new folder, or use the build that made it";
   try {

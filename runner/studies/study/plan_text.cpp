@@ -42,26 +42,26 @@ std::string listOf(const Plan& plan, const std::vector<std::size_t>& conditions)
 
 std::string costText(const Plan& plan) {
   const auto total = totalCost(plan);
-  if (!total) return "  costs were not predicted\n";
+  if (!total) return "  costs are not predicted\n";
   const auto& [least, most] = std::ranges::minmax(plan.costs, {}, &RunCost::seconds);
   const auto tried = std::size_t(std::ranges::count(plan.costs, true, &RunCost::tried));
   const std::string shortest = timeText(least.seconds), longest = timeText(most.seconds);
   std::string text = fmt::format(
-      "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on disk\n",
+      "  predicted on one thread of this machine: {} of CPU time, {} a run; at most {} of arrays; {} on disk\n",
       timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest, bytesText(total->memory),
       bytesText(total->disk));
   if (tried < plan.conditions.size())
-    text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
+    text += fmt::format("    the prediction rehearses {}, and scales the costs of the other conditions from these\n",
                         counted(tried, "condition"));
   const auto& limit = plan.study.limits.cpu;
   if (limit && most.seconds > *limit)
-    text += fmt::format("    some may not end within limits.cpu-per-run, {}\n", timeText(*limit));
+    text += fmt::format("    some runs may exceed limits.cpu-per-run, {}\n", timeText(*limit));
   for (const SettledCost& s : plan.settled)
     text += fmt::format(
-        "    from rest to rest (physics.integrator: fire, settle.together: a quarter of a cycle) a run of {} {}\n",
+        "    with physics.integrator: fire and settle.together: a quarter of a cycle, a run of {} {}\n",
         plan.study.bases[s.base].label,
-        s.refused.empty() ? fmt::format("would take {} or more, not {}", timeText(s.settled), timeText(s.seconds))
-                          : "does not go: " + s.refused);
+        s.refused.empty() ? fmt::format("would take {} or more instead of {}", timeText(s.settled), timeText(s.seconds))
+                          : "is not possible: " + s.refused);
   return text;
 }
 
@@ -86,11 +86,11 @@ std::string powerText(const Study& study) {
   std::size_t enough = study.seeds.size();
   while (corrected(enough) >= 0.05) ++enough;
   std::string text =
-      fmt::format("  {}: of values that repeat, as counts do, no p is below {}, {} after Holm over {} comparisons",
+      fmt::format("  {}: for values that repeat, such as counts, the min p is {}, {} after Holm over {} comparisons",
                   counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
                   numberText(corrected(study.seeds.size()), 2), comparisons);
   if (enough > study.seeds.size())
-    text += fmt::format("; one such difference alone is shown with {} seeds or more", enough);
+    text += fmt::format("; to show a single such difference takes at least {} seeds", enough);
   return text + "\n";
 }
 
@@ -122,11 +122,12 @@ std::string describe(const Plan& plan) {
                       counted(plan.tasks.size(), "distinct scene"));
   if (const auto without = conditionsWithoutSeeds(plan); !without.empty())
     text += fmt::format(
-        "  {} without anything that a seed changes: run once, and compared without an interval "
-        "(`variation` would make seeds count)\n{}",
+        "  {} without random parts, which no seed changes: each is run once and compared without an interval "
+        "(`variation` would make seeds differ)\n"
+        "{}",
         counted(without.size(), "condition"), listOf(plan, without));
   for (const auto& group : conditionsThatShare(plan))
-    text += fmt::format("  {} that mean the same and share their runs:\n{}", counted(group.size(), "condition"),
+    text += fmt::format("  {} with the same meaning, which share their runs:\n{}", counted(group.size(), "condition"),
                         listOf(plan, group));
   return text + powerText(s) + costText(plan) + "  plan " + plan.id + "\n";
 }

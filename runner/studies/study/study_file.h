@@ -37,8 +37,8 @@ enum class HashesKept { none, end, all };
 template <>
 inline constexpr auto choices<HashesKept> =
     std::to_array<Choice<HashesKept>>({{HashesKept::none, "none", "no hash of a state"},
-                                       {HashesKept::end, "end", "that of the last state"},
-                                       {HashesKept::all, "all", "those on the way, too"}});
+                                       {HashesKept::end, "end", "the hash of the last state"},
+                                       {HashesKept::all, "all", "hashes on the way, too"}});
 
 enum class SamplesKept { end, all };
 template <>
@@ -48,10 +48,10 @@ inline constexpr auto choices<SamplesKept> =
 
 enum class PicturesKept { none, firstSeed, all };
 template <>
-inline constexpr auto choices<PicturesKept> =
-    std::to_array<Choice<PicturesKept>>({{PicturesKept::none, "none", "no picture"},
-                                         {PicturesKept::firstSeed, "first-seed", "one a condition, of its first seed"},
-                                         {PicturesKept::all, "all", "one of each run"}});
+inline constexpr auto choices<PicturesKept> = std::to_array<Choice<PicturesKept>>(
+    {{PicturesKept::none, "none", "no picture"},
+     {PicturesKept::firstSeed, "first-seed", "one picture of each condition, with its first seed"},
+     {PicturesKept::all, "all", "one picture of each run"}});
 
 /// The times at which measures are taken, besides the end.
 enum class Moments { end, eachDivision, every };
@@ -86,7 +86,7 @@ template <>
 inline constexpr auto choices<Says> =
     std::to_array<Choice<Says>>({{Says::lower, "lower", "a difference is shown, and a is lower"},
                                  {Says::higher, "higher", "a difference is shown, and a is higher"},
-                                 {Says::equivalent, "equivalent", "both are the same but for a margin"},
+                                 {Says::equivalent, "equivalent", "both agree within a margin"},
                                  {Says::noEffect, "no-effect", "no difference is shown"}});
 
 /// A claim on the results that must stay true.

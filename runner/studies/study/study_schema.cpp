@@ -9,7 +9,7 @@ std::string studySchema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "Morula study"},
               {"type", "object"},
-              {"description", "Scenarios × policies × seeds, and what is measured of them"},
+              {"description", "Scenarios × policies × seeds, and their measures"},
               {"properties", Json::object()},
               {"required", Json::array()},
               {"additionalProperties", false}};

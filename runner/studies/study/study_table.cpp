@@ -32,7 +32,7 @@ Key version() {
 Key name() {
   return {"name",
           nameAllowed,
-          "Names the folder of the results",
+          "Name of the folder of the results",
           "",
           {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$"}},
           [](Study& study, const Node& node, Problems& problems) {
@@ -46,7 +46,7 @@ Key name() {
 Key summary() {
   return {"summary",
           "a text",
-          "One line for people",
+          "Summary of the study in one line",
           "none",
           {{"type", "string"}},
           [](Study& study, const Node& node, Problems& problems) {
@@ -84,7 +84,7 @@ Key cpuPerRun() {
   const std::string allowed = scenario::numberAllowed(scenario::positive, "s");
   return {"limits.cpu-per-run",
           allowed,
-          "CPU time of one run; one that needs more is ended, and has failed",
+          "Max CPU time of one run; a run that needs more is ended as failed",
           "no limit",
           scenario::numberSchema(scenario::positive),
           [allowed](Study& study, const Node& node, Problems& problems) {
@@ -97,7 +97,7 @@ Key memoryPerRun() {
   const std::string allowed = "a size from 1M, as 500M or 2G (10⁶ or 10⁹ bytes)";
   return {path,
           allowed,
-          "Memory of one run; one that needs more is ended, and has failed",
+          "Max memory of one run; a run that needs more is ended as failed",
           "no limit",
           {{"type", Json::array({"string", "integer"})}, {"pattern", "^[0-9]+(\\.[0-9]+)?[kKMGT]?$"}},
           [allowed](Study& study, const Node& node, Problems& problems) {
@@ -196,20 +196,20 @@ const std::vector<Key>& keys() {
       varyKey(),
       seedsKey(),
       measuresKey(),
-      section("keep", "What is stored of each run besides the values of the measures", "the defaults"),
-      choiceKey("keep.hashes", "Of states, to compare runs by", &Kept::hashes),
-      choiceKey("keep.samples", "Of cells: places, shapes, contacts", &Kept::samples),
-      choiceKey("keep.pictures", "Of organisms at the end", &Kept::pictures),
-      section("limits", "What one run may take, and how many runs may fail or end in a state that cannot be",
+      section("keep", "Data that are stored of each run besides the values of the measures", "the defaults"),
+      choiceKey("keep.hashes", "Hashes of states, with which runs are compared", &Kept::hashes),
+      choiceKey("keep.samples", "Samples of cells: places, shapes, contacts", &Kept::samples),
+      choiceKey("keep.pictures", "Pictures of organisms at the end", &Kept::pictures),
+      section("limits", "Limits of one run, and max numbers of runs that fail or are insane",
               "no limits for a run; no run may fail or be insane"),
       cpuPerRun(),
       memoryPerRun(),
       allowedKey("limits.failed",
-                 "Runs that may fail. With more of them study run, status and check and compare end with exit code 1",
+                 "Max number of failed runs. With more, study run, status and check and compare end with exit code 1",
                  &AllowedRuns::failed),
       allowedKey("limits.insane",
-                 "Runs that may end in a state that cannot be (kind sanity of check_result). With more of them study "
-                 "run, status and check and compare end with exit code 1",
+                 "Max number of insane runs, whose final state is not possible (kind sanity of check_result). With "
+                 "more, study run, status and check and compare end with exit code 1",
                  &AllowedRuns::insane),
       checkKey()};
   return list;

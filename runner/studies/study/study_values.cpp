@@ -28,7 +28,7 @@ void addBase(Study& study, const Node& node, std::string label, Problems& proble
   if (own) label = std::filesystem::path(*file).stem().string();
   for (const Base& other : study.bases)
     if (other.label == label)
-      return problems.add(node.place, "base", "'" + label + "' stands there twice",
+      return problems.add(node.place, "base", "'" + label + "' is given twice",
                           "give labels of their own, as base: {small: a.yaml, large: b.yaml}");
   if (!isLabel(label))
     return problems.add(node.place, "base", "'" + label + "' is no label",
@@ -84,8 +84,8 @@ void readSeeds(Study& study, const Node& node, Problems& problems) {
     const auto after = known.upper_bound(range->first);
     const bool begun = after != known.begin() && std::prev(after)->second >= range->first;
     if (begun || (after != known.end() && after->first <= range->last)) {
-      problems.add(item.place, "seeds", std::to_string(begun ? range->first : after->first) + " stands there twice",
-                   "each seed is run once: remove it");
+      problems.add(item.place, "seeds", std::to_string(begun ? range->first : after->first) + " is given twice",
+                   "each seed is run once: remove one of them");
       continue;
     }
     if (range->last - range->first >= maxReplicates - study.seeds.size()) {  // before any seed is kept
@@ -113,7 +113,7 @@ void readMeasureNames(Study& study, const Node& node, const std::string& path, P
     try {
       for (const AskedMeasure& m : eachClone(readMeasure(*text))) {
         if (std::ranges::find(study.measures, m.name) != study.measures.end()) {
-          problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
+          problems.add(item.place, path, "'" + *text + "' is given twice", "remove it");
           break;
         }
         study.measures.push_back(m.name);
@@ -157,7 +157,8 @@ Key baseKey() {
   const Json file{{"type", "string"}, {"minLength", 1}};
   return {"base",
           baseAllowed,
-          "The scenarios, from the study's folder. Several are an axis of their own, base, the first",
+          "Scenario files, relative to the study's folder. Several scenarios make an axis of their own, base, the "
+          "first",
           "",
           {{"oneOf", Json::array({file,
                                   {{"type", "array"}, {"items", file}, {"minItems", 1}},
@@ -171,7 +172,7 @@ Key seedsKey() {
   const Json one{{"oneOf", Json::array({natural, range})}};
   return {"seeds",
           seedsAllowed,
-          "Each condition is run with each of them, in their order",
+          "Seeds; each condition is run with each seed, in their order",
           "",
           {{"oneOf", Json::array({natural, range, {{"type", "array"}, {"items", one}, {"minItems", 1}}})}},
           readSeeds};
@@ -185,7 +186,14 @@ Key measuresKey() {
   return {
       "measures",
       measuresAllowed,
-      "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that live; of pairs, in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a path of daughters from the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* for all that begin so), elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, AA* to BB*; of the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the last state; each-division: also of the first, and after each step in which cells divided; {every: T}: also of the first, and every T units of time. A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
+      "Measures [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over living cells; of pairs, in "
+      "the mean over pairs that touch. `of` after a measure selects cells: shell-share of AAA* (a path of daughters "
+      "from the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* for "
+      "all that begin so), elongation of generation 3; `count of skin` counts these cells; shell-share of clones "
+      "gives one measure for each clone, AA* to BB*; clone-radius of generation 3 takes the organism's clones at "
+      "another depth. when: end, the default: measures of the last state; each-division: also of the first state, "
+      "and after each step in which cells divided; {every: T}: also of the first state, and every T units of time. "
+      "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
       "",
       {{"oneOf", Json::array({names, objectSchema({{"names", names}, {"when", when}}, {"names"})})}},
       readMeasures};

@@ -26,11 +26,11 @@ const std::vector<std::string> reserved{"base",     "condition_id", "uses_seed",
 
 /// Keys of scenarios that a study may not vary, and where they are set.
 const std::map<std::string, std::string> saidElsewhere{
-    {"morula", "the scenario says its own format"},
+    {"morula", "the format is given by each scenario itself"},
     {"name", "labels name the conditions"},
     {"summary", "labels name the conditions"},
-    {"seed", "`seeds` says which seeds are run"},
-    {"record", "`measures` says what is measured and when, and `keep` what is stored"}};
+    {"seed", "seeds are given by the study's key `seeds`"},
+    {"record", "records are given by the study's keys `measures` and `keep`"}};
 
 bool isAxisName(const std::string& text) { return isLabel(text) && text.find_first_of(".+") == text.npos; }
 
@@ -88,10 +88,11 @@ void readAxis(Study& study, const Member& member, Problems& problems) {
     return problems.add(member.place, path, "'" + member.key + "' is no name of an axis",
                         "needs letters, digits, '-' and '_', a letter or digit first, at most 50 of them");
   if (std::ranges::any_of(reserved, [&](const std::string& word) { return equalButForCase(word, member.key); }))
-    return problems.add(member.place, path, "results have a column of this name already", "call the axis otherwise");
+    return problems.add(member.place, path, "results have a column of this name already", "rename the axis");
   for (const StudyAxis& other : study.axes)
     if (equalButForCase(other.name, member.key))
-      return problems.add(member.place, path, "is called as " + other.name + " but for case", "call one otherwise");
+      return problems.add(member.place, path, "has the same name as " + other.name + " but for case",
+                          "rename one of them");
   StudyAxis axis{member.key, {}};
   if (member.value.kind != Node::Kind::map)
     return scenario::refuse(member.value, path, "a map of labels, as {longest: {division.plane: longest}}", problems);
@@ -121,12 +122,12 @@ std::string overrideText(const Node& node) {
 }
 
 Key varyKey() {
-  const Json level{{"type", "object"}, {"description", "Scenario keys and their values; null takes a part away"}};
+  const Json level{{"type", "object"}, {"description", "Scenario keys and their values; null removes a part"}};
   const Json axis{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
   return {"vary",
           varyAllowed,
-          "The axes of the design: each condition has one level of each, and all combinations are run. A level sets "
-          "any keys of a scenario, as --set does; null takes a part away, {} leaves the scenario as it is",
+          "Axes of the design: each condition has one level of each axis, and all combinations are run. A level "
+          "sets any keys of a scenario, as --set does; null removes a part, {} leaves the scenario unchanged",
           "one condition: the scenario as it is",
           {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
           readVary};

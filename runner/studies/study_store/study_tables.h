@@ -16,9 +16,9 @@ namespace morula {
 enum class FailureKind { numerical, cpuLimit, memoryLimit, crash };
 template <>
 inline constexpr auto choices<FailureKind> = std::to_array<Choice<FailureKind>>(
-    {{FailureKind::numerical, "numerical failure", "of the computation itself: the same everywhere"},
-     {FailureKind::cpuLimit, "cpu limit", "it took more time than it may"},
-     {FailureKind::memoryLimit, "memory limit", "it took more memory than it may, or than there is"},
+    {{FailureKind::numerical, "numerical failure", "the computation itself failed, as it does on any machine"},
+     {FailureKind::cpuLimit, "cpu limit", "the run exceeded its limit of CPU time"},
+     {FailureKind::memoryLimit, "memory limit", "the run exceeded its limit of memory, or the machine's memory"},
      {FailureKind::crash, "crash", "the process ended by its own fault"}});
 std::string reasonOf(FailureKind kind, const std::string& why);
 

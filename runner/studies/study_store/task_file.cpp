@@ -94,16 +94,16 @@ std::string TaskFile::whyInsane() { return morula::whyInsane(store_.checks(run_.
 std::string TaskFile::whatIsWrong() {
   Statement integrity(db(), "PRAGMA integrity_check(1)");
   if (integrity.next() && integrity.text(0) != "ok") return "the database is damaged: " + integrity.text(0);
-  if (run_.id != task_.runId) return "its task names run " + task_.runId + ", and its run is " + run_.id;
+  if (run_.id != task_.runId) return "the file's task names run " + task_.runId + ", but its run is " + run_.id;
   if (task_.status != statusOf(run_.status))
-    return std::string("its task is ") + nameOf(task_.status) + ", and its run " + nameOf(run_.status);
+    return std::string("the file's task is ") + nameOf(task_.status) + ", and its run " + nameOf(run_.status);
   if (const auto changed = store_.changedRecord(run_.id); !changed.empty()) {
     const ValueDifference& first = changed.front();
-    return "the record of its run was changed: " + first.table + ", " + first.row + ": " + first.stored +
+    return "the record of the file's run was changed: " + first.table + ", " + first.row + ": " + first.stored +
            " is stored, and " + first.recomputed + " follows";
   }
   if (const std::string hash = resultHash(db(), run_.id).text(); hash != task_.resultHash)
-    return "its results were changed: their hash is " + hash + ", and " + task_.resultHash + " was stored";
+    return "the results in the file were changed: their hash is " + hash + ", and " + task_.resultHash + " was stored";
   return "";
 }
 

@@ -147,11 +147,10 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   for (const unsigned char c : study.folder.path().string())
     if (c < 0x20 || c == 0x7F)  // a line feed would begin a new line of the script
       throw InputError("the study's folder '" + study.folder.path().string() +
-                       "' has a line end or another control character in its name; rename it");
+                       "' has a line end or another control character in its name; rename the folder");
   if (options.site != Site::slurm && study.folder.path().string().find_first_of("{}") != std::string::npos)
-    throw InputError(
-        "the study's folder '" + study.folder.path().string() +
-        "' has a brace in its name, where Snakemake and GNU parallel put in words of their own; rename it");
+    throw InputError("the study's folder '" + study.folder.path().string() +
+                     "' has a brace in its name, and Snakemake and GNU parallel would replace it; rename the folder");
   const std::size_t tasks = std::max<std::size_t>(study.plan.tasks.size(), 1);
   const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
   if (options.site == Site::slurm) return slurm(study, std::min(shares, maxArrayJobs));

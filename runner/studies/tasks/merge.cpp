@@ -218,12 +218,12 @@ class Merge {
   std::string differsFromPlan(std::size_t task, TaskFile& found) const {
     const Task& planned = study_.plan.tasks[task];
     if (found.task().id != planned.id)
-      return "it is named after task " + planned.id + ", and holds task " + found.task().id;
+      return "the file is named after task " + planned.id + ", but holds task " + found.task().id;
     const Condition& condition = study_.plan.conditions[planned.condition];
     // If no seed changes anything, the file's plan may have begun with another seed.
     const std::uint64_t seed = condition.usesSeed ? planned.seed : found.run().record.seed;
     if (found.run().record.seed != seed || found.resolved() != resolvedWithSeed(condition.scenario, seed))
-      return "its run is of another scene or seed than the plan's task " + planned.id;
+      return "its run has another scene or seed than the plan's task " + planned.id;
     return "";
   }
 

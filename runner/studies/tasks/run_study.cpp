@@ -279,8 +279,8 @@ std::string describe(const RunStudyReport& r, const PlannedStudy& study) {
                   formatDuration(r.cpuSeconds), formatDuration(r.seconds));
   text += taskLines("  failed   ", r.failed, study.plan);
   text += taskLines("  no picture ", r.undrawn, study.plan);
-  text += taskLines("  no result  ", r.stopped, study.plan, "; the next run does it again");
-  if (r.left) text += fmt::format("  {} runs were not begun; the same command goes on\n", r.left);
+  text += taskLines("  no result  ", r.stopped, study.plan, "; the next study run repeats it");
+  if (r.left) text += fmt::format("  {} runs were not begun; the same command continues the study\n", r.left);
   return text;
 }
 

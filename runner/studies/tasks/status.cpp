@@ -33,7 +33,7 @@ StudyStatus statusOf(const PlannedStudy& study) {
     const double expected = plan.costs.empty() ? 1 : plan.costs[plan.tasks[task].condition].seconds;
     try {
       if (fileExists(file)) {
-        if (!looksWhole(file)) throw FileError("it is not a whole database");
+        if (!looksWhole(file)) throw FileError("the file is not a whole database");
         TaskFile found(file);
         const double took = found.timing().cpuSeconds;
         status.cpuSeconds += took;
@@ -70,7 +70,7 @@ std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   for (const std::string& why : s.stale) text += "  stale    " + why + "\n";
   text += taskLines("  failed   ", s.failed, plan);
   text += taskLines("  not sane ", s.insane, plan);
-  text += taskLines("  damaged  ", s.unreadable, plan, "; `morula study run` does it again");
+  text += taskLines("  damaged  ", s.unreadable, plan, "; `morula study run` repeats it");
   text += taskLines("  missing  ", s.missing, plan);
   text += fmt::format("  took     {} of CPU time\n", formatDuration(s.cpuSeconds));
   if (!s.missing.empty())

@@ -16,22 +16,23 @@ namespace {
 PlannedStudy openFolder(const StudyChoice& choice) {
   StudyFolder folder(choice.what);
   if (!choice.to.empty())
-    throw FileError("'" + choice.what + "' is a folder, so its results lie in it; leave out --out " + choice.to);
+    throw FileError("'" + choice.what + "' is a folder, which holds the study's results itself; leave out --out " +
+                    choice.to);
   if (!fileExists(planFile(folder.path())))
     throw FileError("'" + choice.what +
-                    "' is no study's folder: it holds no plan.json; give a study file, which `morula study plan` "
-                    "makes one of");
+                    "' is not a study's folder, because it holds no plan.json; give a study file, from which "
+                    "`morula study plan` makes a folder");
   Plan plan = loadPlan(folder.path());
   return {folder, std::move(plan), false};
 }
 
 [[noreturn]] void refuseOtherPlan(const Study& study, const Plan& now, const StudyFolder& folder) {
   const auto there = std::ranges::count_if(now.tasks, [&](const Task& t) { return fileExists(folder.task(t.id)); });
-  throw FileError("'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
-                  "', which was made from it before; study run --update plans it anew (" + std::to_string(there) +
-                  " of its " + std::to_string(now.tasks.size()) +
-                  " results are there and stay), --resume goes on with the plan that is there, --out gives the "
-                  "changed study a folder of its own");
+  throw FileError("'" + study.file + "' differs from the plan in '" + planFile(folder.path()).string() +
+                  "', which was made from an older version; study run --update plans the study anew (" +
+                  std::to_string(there) + " of its " + std::to_string(now.tasks.size()) +
+                  " results exist and stay), --resume continues the existing plan, --out gives the changed study a "
+                  "folder of its own");
 }
 
 constexpr std::size_t maxLetters = 40;  // max of a level's label in a name
@@ -73,7 +74,7 @@ void requireOwnBuild(const std::filesystem::path& file) {
   const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
   if (theirs == ours) return;
   throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs + ", this is " +
-                  ours + "); go on with that build, or give a new folder with --out");
+                  ours + "); continue with that build, or give a new folder with --out");
 }
 
 PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
@@ -93,7 +94,8 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
   }
   if (choice.mustBeThere)
     throw FileError("'" + folder.path().string() + "' holds no plan.json: nothing of '" + choice.what +
-                    "' has been run there; `morula study run` runs it, --out names another folder");
+                    "' has been run in this folder; run it with `morula study run`, or name another folder with "
+                    "--out");
   return {folder, makePlan(study, options), true};
 }
 

@@ -95,5 +95,5 @@ TEST_CASE("Claims of other axes than the results have are refused, and what was 
   for (ResultTask& task : none.tasks) task.status = TaskStatus::missing, task.values.assign(2, {});
   const auto findings = findClaims(none, study);
   CHECK_FALSE(findings[0].holds);
-  CHECK(findings[0].found == "sphericity: there are no values of it");
+  CHECK(findings[0].found == "sphericity: no run has a value of this measure");
 }

@@ -83,7 +83,7 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   const auto verdicts = shownVerdicts(c);
   CHECK(says(verdicts, "clone_radius: 4.5 % tighter under longest (", "), every one of 10 pairs: difference -0.",
              " after Holm"));
-  CHECK(says(verdicts, "sister_contact is 0.994 to 1 everywhere: it tells nothing"));
+  CHECK(says(verdicts, "sister_contact is 0.994 to 1 everywhere, so it distinguishes no conditions"));
   CHECK(says(verdicts, "clone_radius: no difference is shown between none (", "", ", n = 10"));
   CHECK(verdicts[0].starts_with("division: decides on clone_radius (η² "));  // the axes come first
   CHECK(
@@ -120,7 +120,8 @@ TEST_CASE("A condition whose seeds change nothing has one run, is named, and has
   }
   CHECK(with == 4);
   CHECK(without == 4);
-  CHECK_THAT(textOf(describe(c)), ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
+  CHECK_THAT(textOf(describe(c)),
+             ContainsSubstring("longest, none") && ContainsSubstring("conditions that seeds do not change"));
 }
 
 TEST_CASE("Pairs are of one seed, in the mean over the other axes, and the same numbers as by hand") {
@@ -180,7 +181,8 @@ TEST_CASE("What seeds change on neither side is exact, and is no test") {
   const auto& pair = pairOf(c, "clone_radius", "division");
   CHECK(pair.known == Known::exact);
   CHECK(pair.of.size() == 1);
-  CHECK(says(verdictsOf(c), "clone_radius: ", " tighter under longest (", "), exactly: seeds change neither"));
+  CHECK(says(verdictsOf(c), "clone_radius: ", " tighter under longest (",
+             "), exactly, because seeds change neither side"));
   const Json json = toJson(c);
   CHECK(json["pairs"][0]["p"].is_null());
   CHECK(json["pairs"][0]["low"].is_null());
@@ -200,9 +202,9 @@ TEST_CASE("Conditions that mean the same are the same runs, and no comparison") 
   study.seedless = {};
   study.sameAs = [](const std::vector<int>& levels) { return std::vector{levels[0], 0}; };
   const auto c = compared(study);
-  CHECK(says(troublesOf(c.results), "the same runs  longest, none = longest, both"));
+  CHECK(says(troublesOf(c.results), "equal runs  longest, none = longest, both"));
   CHECK(pairOf(c, "clone_radius", "connections").sameRuns);
-  CHECK(says(verdictsOf(c), "clone_radius: none and both are the same runs"));
+  CHECK(says(verdictsOf(c), "clone_radius: the runs of none and both are the same"));
 }
 
 TEST_CASE("Main effects and interaction are those of the design") {
@@ -220,10 +222,10 @@ TEST_CASE("Main effects and interaction are those of the design") {
   REQUIRE(effects.analysis.effects.size() == 3);
   for (const FactorEffect& e : effects.analysis.effects) CHECK(*e.p < 1e-6);
   const auto verdicts = shownVerdicts(c);
-  CHECK(verdicts[0].starts_with("a: what it does to volume depends on b (interaction, η² "));
+  CHECK(verdicts[0].starts_with("a: its effect on volume depends on b (interaction, η² "));
   CHECK_THAT(verdicts[0], ContainsSubstring("partial η² ") && ContainsSubstring(": with b x: 1 ") &&
                               ContainsSubstring(": every two differ; with b y: 1 "));
-  CHECK(verdicts[1].starts_with("b: what it does to volume depends on a (interaction, η² "));
+  CHECK(verdicts[1].starts_with("b: its effect on volume depends on a (interaction, η² "));
   // No sentence is about the mean over an axis on which the effect depends. Every pair of levels is compared at each
   // level of the other axis.
   for (const auto& line : verdicts) CHECK(!line.starts_with("volume: "));
@@ -269,8 +271,8 @@ TEST_CASE(
                                                     ContainsSubstring(", partial η² at most 0.") &&
                                                     ContainsSubstring("clone_spread (η² "));
   CHECK(says(verdicts,
-             "numbers of cells differ between conditions, 60 to 62 in the mean, and clone_radius changes with "
-             "them, however cells lie"));
+             "numbers of cells differ between conditions, 60 to 62 in the mean; clone_radius changes with "
+             "the number of cells, even if cells are arranged alike"));
   study.cells = [](const std::vector<int>&) { return 64; };
   study.trouble = [](const std::vector<int>& l, int seed) { return l[0] == 1 && seed == 3 ? "failed" : ""; };
   for (const auto& sentence : verdictsOf(compared(study))) CHECK(!sentence.starts_with("numbers of cells"));
@@ -283,7 +285,7 @@ TEST_CASE("A difference that is shown and within the margin is one sentence") {
     if (!line.starts_with("clone_radius: ")) continue;
     ++sentences;
     if (line.find("tighter under longest") != line.npos)
-      CHECK_THAT(line, ContainsSubstring("; small as it is, equivalent within ±0.1, 90 % interval "));
+      CHECK_THAT(line, ContainsSubstring("; a small difference, equivalent within ±0.1, 90 % interval "));
     else
       CHECK_THAT(line, ContainsSubstring("no difference is shown") && ContainsSubstring("; equivalent within ±0.1, "));
   }
@@ -347,7 +349,7 @@ TEST_CASE("A measure that is the same in all runs leaves the family, and the p-v
   const auto beside = compared(study);
   CHECK(pairOf(beside, "clone_radius", "division").corrected == pairOf(alone, "clone_radius", "division").corrected);
   CHECK(!pairOf(beside, "sister_contact", "division").corrected);
-  CHECK(says(verdictsOf(beside), "sister_contact is 1 everywhere: it tells nothing"));
+  CHECK(says(verdictsOf(beside), "sister_contact is 1 everywhere, so it distinguishes no conditions"));
 }
 
 TEST_CASE("What the study has not is refused, with what was probably meant") {

@@ -280,7 +280,7 @@ TEST_CASE("A DNA without senses never looks; one that reads no such substance is
   const Dna dna = parseDna("START: a\ng1(b|a)\n", "f");
   const std::vector<SenseParameters> one{sensing("touched", SenseKind::neighbours, {.atLeast = 1})};
   CHECK_THROWS_WITH(makeLogicalDna(dna, {}, one),
-                    "senses: no gene reads 'touched'; write a gene that does, or remove this");
+                    "senses: no gene reads 'touched'; write a gene that reads it, or remove this");
   const std::vector<SenseParameters> most(64, sensing("a", SenseKind::age, {.above = 1})), more(65, most[0]);
   CHECK_NOTHROW(makeLogicalDna(dna, {}, most));
   CHECK_THROWS_WITH(makeLogicalDna(dna, {}, more), "senses: 65 of them; give at most 64");

@@ -143,7 +143,7 @@ TEST_CASE("A run that must stop: all texts are in the reason, or it has not") {
   CHECK(!stopsAsItMust({"springs", "contacts"}, "of its springs").passed);
   const auto well = stopsAsItMust({"springs"}, "");
   CHECK(!well.passed);
-  CHECK(well.message.find("it ended well") != std::string::npos);
+  CHECK(well.message.find("the run ended well") != std::string::npos);
 }
 
 TEST_CASE("A place that is no number breaks the extent, whichever vertex it is of, and holds no more") {

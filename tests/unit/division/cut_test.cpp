@@ -175,7 +175,7 @@ TEST_CASE("A body that would have next to no volume on one side does not divide,
   for (Point& x : nail.position)
     if (x.x > -0.5) x = {x.x, 0.05 * x.y, 0.05 * x.z};
   CHECK_THAT(cutBody(nail, mesh.faces, throughMean(nail, {1, 0, 0}), 1.26).failure,
-             ContainsSubstring("cut its volume into"));
+             ContainsSubstring("cut the cell's volume into"));
   CHECK(cutBody(nail, mesh.faces, throughMean(nail, {0, 1, 0}), 1.26).failure == "");
 
   const Mesh insideOut = zoo::inverted(mesh);

@@ -62,7 +62,8 @@ TEST_CASE("A run that ends early says how, and only where it must stop is that w
         "stops: step 12: its volume is 0");
   CHECK(judge(mustStop(), runWith(End::stopped, {}, "step 12: inside out")).text == "stops, as it must");
   CHECK(judge(mustStop(), runWith(End::done)).text == "goes on: volume 0.25 to 3 of that at rest");
-  CHECK(judge({}, runWith(End::silent, {}, "its answer is cut")).text == "its answer is cut, at step 12");
+  CHECK(judge({}, runWith(End::silent, {}, "the engine's answer is cut short")).text ==
+        "the engine's answer is cut short, at step 12");
   CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12)})).text == "breaks: inside out at step 12");
   CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12), failing("extent", "", "nan", 12)})).text ==
         "breaks: no number at step 12");

@@ -105,20 +105,20 @@ TEST_CASE("A worker that is killed, cut, confused or stuck is an answer of its o
     return run.why;
   };
   const ExternalRun killed = askScript("echo '{\"step\": 7}'; echo '{\"ste'; kill -9 $$");
-  CHECK(why(killed) == "its process was ended by signal 9");
+  CHECK(why(killed) == "the engine's process was ended by signal 9");
   CHECK(killed.step == 7);
-  CHECK(why(askScript("exit 3")) == "its process ended with code 3");
-  CHECK(why(askScript("echo '{\"step\": 2}'")) == "its answer is cut");
-  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0, \"why\": \"'")) == "its answer is cut");
-  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0}}'")) == "its answer is cut");
-  CHECK(why(askScript("cat > /dev/null; echo answer; echo '{\"answer\": 3}'")) == "its answer is cut");
+  CHECK(why(askScript("exit 3")) == "the engine's process ended with code 3");
+  CHECK(why(askScript("echo '{\"step\": 2}'")) == "the engine's answer is cut short");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0, \"why\": \"'")) == "the engine's answer is cut short");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0}}'")) == "the engine's answer is cut short");
+  CHECK(why(askScript("cat > /dev/null; echo answer; echo '{\"answer\": 3}'")) == "the engine's answer is cut short");
   const std::string whole =
       "echo '{\"answer\": {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": {\"least\": 1, \"most\": 1}, "
       "\"results\": [], \"shapes\": [], \"samples\": [], \"frames\": []}}'; ";
   CHECK(askScript(whole).end == ExternalRun::End::done);
-  CHECK(why(askScript(whole + "exit 3")) == "its process ended with code 3");
+  CHECK(why(askScript(whole + "exit 3")) == "the engine's process ended with code 3");
   const ExternalRun stuck = askScript("echo '{\"step\": 4}'; while :; do :; done", 1);
-  CHECK(why(stuck) == "no answer within 1 s of CPU time");
+  CHECK(why(stuck) == "the engine gave the engine gave the engine gave no answer within 1 s of CPU time");
   CHECK(stuck.step == 4);
-  CHECK(why(runExternally(scenarioOf(two), {}, "/nowhere/morula")) == "its process ended with code 127");
+  CHECK(why(runExternally(scenarioOf(two), {}, "/nowhere/morula")) == "the engine's process ended with code 127");
 }

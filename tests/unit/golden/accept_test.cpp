@@ -66,7 +66,7 @@ TEST_CASE("what is refused leaves the golden as it was") {
   };
   {
     const Ci ci("true");
-    refuses(exampleData(), {}, {"A. Tester", "why"}, "with CI set");
+    refuses(exampleData(), {}, {"A. Tester", "why"}, "while CI is set");
   }
   const Ci ci(nullptr);
   for (const char* why : {"", "  ", "two\nlines"})

@@ -46,7 +46,7 @@ TEST_CASE("JUnit's XML: a suite for a scenario, a case for a check") {
         "them</failure>\n"
         "    </testcase>\n"
         "    <testcase classname=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" name=\"golden\">\n"
-        "      <failure type=\"SETUP\" message=\"there is no golden: golden/hard/a,b.golden is not "
+        "      <failure type=\"SETUP\" message=\"the scenario has no golden: golden/hard/a,b.golden is not "
         "there\">golden/hard/a,b.golden is not there</failure>\n"
         "    </testcase>\n"
         "    <testcase classname=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" name=\"shell\"/>\n"
@@ -57,13 +57,13 @@ TEST_CASE("JUnit's XML: a suite for a scenario, a case for a check") {
 
 TEST_CASE("Annotations name the file and the line, and keep clear of the commands' punctuation") {
   CHECK(annotations(example()) ==
-        "::error file=golden/hard/a.golden,line=12,title=COMPUTATION%3A hard/<a & \"b\">::"
-        "computed values differ: values *.volume: 1/volume: expected 1, actual 2\n"
-        "::error title=SETUP%3A hard/<a & \"b\">::there is no golden: golden/hard/a,b.golden is not there\n");
+        "::error file=golden/hard/a.golden,line=12,title=COMPUTATION%3A hard/<a & \"b\">::computed values differ: "
+        "values *.volume: 1/volume: expected 1, actual 2\n"
+        "::error title=SETUP%3A hard/<a & \"b\">::the scenario has no golden: golden/hard/a,b.golden is not there\n");
   CHECK(annotations({{"s", {failed("c", "SETUP", "a,b.golden:7: 50 % off")}}}) ==
-        "::error file=a%2Cb.golden,line=7,title=SETUP%3A s::it starts otherwise: c: 50 %25 off\n");
+        "::error file=a%2Cb.golden,line=7,title=SETUP%3A s::the initial state differs: c: 50 %25 off\n");
   CHECK(annotations({{"s", {failed("c", "SETUP", "a.golden: scenario_hash: 1: other")}}}) ==
-        "::error file=a.golden,title=SETUP%3A s::it starts otherwise: c: scenario_hash: 1: other\n");
+        "::error file=a.golden,title=SETUP%3A s::the initial state differs: c: scenario_hash: 1: other\n");
   CHECK(annotations({{"s", {passed("c")}}}).empty());
 }
 
@@ -85,7 +85,7 @@ namespace {
 /// Returns a report in which one key of a scenario has changed, and therefore bits and values. The end is not sane,
 /// either.
 CheckReport changedKey() {
-  CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: another hash than accepted"),
+  CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: the hash differs from the accepted one"),
               values = failed("values *", "INPUT_CHANGED", "g:9: 1/volume: expected 1, actual 1.5"),
               scenario = failed("scenario", "INPUT_CHANGED", "g: physics.drag: expected '1', actual '2': …"),
               sane = failed("sanity volume", "COMPUTATION", "not sane at the end: cell A is crushed");
@@ -112,16 +112,16 @@ TEST_CASE("What follows from one cause is one failure with it") {
   const std::string junit = junitXml({report});
   CHECK_THAT(junit, ContainsSubstring("tests=\"5\" failures=\"2\" skipped=\"2\""));
   CHECK_THAT(junit,
-             ContainsSubstring("name=\"bits\">\n      <skipped message=\"differs, which follows from scenario\"/>"));
+             ContainsSubstring("name=\"bits\">\n      <skipped message=\"this difference follows from scenario\"/>"));
   CHECK_THAT(junit, ContainsSubstring("message=\"the scenario changed: physics.drag: 1 → 2; same lineage\">"));
-  CHECK_THAT(junit, ContainsSubstring("&#10;from it follow: bits; values * from step 4 on: volume 1 → 1.5&#10;") &&
+  CHECK_THAT(junit, ContainsSubstring("&#10;consequences: bits; values * from step 4 on: volume 1 → 1.5&#10;") &&
                         ContainsSubstring(" explain scenarios/two.yaml` tells where it began"));
-  CHECK_THAT(junit,
-             ContainsSubstring("message=\"its end is not sane: not sane at the end: cell A is crushed\">not sane"));
+  CHECK_THAT(junit, ContainsSubstring("message=\"the end of the run is not sane: not sane at the end: cell A is "
+                                      "crushed\">not sane"));
   CHECK(annotations({report}) ==
         "::error file=g,title=INPUT_CHANGED%3A two::the scenario changed: physics.drag: 1 → 2; same lineage\n"
-        "::error title=COMPUTATION%3A two::its end is not sane: sanity volume: not sane at the end: cell A "
-        "is crushed\n");
+        "::error title=COMPUTATION%3A two::the end of the run is not sane: sanity volume: not sane at the end: cell "
+        "A is crushed\n");
 }
 
 TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothing another") {
@@ -158,7 +158,7 @@ TEST_CASE("The summary is a table, and below it stands what differs, in words") 
         "\n#### a\n\n| COMPUTATION | computed values differ |\n|---|---|\n| check | values: g:1: a\\|b |\n");
   CHECK_THAT(
       summaryPage({changedKey()}),
-      ContainsSubstring("| two | 5 | **the scenario changed; its end is not sane** |\n\n#### two\n") &&
+      ContainsSubstring("| two | 5 | **the scenario changed; the end of the run is not sane** |\n\n#### two\n") &&
           ContainsSubstring("| changed | physics.drag: 1 → 2 |\n| lineage | the same |\n| follow | bits; values") &&
           ContainsSubstring(" review scenarios/two.yaml` shows"));
 }

@@ -179,8 +179,8 @@ TEST_CASE("the text names the line, the cell, both numbers, their bits and their
   const std::string text = describe(report);
   CHECK_THAT(text, ContainsSubstring("2 of 10 checks differ"));
   CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE, the lineage differs\n        example.golden:17"));
-  CHECK_THAT(text, ContainsSubstring("\n        from it follow: values from step 1024 on: pressure of cell A 0.40625 → "
-                                     "0.40625000000000006\n"));
+  CHECK_THAT(text, ContainsSubstring("\n        consequences: values from step 1024 on: pressure of cell A 0.40625 "
+                                     "→ 0.40625000000000006\n"));
 }
 
 TEST_CASE("a measure that joined after a golden was accepted is no part of it; a cell or a time that it lacks is") {
@@ -303,8 +303,8 @@ TEST_CASE("a picture of another renderer says nothing, nor does one that is not 
     CHECK(report.passed());
     return find(report, "images").actual;
   };
-  CHECK(actual({"organism", "painter-2", {9, 9}}) == "another renderer: not compared");
-  CHECK(actual({"organism", "none", {}}) == "not drawn: not compared");
+  CHECK(actual({"organism", "painter-2", {9, 9}}) == "not compared: another renderer drew the picture");
+  CHECK(actual({"organism", "none", {}}) == "not compared: the run draws no picture");
   CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.images.clear(); }).passed());
 }
 
@@ -327,8 +327,8 @@ TEST_CASE("a tolerance beyond the chaos horizon is refused") {
   const CheckReport report = compareGolden(reread(golden), exampleData());
   CHECK(failedChecks(report) == Checks{"tolerances"});
   CHECK_THAT(find(report, "tolerances").message,
-             ContainsSubstring("from step 700 on one unit in the last place has grown to that: the chaos horizon; add "
-                               "until_step 699"));
+             ContainsSubstring("from step 700 on, the chaos horizon, an error of one unit in the last place has "
+                               "grown as large; add until_step 699"));
   golden.rules = {rule("final/* rel 1e-8 why \"w\"")};  // wider than chaos reaches
   CHECK(compareGolden(reread(golden), exampleData()).passed());
   golden.rules = {rule("* rel 1e-9 until_step 699 why \"w\"")};

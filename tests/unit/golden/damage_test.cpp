@@ -19,7 +19,7 @@ TEST_CASE("Damaged goldens are one failed check, with the line") {
   const std::string text = writeGolden(exampleGolden());
   const GoldenData data = exampleData();
   const std::vector<std::pair<std::string, const char*>> faults{
-      {with(text, "volume 1024 2", "volume 1024 3"), "they were edited afterwards"},
+      {with(text, "volume 1024 2", "volume 1024 3"), "were edited after they had been accepted"},
       {with(text, "why first result\n", "why first result\n<<<<<<< ours\n"), "a merge marker"},
       {text.substr(0, text.size() / 2), ": "},
       {text.substr(0, text.rfind("end ")), "truncated"},

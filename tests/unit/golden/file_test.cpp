@@ -71,7 +71,7 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compare
     complains(replaced(other), 0, "edited");
   complains(replaced("error position 1 2 3"), 0, "the line is cut short; mesh_until is expected");
   complains(replaced("error position x 2 3 4"), 0, "time: 'x'");
-  complains(replaced("error time 0.0028 mesh 0.01 until 2"), 0, "as older versions stated it");
+  complains(replaced("error time 0.0028 mesh 0.01 until 2"), 0, "has the form of an older version");
   complains(replaced(line + "\n" + line), 0, "stands twice");
   CHECK(readGolden(writeGolden(exampleGolden()), "x.golden").stated.empty());
 }
@@ -240,7 +240,8 @@ TEST_CASE("how fast runs part is kept, and cannot be edited") {
   CHECK_THAT(text, ContainsSubstring("\ngrowth 1e-15 3\ngrowth 1e-09 700\n"));
   CHECK(writeGolden(readGolden(text, "x.golden")) == text);
   const auto replaced = [&](const std::string& by) { return with(text, "growth 1e-09 700", by); };
-  CHECK_THROWS_WITH(readGolden(replaced("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
+  CHECK_THROWS_WITH(readGolden(replaced("growth 1e-09 900"), "x"),
+                    ContainsSubstring("were edited after they had been accepted"));
   for (const char* line : {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
     CHECK_THROWS_WITH(readGolden(replaced(line), "x"), ContainsSubstring("x:10: "));
 }
@@ -287,7 +288,7 @@ TEST_CASE("lines that cannot be understood are named") {
   complains("time_step 0", "time_step x 0 1", "step: 'x'; a whole number");
   complains("end", "end many", "`end ITEMS DIGEST` is expected");
   complains("end", "end 36 00000000000000000000000000000000", "has 37 items, but 36 were accepted");
-  complains("end", "end 37 00000000000000000000000000000000", "they were edited afterwards");
+  complains("end", "end 37 00000000000000000000000000000000", "were edited after they had been accepted");
   complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1, "'count x 1' follows the end of the file");
 }
 
@@ -318,7 +319,7 @@ TEST_CASE("a large lineage is counts and one digest per generation") {
   facts.lineage[5000].state = 2;
   const CheckReport report = compareGolden(golden, makeGoldenData(facts));
   CHECK_FALSE(report.passed());
-  CHECK_THAT(describe(report), ContainsSubstring("generation 12: another hash than accepted"));
+  CHECK_THAT(describe(report), ContainsSubstring("generation 12: the hash differs from the accepted one"));
 }
 
 TEST_CASE("every shipped golden is written again as it stands, byte for byte") {

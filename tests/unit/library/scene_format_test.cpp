@@ -65,7 +65,7 @@ TEST_CASE("A text that was changed anywhere, cut off or continued is no scene") 
     CHECK(refusalOf(other).starts_with("a.scene:1: "));
     CHECK(refusalOf(text.substr(0, i)) != "");
   }
-  CHECK_THAT(refusalOf(text + "\n"), ContainsSubstring("something follows it"));
+  CHECK_THAT(refusalOf(text + "\n"), ContainsSubstring("text follows it"));
   std::string changed = text;
   changed[changed.find("lineage-only")] = 'L';
   CHECK_THAT(refusalOf(changed), ContainsSubstring("the scene was changed after it had been written"));
@@ -75,7 +75,7 @@ TEST_CASE("What is wrong in a scene is told with its line") {
   const Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
   const std::string text = writeScene(scene);
   const auto body = bodyOf(text);
-  CHECK(refusalOf("") == "a.scene:1: this is no scene; one begins with \"morula-scene 3\"");
+  CHECK(refusalOf("") == "a.scene:1: the text is no scene; a scene begins with \"morula-scene 3\"");
   CHECK_THAT(refusalOf(withLine(text, 1, "morula-scene 2")),
              ContainsSubstring("a.scene:1: a scene of another version; needs 3"));
   CHECK_THAT(refusalOf(withLine(text, 2, "99999 with-bodies")),
@@ -106,7 +106,7 @@ TEST_CASE("Numbers that a member cannot be are refused") {
              ContainsSubstring("13 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.senses = {{.kind = SenseKind(13)}}; }), ContainsSubstring("13 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.dna.genes[0].product = 1000; }),
-             ContainsSubstring("a substance that it does not have"));
+             ContainsSubstring("a substance that is not in its list"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = 42; }), ContainsSubstring("names vertex 42"));
   CHECK_THAT(refused([](Scene& s) { std::swap(s.mechanics->mesh.faces[0][1], s.mechanics->mesh.faces[0][2]); }),
              ContainsSubstring("a mesh of the scene: "));

@@ -66,5 +66,5 @@ TEST_CASE("What it is asked for and does not have is said") {
   CHECK_THROWS_WITH(organism.measure("weight"), ContainsSubstring("there is no measure 'weight' of the organism"));
   CHECK_THROWS_WITH(organism.measure("weight", 0), ContainsSubstring("there is no measure 'weight' of cells"));
   CHECK_THROWS_WITH(organism.path(5), ContainsSubstring("there is no cell 5; 1 are alive"));
-  CHECK_THROWS_WITH(Simulator("morula: 1"), ContainsSubstring("scene:1: this is no scene"));
+  CHECK_THROWS_WITH(Simulator("morula: 1"), ContainsSubstring("scene:1: the text is no scene"));
 }

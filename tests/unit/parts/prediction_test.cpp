@@ -242,7 +242,8 @@ TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   CHECK(sum == f.seconds());
   CHECK(sum > 0);
   const std::string text = textOf(describe(f, "unique-four"));
-  CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") && ContainsSubstring("absent, and free") &&
+  CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") &&
+                       ContainsSubstring("absent parts, which cost nothing") &&
                        ContainsSubstring("unique-four.yaml:33:9: physics.drag"));
 }
 

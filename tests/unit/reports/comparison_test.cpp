@@ -61,7 +61,7 @@ TEST_CASE("cells that only one of two organisms has are grey, and counted", "[co
   OrganismPicture now = picture({ball("B", {1, 0, 0}, 0.6, red), ball("AA", {-1, 0, 0}, 0.5, red)}, 200);
   const ComparisonImages images = compareOrganisms(before, now, 1, {.ofOther = true});
   CHECK(images.unmatched ==
-        "Grey, for there is nothing to compare: 1 cell is only in the second picture. 1 cell is only in the "
+        "Grey, because these cells cannot be compared: 1 cell is only in the second picture. 1 cell is only in the "
         "first picture.");
   const auto grey = [](Colour c) {
     return std::abs(c.r - c.g) < 8 && std::abs(c.g - c.b) < 8 && brightness(c) < 3 * 230;

@@ -118,7 +118,7 @@ TEST_CASE("names may stand in a file, and the resolved form then holds them") {
   CHECK(complaint("A x\n B\n", "{file: names.txt}") ==
         "names.txt:2:2: has a path and no name; needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'");
   CHECK(complaint("A x y\n", "{file: names.txt}") ==
-        "names.txt:1:1: goes on behind the name; needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'");
+        "names.txt:1:1: has text after the name; needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'");
   CHECK_THAT(complaint("A x\n", "{file: names.txt, cells: {A: y}}"),
              ContainsSubstring("cell A is named here and in names.cells.A; keep one of the two"));
   CHECK_THAT(complaint("# nobody\n", "{file: names.txt}"), ContainsSubstring("names no cell"));

@@ -37,9 +37,9 @@ const std::vector<BadEntry> badEntries = {
     {"[]", "experiments: is empty"},
     {"{kill: ABa}", "experiments: is a map"},
     {"[kill]", "experiments[0]: is 'kill'"},
-    {"[{at: 1}]", "experiments[0]: says nothing of what is done; needs one of kill, gene-off"},
-    {"[{kil: ABa, at: 1}]", "experiments[0]: says nothing of what is done; did you mean kill?"},
-    {"[{kill: ABa}]", "experiments[0]: says no time; needs one of at: TIME"},
+    {"[{at: 1}]", "experiments[0]: does not say what is done; needs one of kill, gene-off"},
+    {"[{kil: ABa, at: 1}]", "experiments[0]: does not say what is done; did you mean kill?"},
+    {"[{kill: ABa}]", "experiments[0]: does not say when; needs one of at: TIME"},
     {"[{kill: ABa, at: 1, at-cells: 2}]", "experiments[0].at-cells: stands beside at"},
     {"[{kill: ABa, gene-off: g2, at: 1}]", "stands beside kill; write two entries"},
     {"[{kill: ABa, at: -1}]", "experiments[0].at: "},
@@ -60,7 +60,7 @@ const std::vector<BadEntry> badEntries = {
     {"[{set: physics.drag, at: 1}]", "experiments[0].to: is missing"},
     {"[{cycles: all, factor: 0, at: 1}]", "experiments[0].factor: "},
     {"[{delay: all, at: 1}]", "experiments[0].by: is missing"},
-    {"[{connect: cell ABa, at: 1}]", "is no pair of cells"},
+    {"[{connect: cell ABa, at: 1}]", "is not a pair of cells"},
 };
 
 }  // namespace

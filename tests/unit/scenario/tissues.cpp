@@ -102,7 +102,7 @@ TEST_CASE("who connects: words, or pairs of substances that the DNA knows") {
   CHECK(has(refusal(path, "{pairs: [[red1, grue]]}"), "grue"));
   CHECK(has(refusal(path, "{pairs: [['*', '*'], [red1, blue]]}"), "never counts"));
   CHECK(has(complaints(text, {{path, "by-contact", "--set"}, parseOverride("physics.contact=null")}),
-            "without physics.contact none do"));
+            "cells do not touch without physics.contact"));
 }
 
 TEST_CASE("cells crawl against a drag, and adhesion varies where there is some") {

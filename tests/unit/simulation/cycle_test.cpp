@@ -140,7 +140,7 @@ TEST_CASE("A number of cells that alone ends a run, and is never reached, ends i
       while (!finished(world) && world.clock.time < 1010) takeSteps(world, 64);
     });
     REQUIRE(failure);
-    CHECK_THAT(failure->what(), ContainsSubstring("stop.cells: 5 cells are not reached in 1000 cycles: 1 live"));
+    CHECK_THAT(failure->what(), ContainsSubstring("stop.cells: 5 cells do not live within 1000 cycles: 1 live"));
     CHECK(world.clock.time > 1000);
     scene.stop.time = 1002;  // then the time ends the run
     world = makeWorld(scene);

@@ -117,8 +117,9 @@ TEST_CASE("A division that cannot be done leaves the world as it was, other divi
   });
   REQUIRE(failure);
   CHECK(failure->cell == "B");
-  CHECK_THAT(failure->what(), ContainsSubstring("cannot divide") && ContainsSubstring("cut its volume into"));
-  CHECK_THAT(failure->remedy, ContainsSubstring("the cells were not sane before: the outer side of cell B"));
+  CHECK_THAT(failure->what(), ContainsSubstring("cannot divide") && ContainsSubstring("cut the cell's volume into"));
+  CHECK_THAT(failure->remedy, ContainsSubstring("the cells were not sane before the division: the outer side of "
+                                                "cell B"));
   CHECK(stateHash(world) == before);
   CHECK(pathsOf(world) == std::vector<std::string>{"A", "B"});
   // Other divisions are still possible in the world.

@@ -148,5 +148,5 @@ TEST_CASE("Where nothing limits it, an automatic time step is refused") {
   CHECK_THROWS_AS(makeWorld(scene), InputError);
   CHECK_THROWS_WITH(
       makeWorld(scene),
-      "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a number");
+      "physics.time_step: auto follows stability limits, and this scene has none; give physics.time_step a number");
 }

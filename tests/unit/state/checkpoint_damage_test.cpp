@@ -169,7 +169,8 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
     Scene other = scenes::life();
     change(other);
     CAPTURE(part);
-    CHECK_THAT(complaint(saved, other), ContainsSubstring(std::string("another scene; this one differs in: ") + part));
+    CHECK_THAT(complaint(saved, other),
+               ContainsSubstring(std::string("another scene; this scene differs in: ") + part));
   };
   differs("dna", [](Scene& s) { s.dna = parseDna(scenes::uniqueFour, "test.dna"); });
   differs("cycle", [](Scene& s) { s.cycle.length = 1.5; });
@@ -251,7 +252,7 @@ TEST_CASE("A checkpoint knows sub-steps and what keeps its cells in shape") {
   const auto differs = [](const std::string& saved, Scene other,
                           const std::function<void(PhysicsParameters&)>& change) {
     change(other.mechanics->physics);
-    CHECK_THAT(complaint(saved, other), ContainsSubstring("another scene; this one differs in: physics"));
+    CHECK_THAT(complaint(saved, other), ContainsSubstring("another scene; this scene differs in: physics"));
   };
   CHECK(complaint(bySteps, scene) == "");
   CHECK(complaint(byShapes, shapes) == "");

@@ -33,7 +33,7 @@ TEST_CASE("a file that is no database") {
   TemporaryFolder folder;
   const auto file = folder / "notes.txt";
   writeText(file, std::string(2000, 'x'));
-  refuses(file, "it is not an SQLite database");
+  refuses(file, "the file is not an SQLite database");
 }
 
 TEST_CASE("a database of another program") {
@@ -67,7 +67,7 @@ TEST_CASE("no file, no directory, a directory") {
   REQUIRE_FALSE(std::filesystem::exists(folder / "none.db"));
   REQUIRE_THROWS_WITH(Store::openForWriting(folder / "none/none.db"),
                       ContainsSubstring("none does not exist; make it"));
-  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()), ContainsSubstring("it is a directory; give a file"));
+  REQUIRE_THROWS_WITH(Store::openForWriting(folder.path()), ContainsSubstring("the path is a directory; give a file"));
 }
 
 TEST_CASE("an empty file is a new database, but nothing to read from") {
@@ -107,7 +107,7 @@ TEST_CASE("a file that another process is writing to") {
   Database other(file, Database::Mode::existing, 20ms);
   {
     Transaction transaction(other);
-    REQUIRE_THROWS_WITH(store.begin(exampleRecord()), ContainsSubstring("another process holds it"));
+    REQUIRE_THROWS_WITH(store.begin(exampleRecord()), ContainsSubstring("another process holds the file"));
   }
   REQUIRE(store.runs().empty());
   store.begin(exampleRecord());  // works once the other process has finished

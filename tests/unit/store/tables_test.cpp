@@ -76,5 +76,7 @@ TEST_CASE_METHOD(FinishedRun, "a value where there must be none, and none where 
   };
   refuses("UPDATE cell SET ended = NULL WHERE path = 'B'", "ended: 'NULL'");
   refuses("UPDATE cell SET ended_step = NULL WHERE path = 'B'", "ended_step: 'NULL'");
-  refuses("UPDATE division SET axis_y = 9e999", "axis_y: 'Inf' is not what Morula writes there; needs a finite number");
+  refuses("UPDATE division SET axis_y = 9e999",
+          "axis_y: 'Inf' is not a value that Morula writes; needs a finite "
+          "number");
 }

@@ -107,12 +107,12 @@ TEST_CASE("A measure of cells or pairs may be of some cells alone, and what sele
       std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*", "clone_radius of generation 3"});
   for (const auto& [measure, message] :
        {std::pair{"lumen of AAA*", "'lumen' is of the organism as a whole and takes no 'of'"},
-        {"clone-radius of AAA*", "'clone-radius' is of all clones, in the mean; needs generation N behind 'of'"},
+        {"clone-radius of AAA*", "'clone-radius' is the mean over all clones; needs 'of generation N'"},
         {"age of genration 3", "selects no cells; did you mean generation 3?"},
         {"shell-share of A*B", "'A*B' selects no cells; needs a path (AAA"},
         {"shell-share of generation x", "is no generation; needs a whole number"},
         {"shel-share of AAA", "did you mean shell_share?"},
-        {"count", "say of which cells, as count of skin"}}) {
+        {"count", "say which, as count of skin"}}) {
     const std::string measures = "['" + std::string(measure) + "']";
     CHECK_THROWS_AS(measuring(measures), InputError);
     CHECK_THROWS_WITH(measuring(measures), ContainsSubstring(message));

@@ -112,12 +112,12 @@ TEST_CASE("a file that was cut or changed is found") {
     Database(changed, Database::Mode::existing, 1s).execute(sql);
     return TaskFile(changed).whatIsWrong();
   };
-  CHECK_THAT(wrongAfter("UPDATE result SET value = 0.25"), ContainsSubstring("its results were changed"));
-  CHECK_THAT(wrongAfter("UPDATE cell_sample SET x = 0"), ContainsSubstring("its results were changed"));
-  CHECK_THAT(wrongAfter("DELETE FROM contact"), ContainsSubstring("its results were changed"));
+  CHECK_THAT(wrongAfter("UPDATE result SET value = 0.25"), ContainsSubstring("the results in the file were changed"));
+  CHECK_THAT(wrongAfter("UPDATE cell_sample SET x = 0"), ContainsSubstring("the results in the file were changed"));
+  CHECK_THAT(wrongAfter("DELETE FROM contact"), ContainsSubstring("the results in the file were changed"));
   CHECK_THAT(wrongAfter("UPDATE run SET seed = 8"), ContainsSubstring("run_id"));
   CHECK_THAT(wrongAfter("UPDATE run SET state_hash = '00000000000000000000000000000000'"),
-             ContainsSubstring("its results were changed"));
+             ContainsSubstring("the results in the file were changed"));
   CHECK_THAT(wrongAfter("UPDATE document SET content = x'00'"), ContainsSubstring("document"));
   CHECK_THAT(wrongAfter("UPDATE task SET status = 'failed'"), ContainsSubstring("its task is failed"));
 }

@@ -116,7 +116,7 @@ TEST_CASE("a changed study is not mixed with what was planned before") {
   const PlannedStudy study = s.open();
   s.run(study);
   writeText(s.folder / "trees.study.yaml", smallStudy + "keep: {hashes: none}\n");
-  CHECK_THROWS_WITH(s.open(), ContainsSubstring("--resume goes on with the plan that is there"));
+  CHECK_THROWS_WITH(s.open(), ContainsSubstring("--resume continues the existing plan"));
   const StudyChoice choice{.what = (s.folder / "trees.study.yaml").string(), .to = (s.folder / "out").string()};
   StudyChoice resume = choice, update = choice;
   resume.resume = update.update = true;
