@@ -111,6 +111,16 @@ void checkShell(const SceneCheck& check) {
     refuseRadius(check, smallestAxis(*physics.shell), "its smallest semi-axis");
 }
 
+/// Checks that each start cell with a body has a place.
+void checkPlacesOfStart(const SceneCheck& check) {
+  const Node* cells = given(check.root, "cells");
+  if (!cells || cells->kind != Node::Kind::sequence) return;
+  for (std::size_t i = 0; i < cells->items.size(); ++i)
+    if (const Node& cell = cells->items[i]; cell.kind == Node::Kind::map && !cell.find("at"))
+      check.reading.problems.add(cell.place, "cells[" + std::to_string(i) + "].at", "is missing",
+                                 "needs its centre, as at: [0, 0, 0]");
+}
+
 void checkStartCells(const SceneCheck& check) {
   const auto& cells = check.scene().cells;
   const auto& shell = check.physics().shell;
@@ -280,6 +290,7 @@ void checkMeasures(const SceneCheck& check) {
 }
 
 void checkBodies(const SceneCheck& check) {
+  checkPlacesOfStart(check);
   checkFit(check);
   // Without outside pressure, contents have no volume at rest from which their energy could count.
   if (check.scenario.check.energy && check.physics().pressure.outside == 0)

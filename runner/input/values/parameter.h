@@ -45,6 +45,7 @@ struct Reading {
   std::vector<SubstanceUse> substances;
   DnaSource dna;
   std::vector<Place> startCells;  // the places of `cells`
+  std::optional<std::pair<std::string, Place>> cellsFile{};
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
   std::vector<Place> rules{};      // the places of `division.rules`
@@ -78,12 +79,19 @@ struct Parameter {
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
 };
 
+/// Gives the name to the cell. Reports a cell that has one (cell_name_types.cpp).
+void nameCell(const NameUse& use, const std::string& name, Scenario& scenario, Reading& reading);
 /// Reads names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp).
 /// Mistakes are reported with the file's lines.
 void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
                    Reading& reading);
 /// Reports cells that share a name, and endings for daughters (names.daughters) in a scenario without names of cells.
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// Reads the table of `cells: {file: …}`, one cell a row (start_cell_table.cpp). Mistakes are reported with the table's
+/// lines.
+void readStartCellTable(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
+                        Reading& reading);
 
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
