@@ -90,7 +90,7 @@ class TableReader {
   double number(Column c, const Range& range, double otherwise) {
     if (!has(c)) return otherwise;
     const std::string_view given = field(c);
-    if (given.empty() && c >= mass) return otherwise;
+    if (given.empty() && c >= radius) return otherwise;
     const auto number = parseReal(given);
     const char* const called = headers[c][0].c_str();
     if (given.empty()) text_.complain({}, std::string("there is no ") + called, "fill it in, or remove the row");
@@ -118,7 +118,7 @@ class TableReader {
     if (const auto& mechanics = scenario_.scene.mechanics) {
       const double egg = mechanics->physics.cell.radius;
       if (has(radius)) cell.scale = number(radius, anyPositive, egg) / egg;
-      if (has(volume)) cell.scale = cubeRoot(number(volume, anyPositive, 1) / (4.0 / 3 * std::numbers::pi)) / egg;
+      if (!field(volume).empty()) cell.scale = cubeRoot(number(volume, anyPositive, 1) / (4.0 / 3 * std::numbers::pi)) / egg;
     }
     if (!field(mass).empty()) cell.mass = number(mass, anyPositive, 1);
     if (has(substances)) cell.substances = substancesOf(field(substances));
