@@ -349,6 +349,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   if (scenario.scene.mechanics) checkBodies(check);
   checkVariation(check);
   checkSenses(check);
+  checkFirstCycle(check);
   checkInterval(check, "record.every", record.every, 1e7, "samples");
   checkInterval(check, "record.pictures", record.pictures, 1e5, "pictures");
   checkInterval(check, "record.meshes", record.meshes, 1e6, "samples of surfaces");

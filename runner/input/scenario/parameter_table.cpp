@@ -63,6 +63,7 @@ std::vector<Parameter> parameters() {
                              "From birth to the first cycle, by a substance that the newborn's genes will make; the "
                              "shortest wins, and goes before per-substance",
                              AT(scene.cycle.atBirth))),
+      later(choice("cycle.first", AT(scene.cycle.first))),
 
       optionalNatural("stop.cycles", {1, 1'000'000'000}, "no limit", "When so many times cycle.length have passed",
                       AT(scene.stop.cycles)),
