@@ -100,12 +100,16 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-/// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles
-/// without reaching that number: its cells may have stopped dividing, and then the run would never end.
+/// Throws NumericalError if a run that only stop.cells and stop.when can end has taken maxCyclesForCells of its longest
+/// cycles without coming to that: its cells may have stopped dividing, and then the run would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
-  if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
+  if ((!scene.stop.cells && scene.stop.when.empty()) || plannedEnd(scene) || hasEnoughCells(world)) return;
   if (!(world.clock.time > double(maxCyclesForCells) * longestCycle(scene.cycle))) return;
+  if (!scene.stop.cells)
+    throw NumericalError(world.clock.step,
+                         "stop.when: no condition has held in " + std::to_string(maxCyclesForCells) + " cycles",
+                         "correct the condition, or give a stop.time or stop.cycles besides");
   throw NumericalError(world.clock.step,
                        "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
                            std::to_string(maxCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +

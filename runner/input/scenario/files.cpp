@@ -155,6 +155,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   }
   readReference(reference, scenario, reading);
   readExperiments(scenario, reading);
+  readStopWhen(scenario, reading);
 }
 
 }  // namespace scenario

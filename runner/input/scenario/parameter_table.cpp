@@ -71,6 +71,9 @@ std::vector<Parameter> parameters() {
       optionalNatural("stop.cells", {1, 1'000'000'000}, "no limit",
                       "When at least so many cells live; alone, it fails where they do not within 1000 cycles",
                       AT(scene.stop.cells)),
+      stopWhen(),
+      later(refines("when", optionalReal("stop.every", "time", positive, "", "a twentieth of cycle.length",
+                                         "Time between looks at the conditions of stop.when", AT(scene.stop.every)))),
 
       timeStep(),
       choice("physics.integrator", PHYSICS(integrator)),

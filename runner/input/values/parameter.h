@@ -51,6 +51,7 @@ struct Reading {
   std::vector<Place> rules{};      // the places of `division.rules`
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
+  std::vector<Node> stopWhen{};     // the entries of `stop.when`, read then, too
   std::vector<Node> experiments{};  // the entries of `experiments`, which are read once cells have their names
 };
 
@@ -95,6 +96,11 @@ void readStartCellTable(const std::string& text, const std::string& file, const 
 
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+/// Reads the entries of `stop.when` (stop_types.cpp).
+void readStopWhen(Scenario& scenario, Reading& reading);
+/// Returns a condition as a scenario writes it: {"touch": ["path AB", "path BA"]}.
+std::string stopText(const StopWhen& when);
 
 /// Reads the entries of `experiments` (experiment_types.cpp).
 void readExperiments(Scenario& scenario, Reading& reading);
