@@ -1,9 +1,11 @@
 #pragma once
 // The parameters of cycles and senses, as a scenario gives them.
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "base/choice.h"
 #include "base/members.h"
 #include "base/vec3.h"
 
@@ -17,6 +19,15 @@ struct DivisionSize {
 };
 MORULA_MEMBERS(DivisionSize, rule, size)
 
+/// When the genes of a daughter are first read.
+enum class FirstCycle { afterLength, atBirth };
+template <>
+inline constexpr auto choices<FirstCycle> = std::to_array<Choice<FirstCycle>>(
+    {{FirstCycle::afterLength, "after-length", "a daughter holds her mother's substances until her first cycle is due"},
+     {FirstCycle::atBirth, "at-birth",
+      "a daughter's genes are read when she is born, so she holds her own substances while she lives; what she then "
+      "wishes counts from her next cycle on"}});
+
 struct CycleParameters {
   double length = 1;  // [time] between cell cycles
   // [time] Lengths for cells that hold the substance, or one with this beginning before '*'; the shortest wins.
@@ -25,8 +36,9 @@ struct CycleParameters {
   // beginning before '*'). The shortest wins, and goes before perSubstance.
   std::map<std::string, double> atBirth;
   std::optional<DivisionSize> divisionSize;  // absent: cells divide when it is time, whatever their size
+  FirstCycle first = FirstCycle::afterLength;
 };
-MORULA_MEMBERS(CycleParameters, length, perSubstance, atBirth, divisionSize)
+MORULA_MEMBERS(CycleParameters, length, perSubstance, atBirth, divisionSize, first)
 
 enum class SenseKind {  // the number is part of what a scenario means: new kinds stand last
   volume,

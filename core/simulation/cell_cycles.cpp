@@ -63,6 +63,18 @@ void decide(World& world, const Observation& now, std::vector<CellChange>& chang
   }
 }
 
+/// Reads the genes of the cells that were born into the lineage from entry `first` on.
+void readAtBirth(World& world, double time, std::size_t first) {
+  Cells& cells = world.cells;
+  std::vector<StateId> next = cells.state;
+  const Observation now(world, time);
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (cells.entry[i] >= first) next[i] = world.biology->runCellCycle(ObservedCell(now, static_cast<int>(i)));
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (cells.entry[i] >= first) world.lineage.entries[cells.entry[i]].state = next[i];
+  cells.state = std::move(next);
+}
+
 /// Runs all cycles that are due at one time. Returns false if no cell wanted one.
 bool runOneRound(World& world, double time) {
   std::vector<CellChange> changes = runDueCycles(world, time);
@@ -70,7 +82,10 @@ bool runOneRound(World& world, double time) {
   const Observation now(world, time);
   decide(world, now, changes);
   connectNeighbours(world, now, changes);
+  const std::size_t before = world.lineage.entries.size();
   changePopulation(world, now, changes);
+  if (world.model.cycle.first == FirstCycle::atBirth && world.lineage.entries.size() > before)
+    readAtBirth(world, time, before);
   return true;
 }
 
@@ -85,12 +100,16 @@ double findNextRound(const World& world, double time) {
   return next;
 }
 
-/// Throws NumericalError if a run that only stop.cells can end has taken maxCyclesForCells of its longest cycles
-/// without reaching that number: its cells may have stopped dividing, and then the run would never end.
+/// Throws NumericalError if a run that only stop.cells and stop.when can end has taken maxCyclesForCells of its longest
+/// cycles without coming to that: its cells may have stopped dividing, and then the run would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
-  if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
+  if ((!scene.stop.cells && scene.stop.when.empty()) || plannedEnd(scene) || hasEnoughCells(world)) return;
   if (!(world.clock.time > double(maxCyclesForCells) * longestCycle(scene.cycle))) return;
+  if (!scene.stop.cells)
+    throw NumericalError(world.clock.step,
+                         "stop.when: no condition has held in " + std::to_string(maxCyclesForCells) + " cycles",
+                         "correct the condition, or give a stop.time or stop.cycles besides");
   throw NumericalError(world.clock.step,
                        "stop.cells: " + std::to_string(*scene.stop.cells) + " cells do not live within " +
                            std::to_string(maxCyclesForCells) + " cycles: " + std::to_string(world.cells.path.size()) +

@@ -18,6 +18,7 @@
 #include "simulation/settle.h"
 #include "simulation/simulation.h"
 #include "simulation/start_cells.h"
+#include "simulation/stop_when.h"
 #include "simulation/start_variation.h"
 #include "simulation/swirls.h"
 #include "simulation/time_step.h"
@@ -48,7 +49,10 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (!scene.experiments.empty()) world.experiments.emplace();
   refuseEndlessPace(scene);
   createFounders(world);
-  if (!scene.mechanics) return world;
+  if (!scene.mechanics) {
+    lookForStop(world, 0, 0);
+    return world;
+  }
 
   const MechanicsScene& m = *world.model.mechanics;
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
@@ -78,6 +82,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     const std::string who = e.cell.empty() ? "" : "cell " + e.cell + ": ";
     throw InputError(who + e.quantity + "; " + e.remedy, {}, e.key);  // no step has been made: the scene is invalid
   }
+  lookForStop(world, 0, 0);
   return world;
 }
 

@@ -64,6 +64,7 @@ void restoreActive(Connections& connections) {
 void restoreState(World& world, std::string_view checkpoint) {
   SavedState s = readCheckpoint(checkpoint, world);
   world.clock = s.world.clock;
+  world.stoppedBy.reset();  // a run that had stopped leaves no checkpoint to go on from
   world.cells = std::move(s.world.cells);
   world.lineage = std::move(s.world.lineage);
   world.timeSteps = std::move(s.world.timeSteps);

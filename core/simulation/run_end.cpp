@@ -37,7 +37,7 @@ std::uint64_t stepsUntil(const Clock& clock, double time) {
 }
 
 bool finished(const World& world) {
-  if (world.cells.path.empty() || hasEnoughCells(world)) return true;
+  if (world.cells.path.empty() || hasEnoughCells(world) || world.stoppedBy) return true;
   if (world.bodies) return world.clock.time >= plannedStop(world);
   return world.clock.nextCycle > lastDue(world.model);
 }

@@ -30,7 +30,21 @@ void found(World& world, const CellPath& path, std::span<const StartCell> cells)
   found(world, path.daughter(true), cells.subspan(half));
 }
 
+/// Adds the paths of `count` cells that descend from this one.
+void addPaths(std::vector<CellPath>& paths, const CellPath& path, std::size_t count) {
+  if (count == 1) return paths.push_back(path);
+  const std::size_t half = count - count / 2;
+  addPaths(paths, path.daughter(false), half);
+  addPaths(paths, path.daughter(true), count - half);
+}
+
 }  // namespace
+
+std::vector<CellPath> founderPaths(std::size_t count) {
+  std::vector<CellPath> paths;
+  if (count > 0) addPaths(paths, CellPath{}, count);
+  return paths;
+}
 
 void createFounders(World& world) {
   if (world.model.cells.empty()) addFounder(world, CellPath{}, world.biology->startState());

@@ -7,6 +7,9 @@
 
 namespace morula {
 
+/// Returns the paths of so many start cells, in the order of the list.
+std::vector<CellPath> founderPaths(std::size_t count);
+
 /// Names the cells that live at time 0 and puts them into the lineage. Several start cells are named as if
 /// one egg had divided at time 0 until there were enough: the first half of them, rounded up, descends from
 /// daughter A, the others from B, and so on. So their paths are in the order of the list, and no path leads

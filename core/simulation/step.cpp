@@ -17,6 +17,7 @@
 #include "simulation/run_end.h"
 #include "simulation/settle.h"
 #include "simulation/simulation.h"
+#include "simulation/stop_when.h"
 #include "simulation/time_step.h"
 
 namespace morula {
@@ -80,9 +81,13 @@ class LastStep {
 }  // namespace
 
 void step(World& world) {
-  if (settles(world)) return stepQuasiStatic(world);
   Clock& clock = world.clock;
   const double before = clock.time;
+  const std::size_t born = world.lineage.entries.size();
+  if (settles(world)) {
+    stepQuasiStatic(world);
+    return lookForStop(world, before, born);
+  }
   if (world.bodies) {
     const LastStep last(world);
     ++clock.step;
@@ -98,16 +103,18 @@ void step(World& world) {
   }
   runEvents(world, before, dueUntil(world, before));
   followContacts(world);
+  lookForStop(world, before, born);
 }
 
 void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
   if (areIsolated(world))
-    steps = std::min(
-        {most, stepsUntil(clock, std::min(clock.nextCycle, nextExperiment(world))), wholeStepsUntilEnd(world)});
+    steps = std::min({most, stepsUntil(clock, std::min({clock.nextCycle, nextExperiment(world), nextLook(world)})),
+                      wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
   const double before = clock.time;
+  const std::size_t born = world.lineage.entries.size();
   if (!moveIsolated(world, steps)) {
     for (; steps > 0; --steps) step(world);  // one of these steps says what is wrong
     return;
@@ -115,6 +122,7 @@ void takeSteps(World& world, std::uint64_t most) {
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
   runEvents(world, before, dueUntil(world, before));
+  lookForStop(world, before, born);
 }
 
 }  // namespace morula

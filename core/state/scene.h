@@ -17,6 +17,7 @@
 #include "physics/parameters.h"
 #include "state/experiment.h"
 #include "state/start_cell.h"
+#include "state/stop_when.h"
 
 namespace morula {
 
@@ -28,8 +29,10 @@ struct StopParameters {
   std::optional<std::uint64_t> cycles;  // times cycle.length: when cell cycle number `cycles` has run
   std::optional<double> time;           // [time]
   std::optional<std::uint64_t> cells;   // as soon as at least this many are alive
+  std::vector<StopWhen> when = {};      // as soon as one of these holds
+  std::optional<double> every = {};     // [time] between looks at `when`; absent: a twentieth of cycle.length
 };
-MORULA_MEMBERS(StopParameters, cycles, time, cells)
+MORULA_MEMBERS(StopParameters, cycles, time, cells, when, every)
 
 struct MechanicsScene {
   PhysicsParameters physics;
@@ -59,7 +62,7 @@ MORULA_MEMBERS(Scene, name, seed, dna, cycle, stop, mechanics, cells, variation,
 /// to draw numbers (grep for base/random.h) has its line in this function.
 bool usesSeed(const Scene& scene);
 
-/// Returns the simulated time [time] at which the run stops, if it is known beforehand (not with stop.cells alone).
+/// Returns the simulated time [time] at which the run stops, if it is known beforehand (not with stop.cells or stop.when alone).
 std::optional<double> plannedEnd(const Scene& scene);
 
 }  // namespace morula

@@ -121,6 +121,7 @@ struct World {
   std::optional<std::vector<SettlingRecord>> settlings;      // absent: the scene goes through time steps
   std::optional<std::vector<ExperimentRecord>> experiments;  // in the order in which they were done; absent: none
 
+  std::optional<std::size_t> stoppedBy;      // the condition in StopParameters::when that holds; follows from the rest
   std::optional<BodyCopy> before;            // scratch of takeSteps
   std::optional<Motility> motility;          // for scenes with motility; follows from the rest
   std::optional<std::vector<Swirl>> swirls;  // follow from the divisions; absent: no rule has chirality

@@ -115,6 +115,16 @@ void checkShell(const SceneCheck& check) {
     refuseRadius(check, smallestAxis(*physics.shell), "the shell's smallest semi-axis");
 }
 
+/// Checks that each start cell with a body has a place.
+void checkPlacesOfStart(const SceneCheck& check) {
+  const Node* cells = given(check.root, "cells");
+  if (!cells || cells->kind != Node::Kind::sequence) return;
+  for (std::size_t i = 0; i < cells->items.size(); ++i)
+    if (const Node& cell = cells->items[i]; cell.kind == Node::Kind::map && !cell.find("at"))
+      check.reading.problems.add(cell.place, "cells[" + std::to_string(i) + "].at", "is missing",
+                                 "needs its centre, as at: [0, 0, 0]");
+}
+
 void checkStartCells(const SceneCheck& check) {
   const auto& cells = check.scene().cells;
   const auto& shell = check.physics().shell;
@@ -290,6 +300,7 @@ void checkMeasures(const SceneCheck& check) {
 }
 
 void checkBodies(const SceneCheck& check) {
+  checkPlacesOfStart(check);
   checkFit(check);
   // Without outside pressure, contents have no volume at rest from which their energy could count.
   if (check.scenario.check.energy && check.physics().pressure.outside == 0)
@@ -341,6 +352,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   if (scenario.scene.mechanics) checkBodies(check);
   checkVariation(check);
   checkSenses(check);
+  checkFirstCycle(check);
   checkInterval(check, "record.every", record.every, 1e7, "samples");
   checkInterval(check, "record.pictures", record.pictures, 1e5, "pictures");
   checkInterval(check, "record.meshes", record.meshes, 1e6, "samples of surfaces");

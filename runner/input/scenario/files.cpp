@@ -34,6 +34,7 @@ const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, cons
   for (const auto& stored : places.stored)
     if (stored.role == role) return &scenario.files.emplace_back(stored);
   const auto path = role == "dna"         ? "dna.file"
+                    : role == "cells"     ? "cells.file"
                     : role == "names"     ? "names.file"
                     : role == "reference" ? "check.reference.file"
                     : role == "shell"     ? "physics.shell.mesh"
@@ -136,6 +137,10 @@ void readShell(Scenario& scenario, const Node& root, Problems& problems, const P
 }  // namespace
 
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places) {
+  if (const auto& cells = reading.cellsFile)
+    if (const auto* file = readNamedFile(scenario, "cells", cells->first, cells->second, places, reading.problems))
+      guarded(reading.problems, cells->second,
+              [&] { readStartCellTable(file->content, file->path, cells->second, scenario, reading); });
   readDna(scenario, reading, places);
   if (scenario.scene.mechanics) {
     readMesh(scenario, root, reading.problems, places);
@@ -152,6 +157,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   }
   readReference(reference, scenario, reading);
   readExperiments(scenario, reading);
+  readStopWhen(scenario, reading);
 }
 
 }  // namespace scenario

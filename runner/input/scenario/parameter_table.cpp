@@ -68,6 +68,7 @@ std::vector<Parameter> parameters() {
                              "Time from birth to the first cycle of cells whose genes will make this substance; of "
                              "several, the shortest counts. It takes precedence over per-substance",
                              AT(scene.cycle.atBirth))),
+      later(choice("cycle.first", AT(scene.cycle.first))),
 
       optionalNatural("stop.cycles", {1, 1'000'000'000}, "no limit", "Max simulated time, in units of cycle.length",
                       AT(scene.stop.cycles)),
@@ -76,6 +77,9 @@ std::vector<Parameter> parameters() {
                       "Number of living cells that ends the run; a run with no other limit fails if it has fewer "
                       "after 1000 cycles",
                       AT(scene.stop.cells)),
+      stopWhen(),
+      later(refines("when", optionalReal("stop.every", "time", positive, "", "a twentieth of cycle.length",
+                                         "Time between looks at the conditions of stop.when", AT(scene.stop.every)))),
 
       timeStep(),
       choice("physics.integrator", PHYSICS(integrator)),

@@ -19,7 +19,10 @@ void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems
     const auto& table = parameterTable();
     if (change.removes && (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
       continue;
-    assign(root, change.path, readYamlValue(change.value, change.place, problems));
+    const std::string list = assign(root, change.path, readYamlValue(change.value, change.place, problems));
+    if (!list.empty())
+      problems.add(place, change.path, "the list " + list + " has no entry of this name, or several",
+                   "needs a text that one entry alone has under of or name, as " + list + ".NAME");
   }
 }
 

@@ -24,6 +24,9 @@ struct SceneCheck {
 /// Checks for senses that no gene reads, that lack a part of the scene, or that start cells already hold.
 void checkSenses(const SceneCheck& check);
 
+/// Checks that no lengths are given for a first cycle that cells have not.
+void checkFirstCycle(const SceneCheck& check);
+
 /// Checks that cells with a size at division can grow.
 void checkDivisionSize(const SceneCheck& check);
 /// Returns warnings of sizes that no cell can reach: "file:line:column: path: what; what would be right".

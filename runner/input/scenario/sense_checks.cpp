@@ -92,6 +92,12 @@ void checkDivisionSize(const SceneCheck& check) {
                  "add 'growth: {}' to physics, or remove this");
 }
 
+void checkFirstCycle(const SceneCheck& check) {
+  if (check.scene().cycle.first == FirstCycle::atBirth && !check.scene().cycle.atBirth.empty())
+    check.refuse("cycle.at-birth", "cells whose genes are read at birth have no first cycle to wait for",
+                 "give these lengths under per-substance, or remove first");
+}
+
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root) {
   const auto& size = scenario.scene.cycle.divisionSize;
   if (!size) return {};

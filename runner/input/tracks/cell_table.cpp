@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "files/text.h"
-#include "tracks/delimited_text.h"
 #include "tracks/wording.h"
+#include "values/delimited_text.h"
 #include "yaml/numbers.h"
 
 namespace morula::tracks {
@@ -33,14 +33,6 @@ const std::array<std::vector<std::string_view>, 15> headers{{
 }};
 
 const scenario::Range usable{.low = -1e30, .high = 1e30}, size{.low = 1e-30, .high = 1e30};
-
-std::string normalized(std::string_view header) {
-  std::string word;
-  for (const char c : header.substr(0, header.find_first_of("[(")))
-    if (c >= 'A' && c <= 'Z') word += static_cast<char>(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
-  return word;
-}
 
 bool isNumber(std::string_view text) { return scenario::parseReal(text).wrong.empty(); }
 
@@ -83,7 +75,7 @@ class TableReader {
     }
     headerCount_ = fields().size();
     std::vector<std::string> words;
-    for (const auto field : fields()) words.push_back(normalized(field));
+    for (const auto field : fields()) words.push_back(scenario::headerWord(field));
     std::vector<bool> isUsed(words.size(), false);
     for (int c = 0; c < columnCount; ++c)
       for (const auto& header : headers[static_cast<std::size_t>(c)]) {
@@ -178,7 +170,7 @@ class TableReader {
   }
 
   void readFate(Row& row) {
-    const std::string word = normalized(fieldOf(fate));
+    const std::string word = scenario::headerWord(fieldOf(fate));
     const auto isOneOf = [&](std::initializer_list<std::string_view> words) {
       return std::ranges::find(words, word) != words.end();
     };
@@ -188,7 +180,7 @@ class TableReader {
                      "fate");
   }
 
-  DelimitedText text_;
+  scenario::DelimitedText text_;
   scenario::Problems& problems_;
   CellTable table_;
   std::array<int, columnCount> column_;  // among the fields of a row; -1: there is none

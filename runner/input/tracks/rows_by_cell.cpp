@@ -4,8 +4,8 @@
 #include <unordered_map>
 
 #include "base/number_text.h"
-#include "tracks/delimited_text.h"
 #include "tracks/wording.h"
+#include "values/delimited_text.h"
 
 namespace morula::tracks {
 namespace {
@@ -16,12 +16,12 @@ class RowCollector {
 
   std::vector<Track> collect(std::vector<double>& times) {
     for (const Row& row : table_.rows)
-      if (problems_.size() < maxProblems) add(row);
+      if (problems_.size() < scenario::maxProblems) add(row);
     if (table_.form == Form::frames) takeFrames(times);
     if (table_.form == Form::manTrack)
       for (const Row& row : table_.rows) times.push_back(row.birth), times.push_back(row.end + 1);
     keepDistinct(times);
-    for (std::size_t i = 0; i < tracks_.size() && problems_.size() < maxProblems; ++i) findMother(i);
+    for (std::size_t i = 0; i < tracks_.size() && problems_.size() < scenario::maxProblems; ++i) findMother(i);
     return std::move(tracks_);
   }
 
@@ -84,7 +84,7 @@ class RowCollector {
     keepDistinct(times);
     for (Track& track : tracks_) {
       std::ranges::stable_sort(track.seen, {}, &Sighting::time);
-      if (track.seen.empty() || problems_.size() >= maxProblems) continue;  // a problem of the row
+      if (track.seen.empty() || problems_.size() >= scenario::maxProblems) continue;  // a problem of the row
       track.birth = track.seen.front().time, track.last = track.seen.back().time;
       auto frame = std::ranges::lower_bound(times, track.birth);
       for (std::size_t i = 1; i < track.seen.size(); ++i) {

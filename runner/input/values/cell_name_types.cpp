@@ -33,24 +33,23 @@ void complain(const NameUse& use, const std::string& wrong, const std::string& r
   else problems.addForeign(use.place, use.inFile + ": " + wrong + "; " + right);
 }
 
-/// Gives the name to the cell, unless she has one.
-void give(const NameUse& use, const std::string& name, Scenario& scenario, Reading& reading) {
+std::string words(const CellPath& path) { return path.isEgg() ? "the egg" : "path " + path.text(); }
+
+}  // namespace
+
+void nameCell(const NameUse& use, const std::string& name, Scenario& scenario, Reading& reading) {
   if (scenario.names.given.try_emplace(use.path, name).second) return reading.names.push_back(use);
   const auto first = std::ranges::find(reading.names, use.path, &NameUse::path);
   complain(use, cellName(use.path.text()) + " is named here and in " + whereOf(*first), "keep one of the two",
            reading.problems);
 }
 
-std::string words(const CellPath& path) { return path.isEgg() ? "the egg" : "path " + path.text(); }
-
-}  // namespace
-
 Parameter nameOfEgg() {
   auto p = presented("names.egg", nameAllowed, "the egg has no name", "Name of the egg, as P0");
   p.schema = nameSchema();
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (const auto name = readName(node, path, allowed, reading.problems))
-      give({{}, node.place, path, ""}, *name, s, reading);
+      nameCell({{}, node.place, path, ""}, *name, s, reading);
   };
   p.write = [](const Scenario& s) {
     const auto egg = s.names.given.find({});
@@ -96,7 +95,7 @@ Parameter namesOfCells() {
       if (!cell && !member.key.empty())
         reading.problems.add(member.place, key, "is not a cell's path", std::string("needs ") + pathAllowed);
       const auto name = readName(member.value, key, nameAllowed, reading.problems);
-      if (cell && name) give({*cell, member.place, key, ""}, *name, s, reading);
+      if (cell && name) nameCell({*cell, member.place, key, ""}, *name, s, reading);
     }
   };
   p.write = [](const Scenario& s) {
@@ -131,7 +130,7 @@ void readCellNames(const std::string& text, const std::string& file, const Place
     else if (!path) complain(use, "'" + found[0] + "' is not a cell's path", right, reading.problems);
     else if (!isCellName(found[1]))
       complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed, reading.problems);
-    else use.path = *path, give(use, found[1], scenario, reading);
+    else use.path = *path, nameCell(use, found[1], scenario, reading);
   }
   const bool isGood = reading.problems.size() == before;
   if (isGood && std::ranges::none_of(reading.names, [](const NameUse& u) { return !u.inFile.empty(); }))

@@ -45,11 +45,13 @@ struct Reading {
   std::vector<SubstanceUse> substances;
   DnaSource dna;
   std::vector<Place> startCells;  // the places of `cells`
+  std::optional<std::pair<std::string, Place>> cellsFile{};
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
   std::vector<Place> rules{};      // the places of `division.rules`
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
+  std::vector<Node> stopWhen{};     // the entries of `stop.when`, read then, too
   std::vector<Node> experiments{};  // the entries of `experiments`, which are read once cells have their names
 };
 
@@ -78,6 +80,8 @@ struct Parameter {
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
 };
 
+/// Gives the name to the cell. Reports a cell that has one (cell_name_types.cpp).
+void nameCell(const NameUse& use, const std::string& name, Scenario& scenario, Reading& reading);
 /// Reads names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp).
 /// Mistakes are reported with the file's lines.
 void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
@@ -85,8 +89,18 @@ void readCellNames(const std::string& text, const std::string& file, const Place
 /// Reports cells that share a name, and endings for daughters (names.daughters) in a scenario without names of cells.
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
 
+/// Reads the table of `cells: {file: …}`, one cell a row (start_cell_table.cpp). Mistakes are reported with the table's
+/// lines.
+void readStartCellTable(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
+                        Reading& reading);
+
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+/// Reads the entries of `stop.when` (stop_types.cpp).
+void readStopWhen(Scenario& scenario, Reading& reading);
+/// Returns a condition as a scenario writes it: {"touch": ["path AB", "path BA"]}.
+std::string stopText(const StopWhen& when);
 
 /// Reads the entries of `experiments` (experiment_types.cpp).
 void readExperiments(Scenario& scenario, Reading& reading);

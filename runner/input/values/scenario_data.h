@@ -70,7 +70,7 @@ struct CheckParameters {
 
 /// A file that a scenario names.
 struct NamedFile {
-  std::string role;  // "dna", "mesh", "shell", "names" or "reference"
+  std::string role;  // "dna", "mesh", "shell", "cells", "names" or "reference"
   std::string path;  // path from which the file was read
   std::string content;
 };

@@ -20,8 +20,6 @@ class CellReader {
   StartCell read() {
     StartCell cell;
     refuseUnknown(node_, path_, keys, reading_.problems);
-    if (!node_.find("at"))
-      reading_.problems.add(node_.place, path_ + ".at", "is missing", "needs its centre, as at: [0, 0, 0]");
     triple("at", {}, "three numbers [length], as [0, 0, 0]", cell.at);
     triple("velocity", {}, "three numbers [length/time], as [0, 0, 0]", cell.velocity);
     triple("turn", degrees, "three numbers from -360 to 360 [degree], as [0, 0, 30]", cell.turn);
@@ -85,7 +83,7 @@ Json cellSchema() {
                     {"stretch", triple(positive)},
                     {"mass", numberSchema(positive)},
                     {"substances", {{"type", "array"}, {"items", {{"type", "string"}}}, {"uniqueItems", true}}}},
-                   {"at"});
+                   {});
 }
 
 }  // namespace
@@ -93,15 +91,23 @@ Json cellSchema() {
 Parameter startCells() {
   Parameter p;
   p.path = "cells";
-  p.allowed = std::string("a list of ") + startForm;
+  p.allowed = std::string("a list of ") + startForm + ", or {file: cells.csv}";
   p.meaning =
       "Cells that live at time 0. Keys of each cell: at, its centre; velocity; scale of its size at rest, with its "
       "contents and mass; turn of its mesh in degrees, [0, 0, 30] by 30 about z; stretch of its shape along x, y "
-      "and z, not of its rest lengths; mass; substances instead of START";
+      "and z, not of its rest lengths; mass; substances instead of START. Or {file: cells.csv}: a table with a row for "
+      "each cell, and columns x, y, z, radius (or volume or scale), vx, vy, vz, mass, name and substances";
   p.absent = "one egg at the origin";
-  p.needs = "physics";
-  p.schema = {{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};
+  const Json list{{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};
+  p.schema = {{"oneOf", Json::array({list, onlySchema("file", {{"type", "string"}, {"minLength", 1}})})}};
   p.read = [allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (node.kind == Node::Kind::map) {
+      const auto* file = readOnly(node, "cells", {"file"}, allowed, reading.problems);
+      if (!file) return;
+      if (const auto name = readWords(file->value, "cells.file", "the name of a table", reading.problems))
+        reading.cellsFile = {*name, file->value.place};
+      return;
+    }
     if (!expectEntries(node, "cells", allowed, reading.problems)) return;
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const Node& item = node.items[i];

@@ -88,6 +88,7 @@ Parameter divisionRules();
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
 Parameter experiments();
+Parameter stopWhen();
 Parameter adhesion();
 Parameter makeConnections();
 /// The section `senses`, and the tables that explain it.

@@ -44,10 +44,12 @@ Node readYaml(const SourceText& source, Problems& problems);
 /// Reads the value of an override: YAML's flow notation after [ { " or ', anything else as plain text.
 Node readYamlValue(const std::string& value, const std::string& option, Problems& problems);
 
-/// Puts `value` at `path` ("physics.time_step"), and makes the maps that are missing on the way.
-void assign(Node& root, const std::string& path, Node value);
+/// Puts `value` at `path` ("physics.time_step"), and makes the maps that are missing on the way. In a list the path goes
+/// by the name of an entry, the text under its `of` or `name`: "division.rules.EMS.share". Returns "", or the path of a
+/// list that has no such entry or several, and is left as it is.
+std::string assign(Node& root, const std::string& path, Node value);
 
-/// Removes the value at `path`. Returns false if there is none.
+/// Removes the value or the entry of a list at `path`. Returns false if there is none.
 bool remove(Node& root, const std::string& path);
 
 /// Sets the place of a node, and of all nodes in it, to an option.

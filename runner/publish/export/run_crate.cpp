@@ -27,6 +27,7 @@ CrateFile crateFile(const SourceText& d) {
   const char* what = d.role == "dna"         ? "The genes that the scenario names"
                      : d.role == "mesh"      ? "The egg's mesh that the scenario names"
                      : d.role == "shell"     ? "The egg shell's mesh that the scenario names"
+                     : d.role == "cells"     ? "The table of cells that the scenario begins with"
                      : d.role == "names"     ? "The names of cells that the scenario names"
                      : d.role == "reference" ? "Reference with which the scenario compares the organism"
                                              : "The scenario as it was read";

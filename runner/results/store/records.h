@@ -32,7 +32,7 @@ inline const char* name(RunStatus status) { return nameOf(status); }
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct SourceText {
-  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names",
+  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "cells", "names",
   // "reference", "faces" (of kept surfaces), "diff" (of the program's sources from their commit)
   std::string role;
   std::string path;  // the path it was read from; "" if it was not read from a file

@@ -93,6 +93,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));
   } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
+  if (!outcome.stopped.empty()) text += "  stopped  stop.when: " + outcome.stopped + " holds\n";
   for (const std::string& line : outcome.experiments) text += "  done     " + line + "\n";
   text += describeAmbiguous(outcome.ambiguous, scenario.units);
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
@@ -125,6 +126,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"db", outcome.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
+            {"stopped", outcome.stopped},
             {"experiments", outcome.experiments},
             {"unsettled", outcome.unsettled},
             {"reference", outcome.reference},

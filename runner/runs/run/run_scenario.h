@@ -39,6 +39,7 @@ struct RunOutcome {
   std::vector<std::string> pictures;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::vector<std::string> experiments;   // [experimentLines]
+  std::string stopped;                    // the condition of stop.when that ended the run, as a scenario writes it; ""
   std::string unsettled;                  // [unsettledText]
   std::string reference;                  // [positionsText]
   std::filesystem::path database;         // that holds the run: another one than asked for where a process held that

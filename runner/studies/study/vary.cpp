@@ -3,6 +3,8 @@
 #include <map>
 
 #include "base/did_you_mean.h"
+#include "base/maths.h"
+#include "base/number_text.h"
 #include "files/text.h"
 #include "study/study_table.h"
 #include "values/value_types.h"
@@ -11,6 +13,7 @@ namespace morula::study {
 
 using scenario::Member;
 using scenario::Node;
+using scenario::Place;
 using scenario::Problems;
 
 namespace {
@@ -58,6 +61,17 @@ std::string flow(const Node& node) {
   }
 }
 
+/// Returns true for a path of keys that a study may vary, and adds a problem for any other.
+bool mayVary(const std::string& key, const Place& place, const std::string& at, Problems& problems) {
+  if (!isPath(key)) {
+    problems.add(place, at, "is no scenario key", "needs names with dots between them, as division.plane");
+    return false;
+  }
+  const auto said = saidElsewhere.find(key.substr(0, key.find('.')));
+  if (said != saidElsewhere.end()) problems.add(place, at, "cannot be varied", said->second);
+  return said == saidElsewhere.end();
+}
+
 void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
   const std::string path = "vary." + axis.name + "." + member.key;
   if (!isLabel(member.key)) return problems.add(member.place, path, "'" + member.key + "' is no label", labelNeeds);
@@ -65,21 +79,50 @@ void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
   Level level{member.key, {}};
   for (const Member& change : member.value.members) {
     if (change.key.empty() || change.value.kind == Node::Kind::broken) continue;
-    const std::string at = path + "." + change.key;
-    if (!isPath(change.key)) {
-      problems.add(change.place, at, "is no scenario key", "needs names with dots between them, as division.plane");
-      continue;
-    }
-    const std::string top = change.key.substr(0, change.key.find('.'));
-    if (const auto said = saidElsewhere.find(top); said != saidElsewhere.end()) {
-      problems.add(change.place, at, "cannot be varied", said->second);
-      continue;
-    }
+    if (!mayVary(change.key, change.place, path + "." + change.key, problems)) continue;
     level.overrides.push_back({change.key, overrideText(change.value),
                                scenario::placeText(problems.file(), change.value.place),
                                change.value.kind == Node::Kind::null});
   }
   axis.levels.push_back(std::move(level));
+}
+
+/// Reads {key: physics.drag, from: 1, to: 16, steps: 5, log: true}: the labels of the levels are their values.
+void readRange(StudyAxis& axis, const Node& node, const std::string& path, Problems& problems) {
+  scenario::refuseUnknown(node, path, {"key", "from", "to", "steps", "log"}, problems);
+  const std::size_t before = problems.size();
+  const Member& key = *node.find("key");
+  const auto text = scenario::readText(key.value, path + ".key", "a scenario key", problems);
+  const Member* log = node.find("log");
+  const bool isLog = log && log->value.text == "true";
+  if (log && !isLog && log->value.text != "false")
+    problems.add(log->place, path + ".log", "is " + describe(log->value), "needs true or false");
+  const scenario::Range range{.low = isLog ? 0 : -1e300, .high = 1e300, .openLow = isLog};
+  const auto number = [&](const char* name) {
+    const auto value = scenario::readMember(node, name, range, "", path, problems);
+    if (!value && !node.find(name)) problems.add(node.place, path + "." + name, "is missing", "needs a number");
+    return value;
+  };
+  const auto from = number("from"), to = number("to");
+  const Member* count = node.find("steps");
+  std::optional<std::uint64_t> steps;
+  if (!count) problems.add(node.place, path + ".steps", "is missing", "needs the number of levels, as steps: 5");
+  else
+    steps = scenario::readNatural(count->value, {2, 1000}, path + ".steps", "a whole number from 2 to 1000", problems);
+  if (text) mayVary(*text, key.value.place, path + ".key", problems);
+  if (from && to && *from == *to)
+    problems.add(node.place, path, "from and to are the same", "give two different numbers");
+  if (problems.size() > before) return;
+  const std::string place = scenario::placeText(problems.file(), key.value.place);
+  for (std::uint64_t i = 0; i < *steps; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(*steps - 1);
+    const double exact = i + 1 == *steps ? *to
+                         : isLog         ? *from * exponential(share * naturalLog(*to / *from))
+                                         : *from + (*to - *from) * share;
+    // Six digits make labels short, and the value is what the label says.
+    const std::string value = i == 0 || i + 1 == *steps ? exactText(exact) : numberText(exact, 6);
+    axis.levels.push_back({value[0] == '-' ? "minus" + value : value, {{*text, value, place, false}}});
+  }
 }
 
 void readAxis(Study& study, const Member& member, Problems& problems) {
@@ -99,8 +142,11 @@ void readAxis(Study& study, const Member& member, Problems& problems) {
   if (member.value.members.empty())
     return problems.add(member.value.place, path, "is empty",
                         "needs a map of labels, as {longest: {division.plane: longest}}");
-  for (const Member& level : member.value.members)
-    if (!level.key.empty()) readLevel(axis, level, problems);
+  if (const Member* key = member.value.find("key"); key && key->value.kind == Node::Kind::scalar)
+    readRange(axis, member.value, path, problems);
+  else
+    for (const Member& level : member.value.members)
+      if (!level.key.empty()) readLevel(axis, level, problems);
   study.axes.push_back(std::move(axis));
 }
 
@@ -123,11 +169,20 @@ std::string overrideText(const Node& node) {
 
 Key varyKey() {
   const Json level{{"type", "object"}, {"description", "Scenario keys and their values; null removes a part"}};
-  const Json axis{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
+  const Json labels{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
+  const Json number{{"type", "number"}};
+  const Json range = scenario::mapSchema({{"key", {{"type", "string"}, {"minLength", 1}}},
+                                          {"from", number},
+                                          {"to", number},
+                                          {"steps", {{"type", "integer"}, {"minimum", 2}, {"maximum", 1000}}},
+                                          {"log", {{"type", "boolean"}}}},
+                                         {"key", "from", "to", "steps"});
+  const Json axis{{"anyOf", Json::array({labels, range})}};
   return {"vary",
           varyAllowed,
           "Axes of the design: each condition has one level of each axis, and all combinations are run. A level "
-          "sets any keys of a scenario, as --set does; null removes a part, {} leaves the scenario unchanged",
+          "sets any keys of a scenario, as --set does; null removes a part, {} leaves the scenario unchanged. An axis "
+          "of numbers: {key: physics.drag, from: 1, to: 16, steps: 5, log: true}",
           "one condition: the scenario as it is",
           {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
           readVary};

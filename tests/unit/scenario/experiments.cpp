@@ -86,3 +86,36 @@ TEST_CASE("What is wrong in an experiment is told with its entry and the remedy"
     CHECK_THROWS_WITH(read(experimenting(entries)), ContainsSubstring(text));
   }
 }
+
+TEST_CASE("Conditions of stop.when are read with names, come back as text, and leave other scenarios' meaning alone") {
+  const auto withStop = [](const std::string& stop) {
+    return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\nnames: {egg: P0, daughters: [a, p]}\nstop: " + stop +
+           "\n";
+  };
+  const Scenario s = read(withStop("{time: 3, every: 0.5, when: [{born: cell P0a}, {cells: 4, of: a0, after: 1}]}"));
+  REQUIRE(s.scene.stop.when.size() == 2);
+  CHECK(s.scene.stop.when[0].of[0].path == CellPath::parse("A"));
+  CHECK(scenario::stopText(s.scene.stop.when[1]) == "{\"after\":1.0,\"cells\":4,\"of\":\"substance a0\"}");
+  CHECK(readScenario(s.resolved, "resolved.yaml", "", {}).meaning == s.meaning);
+  CHECK(read(withStop("{time: 3}")).meaning != s.meaning);
+  CHECK(read(withStop("{when: [{born: cell P0a}]}")).scene.stop.when.size() == 1);  // it suffices alone
+
+  const auto refused = [&](const std::string& stop, const std::string& why) {
+    CAPTURE(stop);
+    CHECK_THAT(complaints(withStop(stop)), ContainsSubstring(why));
+  };
+  refused("{every: 1}", "needs at least one of");
+  refused("{time: 1, every: 1}", "makes no sense without when");
+  refused("{when: []}", "stop.when");
+  refused("{when: [{}]}", "says no condition; needs one of touch or part or born or cells or measure");
+  refused("{when: [{born: cell P0a, cells: 3}]}", "stands beside born");
+  refused("{when: [{born: cell P0x}]}", "no cell is called 'P0x'");
+  refused("{when: [{touch: [cell P0a, cell P0p]}]}", "needs cells that can touch; add 'contact: {}' to physics");
+  refused("{when: [{touch: cell P0a}]}", "is no pair of cells");
+  refused("{when: [{cells: 0}]}", "a whole number from 1 on");
+  refused("{when: [{measure: sphericity, above: 1}]}", "would find nothing to measure; add a physics block");
+  refused("{when: [{measure: nonsense, above: 1}]}", "nonsense");
+  refused("{when: [{measure: count of a0}]}", "has no bound");
+  refused("{when: [{measure: count of a9, above: 1}]}", "a9");
+  refused("{when: [{cells: 3, off: a0}]}", "off");
+}

@@ -7,16 +7,19 @@
 
 #include "yaml/problems.h"
 
-namespace morula::tracks {
+namespace morula::scenario {
 
 inline constexpr std::size_t maxProblems = 20;  // reading ends after so many
+
+/// Returns a header in small letters, without anything but letters and digits, and without a unit in brackets.
+std::string headerWord(std::string_view header);
 
 /// Goes through a text line by line. A byte order mark, empty lines and lines that begin with '#' are passed over; line
 /// ends are LF, CR LF or CR. The first line decides what separates fields: a tab, else ';', else ',', else blanks.
 /// Fields may stand in quotes. A line that cannot be read is a problem with its place.
 class DelimitedText {
  public:
-  DelimitedText(std::string_view text, scenario::Problems& problems);
+  DelimitedText(std::string_view text, Problems& problems);
 
   /// Reads the next line into fields(). Returns false at the end of the text, and after some twenty problems.
   bool next();
@@ -38,11 +41,11 @@ class DelimitedText {
   bool takeQuoted(std::string_view& rest);
 
   std::string_view text_, line_;
-  scenario::Problems& problems_;
+  Problems& problems_;
   int number_ = 0;
   char separator_ = 0;
   std::vector<std::string_view> fields_;
   std::deque<std::string> unquoted_;
 };
 
-}  // namespace morula::tracks
+}  // namespace morula::scenario

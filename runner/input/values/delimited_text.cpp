@@ -1,13 +1,12 @@
-#include "tracks/delimited_text.h"
+#include "values/delimited_text.h"
 
 #include <algorithm>
 #include <functional>
 
 #include "base/text_marks.h"
 #include "base/utf8.h"
-#include "tracks/wording.h"
 
-namespace morula::tracks {
+namespace morula::scenario {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -24,7 +23,15 @@ char separatorOf(std::string_view line) {
 
 }  // namespace
 
-DelimitedText::DelimitedText(std::string_view text, scenario::Problems& problems)
+std::string headerWord(std::string_view header) {
+  std::string word;
+  for (const char c : header.substr(0, header.find_first_of("[(")))
+    if (c >= 'A' && c <= 'Z') word += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
+  return word;
+}
+
+DelimitedText::DelimitedText(std::string_view text, Problems& problems)
     : text_(withoutByteOrderMark(text)), problems_(problems) {
   if (!isUtf16(text)) return;
   complain({}, "the file is UTF-16", "save it as UTF-8");
@@ -118,4 +125,4 @@ bool DelimitedText::takeQuoted(std::string_view& rest) {
   return false;
 }
 
-}  // namespace morula::tracks
+}  // namespace morula::scenario

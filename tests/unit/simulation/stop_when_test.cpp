@@ -1,0 +1,80 @@
+// stop.when: a run ends at the first look at which a condition holds.
+#include <cmath>
+
+#include "catch.h"
+#include "observation/observation.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+CellSelection cell(const char* path) { return {.kind = CellSelection::Kind::cell, .path = CellPath::parse(path)}; }
+CellSelection substance(const char* name) { return {.kind = CellSelection::Kind::substance, .substance = name}; }
+
+World ranUntil(Scene scene, const StopWhen& when, std::optional<double> every = {}) {
+  scene.stop.when = {when};
+  scene.stop.every = every;
+  World world = makeWorld(scene);
+  while (!finished(world)) takeSteps(world, 64);
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("A lineage stops when a cell is born, or so many cells of a kind live") {
+  const Scene scene = scenes::lineageOnly(scenes::uniqueFour, 6);
+  const World born = ranUntil(scene, {.event = StopEvent::born, .of = {cell("BA")}});
+  CHECK(born.clock.time == 2);
+  CHECK(born.stoppedBy == 0u);
+  const World kind = ranUntil(scene, {.event = StopEvent::cells, .of = {substance("a4")}, .count = 1});
+  CHECK(kind.clock.time == 3);
+  const World many = ranUntil(scene, {.event = StopEvent::cells, .count = 3});
+  CHECK(many.clock.time == 2);
+  const World never = ranUntil(scene, {.event = StopEvent::cells, .count = 5});
+  CHECK(never.clock.time == 6);
+  CHECK_FALSE(never.stoppedBy);
+  const World late = ranUntil(scene, {.event = StopEvent::born, .of = {cell("BA")}, .after = 4.5});
+  CHECK(late.clock.time == 5);
+}
+
+TEST_CASE("A scene whose start fulfils a condition has nothing to run") {
+  const Scene scene = scenes::lineageOnly(scenes::uniqueFour, 6);
+  CHECK(ranUntil(scene, {.event = StopEvent::born, .of = {cell("")}}).clock.step == 0);
+}
+
+TEST_CASE("Conditions alone fail after 1000 cycles if none comes to hold") {
+  Scene scene = scenes::lineageOnly("START: a0\nk(a0|a0)\n", 1);
+  scene.stop = {};
+  const auto failure = failureOf([&] { ranUntil(scene, {.event = StopEvent::cells, .count = 2}); });
+  REQUIRE(failure);
+  CHECK_THAT(failure->what(), Catch::Contains("stop.when: no condition has held in 1000 cycles"));
+}
+
+TEST_CASE("Bodies: the run goes as without the condition, and ends at the first look at which it holds") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
+  scene.mechanics->contact.emplace();
+  const auto areaAt = [](const World& world) {
+    double most = 0;
+    const Observation now(world);
+    for (const ContactArea& contact : now.contacts()) most = std::max(most, contact.area);
+    return most;
+  };
+  const double every = 0.125;
+  // Brute force: every look of a run without the condition, seen one by one.
+  const StopWhen touch{.event = StopEvent::touch, .of = {cell("A"), cell("B")}};
+  const World stopped = ranUntil(scene, touch, every);
+  REQUIRE(stopped.stoppedBy);
+  World plain = makeWorld(scene);
+  double first = NAN;
+  while (!finished(plain) && std::isnan(first)) {
+    const double before = plain.clock.time;
+    const std::size_t born = plain.lineage.entries.size();
+    step(plain);
+    const bool looks =
+        std::floor(before / every) != std::floor(plain.clock.time / every) || plain.lineage.entries.size() != born;
+    if (looks && areaAt(plain) > 0) first = plain.clock.time;
+  }
+  CHECK(stopped.clock.time == first);
+  CHECK(stateHash(stopped) == stateHash(plain));
+}
