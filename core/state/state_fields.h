@@ -182,8 +182,8 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts, connections,
-         lineage, timeSteps, divisions, birthSizes, polarities, settlings, experiments, before, motility, swirls] =
-      world;
+         lineage, timeSteps, divisions, birthSizes, polarities, settlings, experiments, stoppedBy, before, motility,
+         swirls] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);

@@ -13,28 +13,11 @@
 namespace morula::scenario {
 namespace {
 
-enum Column { x, y, z, vx, vy, vz, radius, volume, scale, mass, name, substances, columnCount };
-constexpr const char* columnsAllowed = "x, y, z, radius (or volume or scale), vx, vy, vz, mass, name and substances";
+constexpr const char* startColumns = "x, y, z, radius (or volume or scale), vx, vy, vz, mass, name and substances";
 
-/// [Column] The headers of a column, the best first, as headerWord gives them.
-const std::array<std::vector<std::string>, columnCount> headers{{{"x", "positionx", "posx", "xum"},
-                                                                 {"y", "positiony", "posy", "yum"},
-                                                                 {"z", "positionz", "posz", "zum"},
-                                                                 {"vx", "velocityx"},
-                                                                 {"vy", "velocityy"},
-                                                                 {"vz", "velocityz"},
-                                                                 {"radius", "radiusum", "r"},
-                                                                 {"volume", "volumeum3", "vol"},
-                                                                 {"scale"},
-                                                                 {"mass"},
-                                                                 {"name", "cellname", "cell"},
-                                                                 {"substances", "substance", "kind", "type", "state"}}};
-
-constexpr Range anyPositive{.low = 0, .openLow = true};
-
-class TableReader {
+class StartCellReader {
  public:
-  TableReader(std::string_view text, const std::string& file, const Scenario& scenario, Reading& reading)
+  StartCellReader(std::string_view text, const std::string& file, const Scenario& scenario, Reading& reading)
       : problems_(file), text_(text, problems_), file_(file), scenario_(scenario), reading_(reading) {
     column_.fill(-1);
   }
@@ -46,7 +29,7 @@ class TableReader {
     while (problems_.empty() && text_.next()) cells.push_back(readRow());
     if (cells.empty() && problems_.empty())
       text_.complain({}, "there is no row",
-                     std::string("needs a header with columns of ") + columnsAllowed + ", and rows");
+                     std::string("needs a header with columns of ") + startColumns + ", and rows");
     problems_.throwIfAny();
     return cells;
   }
@@ -55,6 +38,23 @@ class TableReader {
   const std::vector<int>& lines() const { return lines_; }
 
  private:
+  enum Column { x, y, z, vx, vy, vz, radius, volume, scale, mass, name, substances, columnCount };
+  /// [Column] The headers of a column, the best first, as headerWord gives them.
+  static inline const std::array<std::vector<std::string>, columnCount> headers{
+      {{"x", "positionx", "posx", "xum"},
+       {"y", "positiony", "posy", "yum"},
+       {"z", "positionz", "posz", "zum"},
+       {"vx", "velocityx"},
+       {"vy", "velocityy"},
+       {"vz", "velocityz"},
+       {"radius", "radiusum", "r"},
+       {"volume", "volumeum3", "vol"},
+       {"scale"},
+       {"mass"},
+       {"name", "cellname", "cell"},
+       {"substances", "substance", "kind", "type", "state"}}};
+  static constexpr Range anyPositive{.low = 0, .openLow = true};
+
   bool has(Column c) const { return column_[c] >= 0; }
   std::string_view field(Column c) const {
     return has(c) ? text_.fields()[static_cast<std::size_t>(column_[c])] : std::string_view();
@@ -68,7 +68,7 @@ class TableReader {
           headers, [&](const auto& words) { return std::ranges::find(words, headerWord(header)) != words.end(); });
       if (column == headers.end()) {
         text_.complain(header, "'" + std::string(header) + "' is no column of start cells",
-                       std::string("needs some of ") + columnsAllowed);
+                       std::string("needs some of ") + startColumns);
         continue;
       }
       int& place = column_[static_cast<std::size_t>(column - headers.begin())];
@@ -118,7 +118,8 @@ class TableReader {
     if (const auto& mechanics = scenario_.scene.mechanics) {
       const double egg = mechanics->physics.cell.radius;
       if (has(radius)) cell.scale = number(radius, anyPositive, egg) / egg;
-      if (!field(volume).empty()) cell.scale = cubeRoot(number(volume, anyPositive, 1) / (4.0 / 3 * std::numbers::pi)) / egg;
+      if (!field(volume).empty())
+        cell.scale = cubeRoot(number(volume, anyPositive, 1) / (4.0 / 3 * std::numbers::pi)) / egg;
     }
     if (!field(mass).empty()) cell.mass = number(mass, anyPositive, 1);
     if (has(substances)) cell.substances = substancesOf(field(substances));
@@ -161,7 +162,7 @@ class TableReader {
 
 void readStartCellTable(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
                         Reading& reading) {
-  TableReader table(text, file, scenario, reading);
+  StartCellReader table(text, file, scenario, reading);
   scenario.scene.cells = table.read();
   const std::vector<CellPath> paths = founderPaths(scenario.scene.cells.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -10,9 +10,9 @@
 namespace morula::scenario {
 namespace {
 
-constexpr const char* form = "maps, as [{touch: [cell ABa, cell P2]}, {cells: 4, of: skin}, {born: cell MS}]";
+constexpr const char* whenForm = "maps, as [{touch: [cell ABa, cell P2]}, {cells: 4, of: skin}, {born: cell MS}]";
 
-std::vector<std::string> keysOf(StopEvent event) {
+std::vector<std::string> whenKeysOf(StopEvent event) {
   switch (event) {
     case StopEvent::cells: return {"of", "after"};
     case StopEvent::measure: return {"above", "below", "after"};
@@ -37,7 +37,7 @@ class WhenReader {
       what = member, entry_.event = row.value;
     }
     if (!what) return say(node_.place, "", "says no condition", "needs one of " + join(events, " or "));
-    std::vector<std::string> keys = keysOf(entry_.event);
+    std::vector<std::string> keys = whenKeysOf(entry_.event);
     keys.push_back(what->key);
     refuseUnknown(node_, path_, keys, reading_.problems);
     entry_.after = readMember(node_, "after", {.low = 0}, "time", path_, reading_.problems).value_or(0);
@@ -106,7 +106,7 @@ class WhenReader {
   StopWhen entry_;
 };
 
-Json writeEntry(const StopWhen& when) {
+Json writeWhen(const StopWhen& when) {
   Json cells = Json::array();
   for (const CellSelection& one : when.of) cells.push_back(selectionText(one));
   Json map;
@@ -125,7 +125,7 @@ Json writeEntry(const StopWhen& when) {
   return map;
 }
 
-Json entrySchema() {
+Json whenSchema() {
   const Json text{{"type", "string"}, {"minLength", 1}}, pair = listSchema(text, 2);
   Json events = Json::array();
   for (const auto& row : choices<StopEvent>) events.push_back({{"required", Json::array({row.name})}});
@@ -149,21 +149,21 @@ Json entrySchema() {
 Parameter stopWhen() {
   Parameter p;
   p.path = "stop.when";
-  p.allowed = std::string("a list of ") + form;
+  p.allowed = std::string("a list of ") + whenForm;
   p.meaning = "As soon as one of these conditions holds, seen after cell cycles and each stop.every. ";
   for (const auto& row : choices<StopEvent>)
     p.meaning += std::string(row.name) + ": " + row.meaning + (row.value == StopEvent::measure ? "" : "; ");
   p.meaning += ". after: a time before which a condition does not count";
   p.absent = "no condition";
   p.later = true;
-  p.schema = {{"type", "array"}, {"items", entrySchema()}, {"minItems", 1}};
+  p.schema = {{"type", "array"}, {"items", whenSchema()}, {"minItems", 1}};
   p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     if (expectEntries(node, path, allowed, reading.problems)) reading.stopWhen = node.items;
   };
   p.write = [](const Scenario& s) {
     if (s.scene.stop.when.empty()) return Json();
     Json list = Json::array();
-    for (const StopWhen& when : s.scene.stop.when) list.push_back(writeEntry(when));
+    for (const StopWhen& when : s.scene.stop.when) list.push_back(writeWhen(when));
     return list;
   };
   return p;
@@ -182,6 +182,6 @@ void readStopWhen(Scenario& scenario, Reading& reading) {
   }
 }
 
-std::string stopText(const StopWhen& when) { return writeEntry(when).dump(); }
+std::string stopText(const StopWhen& when) { return writeWhen(when).dump(); }
 
 }  // namespace morula::scenario

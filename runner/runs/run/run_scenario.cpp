@@ -14,6 +14,7 @@
 #include "run/checkpoints.h"
 #include "run/draw_run.h"
 #include "run/run_file.h"
+#include "values/parameter.h"
 
 namespace morula {
 namespace {
