@@ -116,7 +116,7 @@ TEST_CASE("Rivals are as exact as the scene is, between two runs or beyond; Bull
   const auto ours = [](const char* series, double error, double seconds) { return row(series, 0, error, seconds); };
   const auto bullets = [](const char* baseline, double error, double seconds) {
     AccuracyRow r = row(std::string("bullet ") + baseline, 0, error, seconds);
-    r.engine = std::string("bullet-") + baseline;
+    r.engine = parseChoice<MeasuredEngine>(std::string("bullet-") + baseline);
     return r;
   };
   const AccuracyRow own = ours("as it is", 0.01, 8);

@@ -12,7 +12,7 @@ using namespace morula;
 
 namespace {
 
-BenchRow row(const std::string& engine, Stage stage, int cells, double ns, const std::string& isa = "avx2") {
+BenchRow row(MeasuredEngine engine, Stage stage, int cells, double ns, const std::string& isa = "avx2") {
   BenchRow r;
   r.scene = "packed", r.engine = engine, r.stage = stage, r.cells = cells, r.vertices = 162;
   r.isa = isa, r.nsPerVertexStep = ns;
@@ -33,15 +33,16 @@ int countPixels(const Drawing& drawing, Colour colour) {
 }  // namespace
 
 TEST_CASE("Ratios are formed of the rows that are there, and held against their promises") {
-  std::vector<BenchRow> rows{row("morula", Stage::step, 64, 40),    row("morula", Stage::step, 128, 44),
-                             row("morula", Stage::step, 256, 66),   row("bullet-b1", Stage::step, 64, 2000, ""),
-                             row("morula", Stage::internal, 64, 8), row("scalar", Stage::internal, 64, 45, "")};
+  std::vector<BenchRow> rows{
+      row(MeasuredEngine::morula, Stage::step, 64, 40),    row(MeasuredEngine::morula, Stage::step, 128, 44),
+      row(MeasuredEngine::morula, Stage::step, 256, 66),   row(MeasuredEngine::bulletB1, Stage::step, 64, 2000, ""),
+      row(MeasuredEngine::morula, Stage::internal, 64, 8), row(MeasuredEngine::scalar, Stage::internal, 64, 45, "")};
   rows[4].shareOfPeak = 0.75, rows[4].shareWithRoots = 0.9;
-  rows.push_back(row("morula", Stage::step, 512, 60));
+  rows.push_back(row(MeasuredEngine::morula, Stage::step, 512, 60));
   rows.back().wallClock = true;
   rows.push_back(rows.back());
   rows.back().threads = 2, rows.back().nsPerVertexStep = 50;
-  BenchRow free = row("morula", Stage::step, 64, 9);
+  BenchRow free = row(MeasuredEngine::morula, Stage::step, 64, 9);
   free.scene = "free";
   rows.push_back(free);
   free.stage = Stage::internal, free.nsPerVertexStep = 8;
@@ -119,7 +120,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
     }
   CHECK(find(report.rows, "packed", MeasuredEngine::scalar, Stage::internal, 8, 42, ""));
   CHECK(find(report.rows, "free", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
-  CHECK(find(report.rows, "packed-friction", "morula", Stage::step, 8, 42, name(bestIsa())));
+  CHECK(find(report.rows, "packed-friction", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
   CHECK_FALSE(find(report.rows, "packed", MeasuredEngine::bulletB1, Stage::step, 8, 42, ""));
   std::set<std::string> searches;
   for (const BenchRow& r : report.rows) searches.insert(r.search);
@@ -134,9 +135,9 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
 
 TEST_CASE("The picture of a bench holds the thesis' line only beside our own 8 cells") {
   BenchReport report;
-  report.rows = {row("morula", Stage::step, 64, 40), row("morula", Stage::step, 128, 44)};
+  report.rows = {row(MeasuredEngine::morula, Stage::step, 64, 40), row(MeasuredEngine::morula, Stage::step, 128, 44)};
   const Colour green = seriesColour(2);
   CHECK(countPixels(drawBench(report), green) == 0);
-  report.rows.push_back(row("morula", Stage::step, 8, 30));
+  report.rows.push_back(row(MeasuredEngine::morula, Stage::step, 8, 30));
   CHECK(countPixels(drawBench(report), green) > 100);
 }

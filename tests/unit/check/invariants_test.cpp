@@ -25,7 +25,7 @@ CheckResult only(const CheckParameters& check, const World& world) {
   invariants.observe(world);
   const auto results = invariants.results(world);
   REQUIRE(results.size() == 1);
-  CHECK(results[0].kind == "invariant");
+  CHECK(results[0].kind == CheckKind::invariant);
   return results[0];
 }
 

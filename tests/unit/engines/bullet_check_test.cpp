@@ -21,7 +21,7 @@ using Shapes = std::vector<std::vector<Point>>;
 CheckResult compare(const World& world, const Shapes& shapes, const BulletCheck& check) {
   const auto results = compareWithBullet(world, shapes, check);
   REQUIRE(results.size() == 1);
-  CHECK(results[0].kind == "bullet");
+  CHECK(results[0].kind == CheckKind::bullet);
   return results[0];
 }
 

@@ -22,7 +22,8 @@ Scene lively() {
 }
 
 struct RunFault {
-  const char *what, *failureClass;
+  const char* what;
+  FailureClass failureClass;
   std::optional<std::string> cell;
   const char* field;
   Change after, before = {};  // changes after or before step number `when`
@@ -108,29 +109,29 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
       if (e.bornStep > when && division == 0) division = e.bornStep;
 
   const std::vector<RunFault> faults{
-      {"a position, one ulp", "COMPUTATION", cell(1), "position",
+      {"a position, one ulp", FailureClass::computation, cell(1), "position",
        [](World& w) { nudge(w.bodies->position[w.bodies->at(w.bodies->slots[1], 5)]); }},
-      {"the last coordinate of the last cell", "COMPUTATION", last, "position",
+      {"the last coordinate of the last cell", FailureClass::computation, last, "position",
        [](World& w) {
          Bodies& b = *w.bodies;
          const int slot = b.slots.back();
          nudge(b.position[b.at(slot, b.vertexCount(slot) - 1) + 2 * blockLanes]);
        }},
-      {"a velocity, one ulp", "COMPUTATION", cell(0), "velocity",
+      {"a velocity, one ulp", FailureClass::computation, cell(0), "velocity",
        [](World& w) { nudge(largest(*w.bodies, w.bodies->velocity, 0)); }},
-      {"an acceleration, one ulp", "COMPUTATION", cell(2), "acceleration",
+      {"an acceleration, one ulp", FailureClass::computation, cell(2), "acceleration",
        [](World& w) { nudge(largest(*w.bodies, w.bodies->acceleration, 2)); }},
-      {"a velocity that is no number", "COMPUTATION", cell(1), "velocity",
+      {"a velocity that is no number", FailureClass::computation, cell(1), "velocity",
        [](World& w) { w.bodies->velocity[w.bodies->at(w.bodies->slots[1], 3)] = std::nan(""); }},
-      {"an infinite position", "COMPUTATION", cell(1), "position",
+      {"an infinite position", FailureClass::computation, cell(1), "position",
        [](World& w) { w.bodies->position[w.bodies->at(w.bodies->slots[1], 3)] = INFINITY; }},
-      {"a mass", "COMPUTATION", cell(1), "vertex mass",
+      {"a mass", FailureClass::computation, cell(1), "vertex mass",
        [](World& w) { nudge(w.bodies->vertexMass[w.bodies->slots[1]]); }},
-      {"a rest length", "COMPUTATION", cell(2), "rest scale",
+      {"a rest length", FailureClass::computation, cell(2), "rest scale",
        [](World& w) { nudge(w.bodies->restScale[w.bodies->slots[2]]); }},
-      {"the gas", "COMPUTATION", cell(0), "pressure constant",
+      {"the gas", FailureClass::computation, cell(0), "pressure constant",
        [](World& w) { nudge(w.bodies->pressureConstant[w.bodies->slots[0]]); }},
-      {"two cells change places", "COMPUTATION", cell(1), "position",
+      {"two cells change places", FailureClass::computation, cell(1), "position",
        [](World& w) {
          Bodies& b = *w.bodies;
          for (int v = 0; v < b.vertexCount(b.slots[1]); ++v) {
@@ -146,29 +147,32 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
        .after = [](World& w) { setInfluenceRadii(*w.contacts, *w.bodies); },
        .before = [](World& w) { dropContacts(w, 1); },
        .scene = crowd},
-      {"a spring constant", "COMPUTATION", cell(0), "acceleration", nothing,
+      {"a spring constant", FailureClass::computation, cell(0), "acceleration", nothing,
        [](World& w) { w.bodies->kernelParameters.stiffness *= 1 + 1e-15; }},
-      {"the time step, one ulp", "COMPUTATION", noCell, "clock.time step", [](World& w) { nudge(w.clock.timeStep); }},
-      {"a connection that never was", "COMPUTATION", noCell, "connections ever",
+      {"the time step, one ulp", FailureClass::computation, noCell, "clock.time step",
+       [](World& w) { nudge(w.clock.timeStep); }},
+      {"a connection that never was", FailureClass::computation, noCell, "connections ever",
        [](World& w) { w.connections->history.pop_back(); }},
-      {"a connection made at another time", "COMPUTATION", "A", "connection made",
+      {"a connection made at another time", FailureClass::computation, "A", "connection made",
        [](World& w) { nudge(w.connections->history[0].made); }},
-      {"swapped daughters", "LINEAGE", cell(0), "substances",
+      {"swapped daughters", FailureClass::lineage, cell(0), "substances",
        [](World& w) { std::swap(w.cells.state[0], w.cells.state[1]); }},
-      {"a cell dies", "LINEAGE", cell(1), "life", [](World& w) { change(w, 1, CellChange::dies); }},
-      {"a cell divides", "LINEAGE", cell(0), "life", [](World& w) { change(w, 0, CellChange::divides); }},
-      {"a cell grows that should not", "LINEAGE", cell(2), "growth", [](World& w) { w.cells.growth[2] = 1; }},
-      {"a cell cycle counted late", "LINEAGE", cell(1), "last cell cycle",
+      {"a cell dies", FailureClass::lineage, cell(1), "life", [](World& w) { change(w, 1, CellChange::dies); }},
+      {"a cell divides", FailureClass::lineage, cell(0), "life", [](World& w) { change(w, 0, CellChange::divides); }},
+      {"a cell grows that should not", FailureClass::lineage, cell(2), "growth",
+       [](World& w) { w.cells.growth[2] = 1; }},
+      {"a cell cycle counted late", FailureClass::lineage, cell(1), "last cell cycle",
        [](World& w) { w.cells.lastCycle[1] += 0.01; }},
-      {"a birth recorded elsewhere", "LINEAGE", "B", "born at step", [](World& w) { ++w.lineage.entries[2].bornStep; }},
-      {"all cell cycles one step late", "LINEAGE", cell(0), "life", nothing,
+      {"a birth recorded elsewhere", FailureClass::lineage, "B", "born at step",
+       [](World& w) { ++w.lineage.entries[2].bornStep; }},
+      {"all cell cycles one step late", FailureClass::lineage, cell(0), "life", nothing,
        [](World& w) { w.clock.nextCycle += 1.5 * w.clock.timeStep; }, division},
-      {"the egg, one ulp", "SETUP", "", "position",
+      {"the egg, one ulp", FailureClass::setup, "", "position",
        [](World& w) { nudge(w.bodies->position[w.bodies->at(0, 7) + blockLanes]); }, nothing, 0},
-      {"a zero with another sign", "SETUP", "", "velocity",
+      {"a zero with another sign", FailureClass::setup, "", "velocity",
        [](World& w) { w.bodies->velocity[w.bodies->at(0, 2)] = -double(w.bodies->velocity[w.bodies->at(0, 2)]); },
        nothing, 0},
-      {"an egg of another substance", "SETUP", "", "substances",
+      {"an egg of another substance", FailureClass::setup, "", "substances",
        [](World& w) { w.cells.state[0] = w.biology->daughterState(w.cells.state[0], true); }, nothing, 0},
   };
   REQUIRE(faults.size() >= 25);
@@ -177,7 +181,8 @@ TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
     const std::uint64_t parting = firstStepThatDiffers(fault);
     OwnRun expected = runOf(fault.scene, "expected"), actual = faultyRun(fault);
     Explanation x = explain(expected, actual, 64);
-    if (x.failureClass.empty()) x = explain(expected, actual, 1);  // the difference has healed, but shows step by step
+    if (x.failureClass == FailureClass::none)
+      x = explain(expected, actual, 1);  // the difference has healed, but shows step by step
     CAPTURE(x.text);
     CHECK(x.failureClass == fault.failureClass);
     REQUIRE(x.step);
@@ -195,7 +200,7 @@ TEST_CASE("Two equal runs have nothing to explain, however they are computed") {
   const Scene scene = lively();
   OwnRun first = runOf(scene, "first"), second = runOf(scene, "second", step, {bestIsa(), 3});
   const Explanation x = explain(first, second, 64);
-  CHECK(x.failureClass.empty());
+  CHECK(x.failureClass == FailureClass::none);
   CHECK_FALSE(x.step);
   CHECK_THAT(x.text, ContainsSubstring("the same bits"));
 }
@@ -223,7 +228,7 @@ TEST_CASE("A difference that heals between two states looked at is seen step by 
     });
   };
   OwnRun clean = runOf(scene, "clean"), coarse = healing(), fine = healing();
-  CHECK(explain(clean, coarse, 64).failureClass.empty());
+  CHECK(explain(clean, coarse, 64).failureClass == FailureClass::none);
   CHECK(explain(clean, fine, 1).step == when);
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("A stored run tells the window and the cell; its states are gone") {
   REQUIRE(chain.size() > 12);
   StoredRunSource before("run", chain, chain.back().step, "");
   OwnRun same = runOf(scene, "now");
-  CHECK(explain(before, same, 8).failureClass.empty());
+  CHECK(explain(before, same, 8).failureClass == FailureClass::none);
   OwnRun other = runOf(scene, "now", changingAt(67, [](World& w) { w.bodies->velocity[w.bodies->at(0, 3)] += 1e-9; }));
   const Explanation x = explain(before, other, 8);
   CHECK(x.failureClass == FailureClass::computation);

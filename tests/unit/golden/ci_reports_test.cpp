@@ -13,7 +13,7 @@ CheckResult passed(const std::string& check) {
   return r;
 }
 
-CheckResult failed(const std::string& check, const std::string& failureClass, const std::string& message) {
+CheckResult failed(const std::string& check, FailureClass failureClass, const std::string& message) {
   CheckResult r = passed(check);
   r.passed = false;
   r.failureClass = failureClass;
@@ -24,9 +24,9 @@ CheckResult failed(const std::string& check, const std::string& failureClass, co
 std::vector<CheckReport> example() {
   return {{"thesis/four", {passed("bits"), passed("lineage")}},
           {"hard/<a & \"b\">",
-           {failed("values *.volume", "COMPUTATION",
+           {failed("values *.volume", FailureClass::computation,
                    "golden/hard/a.golden:12: 1/volume: expected 1, actual 2\nand 99 more, 50 % of them"),
-            failed("golden", "SETUP", "golden/hard/a,b.golden is not there"), passed("shell")}}};
+            failed("golden", FailureClass::setup, "golden/hard/a,b.golden is not there"), passed("shell")}}};
 }
 
 }  // namespace
@@ -60,9 +60,9 @@ TEST_CASE("Annotations name the file and the line, and keep clear of the command
         "::error file=golden/hard/a.golden,line=12,title=COMPUTATION%3A hard/<a & \"b\">::computed values differ: "
         "values *.volume: 1/volume: expected 1, actual 2\n"
         "::error title=SETUP%3A hard/<a & \"b\">::the scenario has no golden: golden/hard/a,b.golden is not there\n");
-  CHECK(annotations({{"s", {failed("c", "SETUP", "a,b.golden:7: 50 % off")}}}) ==
+  CHECK(annotations({{"s", {failed("c", FailureClass::setup, "a,b.golden:7: 50 % off")}}}) ==
         "::error file=a%2Cb.golden,line=7,title=SETUP%3A s::the initial state differs: c: 50 %25 off\n");
-  CHECK(annotations({{"s", {failed("c", "SETUP", "a.golden: scenario_hash: 1: other")}}}) ==
+  CHECK(annotations({{"s", {failed("c", FailureClass::setup, "a.golden: scenario_hash: 1: other")}}}) ==
         "::error file=a.golden,title=SETUP%3A s::the initial state differs: c: scenario_hash: 1: other\n");
   CHECK(annotations({{"s", {passed("c")}}}).empty());
 }
@@ -73,9 +73,9 @@ TEST_CASE("Of many annotations nine are shown, and how many more there are") {
     const std::string text = annotations(reports);
     return std::count(text.begin(), text.end(), '\n');
   };
-  for (int i = 0; i < 9; ++i) reports.push_back({"s", {failed("c", "COST", "x")}});
+  for (int i = 0; i < 9; ++i) reports.push_back({"s", {failed("c", FailureClass::cost, "x")}});
   CHECK(lines() == 9);
-  for (int i = 0; i < 3; ++i) reports.push_back({"s", {failed("c", "COST", "x")}});
+  for (int i = 0; i < 3; ++i) reports.push_back({"s", {failed("c", FailureClass::cost, "x")}});
   CHECK(lines() == 10);
   CHECK_THAT(annotations(reports), ContainsSubstring("::3 more; see the log\n"));
 }
@@ -85,11 +85,12 @@ namespace {
 /// Returns a report in which one key of a scenario has changed, and therefore bits and values. The end is not sane,
 /// either.
 CheckReport changedKey() {
-  CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: the hash differs from the accepted one"),
-              values = failed("values *", "INPUT_CHANGED", "g:9: 1/volume: expected 1, actual 1.5"),
-              scenario = failed("scenario", "INPUT_CHANGED", "g: physics.drag: expected '1', actual '2': …"),
-              sane = failed("sanity volume", "COMPUTATION", "not sane at the end: cell A is crushed");
-  for (CheckResult* r : {&bits, &values, &scenario}) r->kind = "golden";
+  CheckResult bits = failed("bits", FailureClass::inputChanged,
+                            "g:7: bits solver: the hash differs from the accepted one"),
+              values = failed("values *", FailureClass::inputChanged, "g:9: 1/volume: expected 1, actual 1.5"),
+              scenario = failed("scenario", FailureClass::inputChanged, "g: physics.drag: expected '1', actual '2': …"),
+              sane = failed("sanity volume", FailureClass::computation, "not sane at the end: cell A is crushed");
+  for (CheckResult* r : {&bits, &values, &scenario}) r->kind = CheckKind::golden;
   values.field = "volume", values.expected = "1", values.actual = "1.5", values.firstStep = 4;
   sane.kind = CheckKind::sanity;
   return {"two",
@@ -125,9 +126,9 @@ TEST_CASE("What follows from one cause is one failure with it") {
 }
 
 TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothing another") {
-  CheckReport report{
-      "s",
-      {failed("bits", "COMPUTATION", "b"), failed("values", "CHAOS", "v"), failed("tolerances", "INPUT_CHANGED", "t")}};
+  CheckReport report{"s",
+                     {failed("bits", FailureClass::computation, "b"), failed("values", FailureClass::chaos, "v"),
+                      failed("tolerances", FailureClass::inputChanged, "t")}};
   for (CheckResult& r : report.results) r.kind = CheckKind::golden;
   report.results[1].firstStep = 9;
   const auto causes = causesOf(report);
@@ -138,7 +139,7 @@ TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothi
 }
 
 TEST_CASE("The summary takes no HTML, links and images from names and messages") {
-  CheckReport report{"<img src=x>[a](b) & `c`", {failed("values", "COMPUTATION", "<b>g</b>:1: ![i](j)")}};
+  CheckReport report{"<img src=x>[a](b) & `c`", {failed("values", FailureClass::computation, "<b>g</b>:1: ![i](j)")}};
   report.results[0].kind = CheckKind::golden;
   report.change = "  changed   name: <i>a</i> → [b](c)\n";
   report.file = "a`b`.yaml";
@@ -153,7 +154,7 @@ TEST_CASE("The summary takes no HTML, links and images from names and messages")
 TEST_CASE("The summary is a table, and below it stands what differs, in words") {
   CHECK(summaryPage({{"a", {passed("bits")}}}) ==
         "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 1 | pass |\n");
-  CHECK(summaryPage({{"a", {passed("bits"), failed("values", "COMPUTATION", "g:1: a|b\nmore")}}}) ==
+  CHECK(summaryPage({{"a", {passed("bits"), failed("values", FailureClass::computation, "g:1: a|b\nmore")}}}) ==
         "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 2 | **computed values differ** |\n"
         "\n#### a\n\n| COMPUTATION | computed values differ |\n|---|---|\n| check | values: g:1: a\\|b |\n");
   CHECK_THAT(

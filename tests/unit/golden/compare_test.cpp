@@ -28,7 +28,7 @@ using Checks = std::vector<std::string>;
 
 /// Returns the check, its class, the place and the field of a failure, as "lineage LINEAGE step 768 cell B: state".
 std::string failedInOneLine(const CheckResult& r) {
-  return r.check + ' ' + r.failureClass + (r.firstStep ? " step " + std::to_string(*r.firstStep) : "") +
+  return r.check + ' ' + nameOf(r.failureClass) + (r.firstStep ? " step " + std::to_string(*r.firstStep) : "") +
          (r.cell ? ' ' + cellName(*r.cell) : "") + ": " + r.field;
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("the same run passes every check") {
   for (const CheckResult& r : report.results) {
     INFO(r.check);
     CHECK(r.passed);
-    CHECK(r.failureClass.empty());
+    CHECK(r.failureClass == FailureClass::none);
     CHECK(r.message.empty());
     CHECK(r.kind == CheckKind::golden);
     CHECK(r.expected == r.actual);
@@ -315,8 +315,8 @@ TEST_CASE("a difference no larger than one unit in the last place grows to is ch
   const auto classOf = [&](double volume) {
     return find(compareWith(golden, [&](GoldenFacts& f) { f.cells[0]["volume"] = volume; }), "values").failureClass;
   };
-  CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where chaos reaches 1e-8
-  CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than chaos reaches
+  CHECK(classOf(2 + 1e-8) == FailureClass::chaos);        // at step 1024, where chaos reaches 1e-8
+  CHECK(classOf(2 + 1e-5) == FailureClass::computation);  // more than chaos reaches
   const auto early = [&](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); };  // at step 128, before any growth
   CHECK(find(compareWith(golden, early), "values").failureClass == FailureClass::computation);
 }

@@ -182,7 +182,7 @@ TEST_CASE_METHOD(FinishedRun, "checks replace earlier checks of their kind") {  
   store.addChecks(id, {better});
   const std::vector<CheckResult> checks = store.checks(id);
   REQUIRE(checks.size() == 2);
-  REQUIRE(checks[0].kind == "invariant");
+  REQUIRE(checks[0].kind == CheckKind::invariant);
   REQUIRE(checks[1] == better);
   REQUIRE_THROWS_AS(store.addChecks("nobody", {better}), StoreError);
 }
