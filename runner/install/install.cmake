@@ -13,7 +13,7 @@ install(FILES ${CMAKE_BINARY_DIR}/wasm/morula.wasm.gz ${CMAKE_BINARY_DIR}/wasm/p
 # What the program says of its own command line.
 install(CODE "
   foreach(form bash zsh fish man)
-    execute_process(COMMAND $<TARGET_FILE:morula> describe \${form} OUTPUT_FILE ${built}/morula.\${form} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND $<TARGET_FILE:morula> internal describe \${form} OUTPUT_FILE ${built}/morula.\${form} COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
   execute_process(COMMAND gzip -9nc ${built}/morula.man OUTPUT_FILE ${built}/morula.1.gz COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND gzip -9nc ${CMAKE_CURRENT_LIST_DIR}/changelog OUTPUT_FILE ${built}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)

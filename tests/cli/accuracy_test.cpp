@@ -20,8 +20,6 @@ struct Bench {
   Words words(const Words& more) const {
     return joined({"accuracy", folder / "swinging.yaml", "--out", folder.path(), "--rounds", "1"}, more);
   }
-  /// Runs accuracy outside of continuous integration, where goldens may be written.
-  Launched accuracyOfPeople(const Words& more) const { return launch(words(more), {{"CI", ""}}); }
 };
 
 }  // namespace
@@ -94,28 +92,4 @@ TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
     CHECK(s["cpu_seconds"] > 0);
     CHECK(s["bullet_cpu_seconds"] > 0);
   }
-}
-
-TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and of no other") {
-  const Bench bench;
-  const std::string scenario = bench.folder / "swinging.yaml", golden = bench.folder / "swinging.golden";
-  const Words quick{"--into-golden", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"};
-  CHECK(bench.accuracyOfPeople(quick).code == 3);  // no golden yet
-  accept(scenario);
-  CHECK(bench.accuracyOfPeople(joined(quick, {"--set", "physics.drag=3"})).code == 2);
-  CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
-  const auto run = bench.accuracyOfPeople(quick);
-  CAPTURE(run.err);
-  REQUIRE(run.code == 0);
-  CHECK(run.out.find("as it is   error ") != std::string::npos);
-  CHECK_THAT(readWhole(golden), ContainsSubstring("\nerror position ") && ContainsSubstring("\nerror pressure ") &&
-                                    !ContainsSubstring("\nerror neighbours "));
-  CHECK_THAT(launch({"accuracy", "--stated", golden}).out, ContainsSubstring("swinging |"));
-  CHECK(launch({"check", scenario}).code == 0);
-  accept(scenario);  // the same result: its error stays
-  CHECK_THAT(readWhole(golden), ContainsSubstring("\nerror "));
-  writeWhole(scenario, swinging + "  precision: single\n");
-  CHECK(bench.accuracyOfPeople(quick).code == 3);  // the changed result is not accepted yet
-  accept(scenario);
-  CHECK_THAT(readWhole(golden), !ContainsSubstring("\nerror "));
 }

@@ -82,9 +82,9 @@ TEST_CASE("bench for people: a table on stdout, nothing else with --quiet") {
 }
 
 TEST_CASE("Bullet's worker is not for people, and tells a broken request") {
-  CHECK(launch({"--help"}).out.find("engine-worker") == std::string::npos);
-  CHECK(launch({"no-such-verb"}).err.find("engine-worker") == std::string::npos);
-  const auto run = launch({"engine-worker"});  // stdin is empty
+  CHECK(launch({"--help"}).out.find("internal") == std::string::npos);
+  CHECK(launch({"no-such-verb"}).err.find("internal") == std::string::npos);
+  const auto run = launch({"internal", "engine-worker"});  // stdin is empty
   CHECK(run.code == 3);
   CHECK_THAT(run.err, ContainsSubstring("request to another engine cannot be read"));
 }

@@ -72,7 +72,7 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
   CHECK(has(pageOf(changed), "the accepted state, from its scenario run again, bit for bit"));
 }
 
-TEST_CASE("compare tells how different two pictures look") {
+TEST_CASE("render --compare tells how different two pictures look") {
   const TemporaryFolder folder;
   morula::Image image(60, 40, morula::paper);
   writeWhole(folder / "one.png", morula::pngFile(image));
@@ -82,20 +82,28 @@ TEST_CASE("compare tells how different two pictures look") {
   writeWhole(folder / "other.png", morula::pngFile(image));
   writeWhole(folder / "small.png", morula::pngFile(morula::Image(30, 40, morula::paper)));
 
-  CHECK(succeeds({"compare", folder / "one.png", folder / "one.png"}).out == "the pictures have the same pixels\n");
-  CHECK_THAT(succeeds({"compare", folder / "one.png", folder / "rounded.png"}).out,
+  CHECK(succeeds({"render", folder / "one.png", "--compare", folder / "one.png"}).out ==
+        "the pictures have the same pixels\n");
+  CHECK_THAT(succeeds({"render", folder / "one.png", "--compare", folder / "rounded.png"}).out,
              ContainsSubstring("the pictures look the same: at most") && ContainsSubstring("needs at most 2.3"));
-  const auto json = jsonOf({"compare", folder / "one.png", folder / "other.png", "-o", folder / "map.png"}, 1);
+  const auto json =
+      jsonOf({"render", folder / "one.png", "--compare", folder / "other.png", "-o", folder / "map.png"}, 1);
   CHECK(json.at("passed") == false);
   CHECK(json.at("most") > json.at("threshold"));
   CHECK(json.at("y") == 20);
   CHECK(json.at("unequal_pixels") == 21);
   CHECK(readWhole(folder / "map.png").substr(1, 3) == "PNG");
+  CHECK(jsonOf({"render", "--compare", folder / "one.png", folder / "other.png"}, 1).at("most") == json.at("most"));
+  CHECK(succeeds({"render", folder / "one.png", "--compare", folder / "one.png", "-o", folder / "map.svg"}).out ==
+        "the same pixels\npicture  " + (folder / "map.svg") + "\n");
 
   const auto fails = [&](int code, const std::string& because, const Words& more) {
-    refuses(joined({"compare", folder / "one.png"}, more), code, because);
+    refuses(joined({"render", folder / "one.png", "--compare"}, more), code, because);
   };
   fails(3, "60 x 40 and 30 x 40 pixels cannot be compared", {folder / "small.png"});
   fails(6, "No such file", {folder / "none.png"});
-  fails(2, "the other options are for a study", {folder / "other.png", "--csv"});
+  fails(3, "not a PNG picture", {uniqueFour});
+  fails(2, "--compare and --size: give one of them", {folder / "other.png", "--size", "100"});
+  fails(2, "--compare and --threads: give one of them", {folder / "other.png", "--threads", "2"});
+  fails(2, "needs a name that ends in .png, .svg or .pdf", {folder / "other.png", "-o", folder / "map.mp4"});
 }

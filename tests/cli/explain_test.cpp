@@ -21,7 +21,7 @@ Json explained(const Words& words, int code) { return jsonOf(joined({"explain"},
 /// Writes a program that computes another scenario than it is asked for, like an older build with another constant.
 std::string pretender(const TemporaryFolder& folder, const std::string& scenario) {
   const auto program = folder / "pretender";
-  writeWhole(program, "#!/bin/sh\nshift 2\nexec '" MORULA_PROGRAM "' trail '" + scenario + "' \"$@\"\n");
+  writeWhole(program, "#!/bin/sh\nshift 3\nexec '" MORULA_PROGRAM "' internal trail '" + scenario + "' \"$@\"\n");
   fs::permissions(program, fs::perms::owner_all);
   return program;
 }

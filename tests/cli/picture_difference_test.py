@@ -78,7 +78,8 @@ def main(morula):
             levels = [np.clip(np.round(p), 0, 255).astype(np.uint8) for p in pair]
             for file, image in zip(files, levels):
                 matplotlib.image.imsave(file, image)
-            answer = json.loads(subprocess.run([morula, "compare", *files, "--json"], capture_output=True, text=True).stdout)
+            command = [morula, "render", files[0], "--compare", files[1], "--json"]
+            answer = json.loads(subprocess.run(command, capture_output=True, text=True).stdout)
             expected = ciede2000(*(lab(image.astype(float)) for image in levels))
             row, column = np.unravel_index(np.argmax(expected), expected.shape)
             for what, theirs, ours in (("most", expected.max(), answer["most"]), ("mean", expected.mean(), answer["mean"]),

@@ -55,3 +55,36 @@ TEST_CASE("without words the verbs are told") { refuses(Words{}, 2, "no verb; on
 TEST_CASE("a time step above its limit is an input error that names the option") {
   refuses({"run", uniqueFour, "--set", "physics.time_step=0.5"}, 3, "--set physics.time_step: 0.5");
 }
+
+TEST_CASE("a word of an earlier command line answers with the new command") {
+  const auto answers = [](const Words& words, const std::string& now) {
+    const auto run = launch(words);
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err == "morula: " + now + "\n");
+  };
+  const std::string into = "accuracy --into-golden is now: morula review SCENARIO --into-golden",
+                    stated = "accuracy --stated is now: morula review GOLDEN --stated",
+                    pictures = "compare of pictures is now: morula render ONE.png --compare OTHER.png";
+  answers({"accuracy", uniqueFour, "--into-golden"}, into);
+  answers({"accuracy", "--into-golden"}, into);
+  answers({"accuracy", uniqueFour, uniqueFour, "--into-golden", "--only"}, into);
+  answers({"accuracy", "--stated", "golden/thesis/unique-four.golden"}, stated);
+  answers({"compare", "one.png", "other.png"}, pictures);
+  answers({"study", "compare", "one.png", "other.png", "-o", "difference.png"}, pictures);
+  answers({"compare", "one.png"}, pictures);
+  answers({"trail", uniqueFour}, "trail is now: morula internal trail");
+  answers({"describe", "bash"}, "describe is now: morula internal describe");
+  answers({"engine-worker"}, "engine-worker is now: morula internal engine-worker");
+  refuses({"accuracy", "--", "--stated"}, 6, "'--stated' cannot be read");
+}
+
+TEST_CASE("one verb is not listed, and it groups what programs ask for") {
+  CHECK_THAT(succeeds({"internal", "--help"}).out,
+             ContainsSubstring("trail") && ContainsSubstring("engine-worker") && ContainsSubstring("describe"));
+  const std::string manual = succeeds({"internal", "describe", "man"}).out;
+  CHECK_THAT(manual, ContainsSubstring("The same as morula compare.\n") && !ContainsSubstring("morula internal"));
+  CHECK(occurrences(manual, "\\-\\-equivalent") == 1);
+  CHECK_THAT(succeeds({"internal", "describe", "bash"}).out, ContainsSubstring("'study compare --tidy')"));
+  refuses({"internal"}, 2, "internal: no verb; one of trail, engine-worker, describe");
+}

@@ -93,7 +93,7 @@ if command -v man >/dev/null; then
   has "the manual" "morula study plan"
   if grep -q 'warning\|<standard input>' "$scratch/out"; then fail "the manual has mistakes" && head -n 5 "$scratch/out"; fi
 fi
-for verb in $("$morula" describe bash | sed -n "s/^ *'') words='\([^']*\)'.*/\1/p"); do
+for verb in $("$morula" internal describe bash | sed -n "s/^ *'') words='\([^']*\)'.*/\1/p"); do
   try 0 "$morula" "$verb" --help
   if [ "$verb" = study ]; then continue; fi
   options=$(sed -nE 's/^  (-., *)?(-.,)?(--[a-z-]+).*/\3/p' "$scratch/out" | sort)

@@ -25,18 +25,19 @@ TEST_CASE("a scenario names files of its own folder only") {
   writeWhole(folder / "in/below/a.dna", "START: a0\ng1(a1|a0)\n");
   std::filesystem::create_symlink("../secret", folder / "in/link");
   const auto scenario = folder / "in/a.yaml";
-  const auto refused = [&](const std::string& verb, const std::string& file) {
+  const auto refusedBy = [&](const Words& verb, const std::string& file) {
     CAPTURE(file, verb);
     writeWhole(scenario, withDna(file));
-    CHECK_THAT(endsWith(3, {verb, scenario}).err, ContainsSubstring("' lies outside") &&
-                                                      ContainsSubstring("--allow-outside") &&
-                                                      !ContainsSubstring("hunter2"));
-    CHECK_THAT(endsWith(3, {verb, "--allow-outside", scenario}).err, ContainsSubstring("hunter2"));
+    CHECK_THAT(endsWith(3, joined(verb, {scenario})).err, ContainsSubstring("' lies outside") &&
+                                                              ContainsSubstring("--allow-outside") &&
+                                                              !ContainsSubstring("hunter2"));
+    CHECK_THAT(endsWith(3, joined(verb, {"--allow-outside", scenario})).err, ContainsSubstring("hunter2"));
   };
+  const auto refused = [&](const std::string& verb, const std::string& file) { refusedBy({verb}, file); };
   for (const char* file : {"../secret", "link", "below/../../secret"}) refused("validate", file);
-  for (const char* verb :
-       {"validate", "run", "parts", "check", "render", "lineage", "explain", "trail", "review", "accuracy"})
+  for (const char* verb : {"validate", "run", "parts", "check", "render", "lineage", "explain", "review", "accuracy"})
     refused(verb, folder / "secret");
+  refusedBy({"internal", "trail"}, folder / "secret");
   writeWhole(scenario, withDna("below/a.dna"));
   CHECK(launch({"validate", scenario}).code == 0);
   writeWhole(scenario, smallBody);

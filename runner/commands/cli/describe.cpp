@@ -1,4 +1,4 @@
-// morula describe: the command line for shells and for man(1), as it is installed.
+// morula internal describe: the command line for shells and for man(1), as it is installed.
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "options/command_tree.h"
@@ -26,11 +26,11 @@ inline constexpr auto choices<cli::DescriptionFor> = std::to_array<Choice<cli::D
 
 namespace morula::cli {
 
-void addDescribe(CLI::App& app, Action& action) {
-  Verb verb(app, action, "describe", "Print the verbs and options as completions for a shell, or as a page for man");
+void addDescribe(CLI::App& above, Action& action) {
+  Verb verb(above, action, "describe", "Print the verbs and options as completions for a shell, or as a page for man");
   const auto form = std::make_shared<DescriptionFor>();
-  verb.does([form, &app] {
-    const CommandInfo program = commandTree(app);
+  verb.does([form, &above] {
+    const CommandInfo program = commandTree(above);
     switch (*form) {
       case DescriptionFor::bash: print(bashCompletion(program)); break;
       case DescriptionFor::zsh: print(zshCompletion(program)); break;
@@ -40,7 +40,6 @@ void addDescribe(CLI::App& app, Action& action) {
     return fine;
   });
   verb.needs("form", *form, "FORM", parseChoice<DescriptionFor>, namesOf<DescriptionFor>());
-  verb.hide();  // called once, by the installation
 }
 
 }  // namespace morula::cli

@@ -1,4 +1,4 @@
-// morula render: pictures of a scenario, or of a stored run, at any time of its life.
+// morula render: pictures of a scenario, or of a stored run, at any time of its life; and how different two look.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "organism/camera.h"
 #include "pictures/pictures.h"
 #include "system/console.h"
+#include "views/compare_pictures.h"
 #include "views/film.h"
 
 namespace morula::cli {
@@ -122,7 +123,7 @@ Shown show(const std::string& file, const RenderOptions& options,
 }
 
 /// Draws two runs at one moment side by side, with the distance of their surfaces.
-int compare(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
+int drawBeside(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::vector<OrganismPicture> pictures;
   double radius = 1;
   for (const std::string& file : {options.file, options.beside}) {
@@ -178,11 +179,23 @@ int render(const RenderOptions& options, const PictureWishes& wishes, Json& told
   return fine;
 }
 
+/// Tells how different two picture files look, and draws it if asked to.
+int compareFiles(const RenderOptions& options) {
+  const ComparedPictures compared = comparePictures(options.file, options.compared);
+  if (!options.output.empty()) writePicture(drawCompared(compared), options.output);
+  Json json = toJson(compared.difference);
+  if (!options.output.empty()) json["pictures"] = {options.output};
+  printEither(options.messages, json,
+              compared.words + (options.output.empty() ? "" : "picture  " + options.output + "\n"));
+  return compared.difference.isNoticeable() ? differs : fine;
+}
+
 int act(const RenderOptions& options) {
   const PictureWishes wishes = wishesOf(options);
   checkOutput(options);
+  if (!options.compared.empty()) return compareFiles(options);
   Json told;
-  const int code = options.beside.empty() ? render(options, wishes, told) : compare(options, wishes, told);
+  const int code = options.beside.empty() ? render(options, wishes, told) : drawBeside(options, wishes, told);
   if (code != fine) return code;
   if (options.messages.json) printJson(told);
   else
@@ -193,7 +206,8 @@ int act(const RenderOptions& options) {
 }  // namespace
 
 void addRender(CLI::App& app, Action& action) {
-  Verb verb(app, action, "render", "Draw a scenario or a stored run, at its end or another time, still or moving");
+  Verb verb(app, action, "render",
+            "Draw a scenario or a stored run, at its end or another time, still or moving; or compare two pictures");
   auto& options = verb.does<RenderOptions>(act);
   add(verb, options);
 }

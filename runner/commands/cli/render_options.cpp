@@ -87,11 +87,12 @@ void checkOutput(const RenderOptions& options) {
   const auto refuse = [&](const std::string& why) {
     throw UsageError("--output: '" + options.output + "' ends in " + ending + why);
   };
-  const bool isTree = options.style == PictureStyle::lineage, isFilm = isFilmName(options.output) && !isTree;
+  const bool isDrawing = options.style == PictureStyle::lineage || !options.compared.empty(),
+             isFilm = isFilmName(options.output) && !isDrawing;
   if (options.perSecond && !isFilm)
     throw UsageError("--fps needs a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
   if (!isFilm) try {
-      return checkPictureName("render", options.output, isTree);
+      return checkPictureName("render", options.output, isDrawing);
     } catch (const InputError& error) { throw UsageError(std::string("--output: ") + error.what()); }
   if (!options.moves())
     refuse(", a film, but there is one picture; needs --turntable N or --frames N, or a name that ends in .png");
@@ -103,7 +104,7 @@ void checkOutput(const RenderOptions& options) {
 
 void add(Verb& verb, RenderOptions& options) {
   PictureWishes& wishes = options.wishes;
-  verb.needs("file", options.file, "FILE", "A scenario or a database");
+  verb.needs("file", options.file, "FILE", "A scenario or a database; with --compare a PNG picture");
   addRunChoice(verb, options.run);
   verb.takes("--time", options.time, "TIME", number(scenario::notNegative), "Time to draw; default: the end");
   verb.takes("--style", options.style, "NAME", parseChoice<PictureStyle>, namesOf<PictureStyle>());
@@ -140,6 +141,10 @@ void add(Verb& verb, RenderOptions& options) {
              "Draw another scenario or database beside it, and the distance of their surfaces");
   verb.excludes("--beside", {"--style both", "--forces", "--turntable", "--frames"},
                 "--beside shows one moment of solid cells");
+  verb.takes("--compare", options.compared, "FILE",
+             "Tell how different the file and this PNG picture look, and draw no organism; -o draws where they differ; "
+             "exit code 1: people would see the difference");
+  verb.allowsOnly("--compare", {"--output", "--json", "--quiet"}, "--compare compares two pictures and draws no other");
   verb.excludes(
       "--style lineage",
       {"--view", "--supersample", "--colour", "--opacity", "--clip", "--labels", "--forces", "--normals",
@@ -148,8 +153,8 @@ void add(Verb& verb, RenderOptions& options) {
       "of trees)");
   verb.takes(
       "-o,--output", options.output, "FILE",
-      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; a lineage also as .svg or .pdf; "
-      "default: the scenario's name");
+      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; a lineage or a difference also as "
+      ".svg or .pdf; default: the scenario's name");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.messages);

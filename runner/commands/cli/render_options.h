@@ -12,6 +12,7 @@ enum class PictureStyle { solid, wireframe, both, lineage };
 
 struct RenderOptions {
   std::string file, run, beside, output;
+  std::string compared;  // the picture that the picture `file` is compared with; "": the file is drawn
   PictureStyle style = PictureStyle::solid;
   std::optional<double> time;
   std::optional<PictureSize> size;

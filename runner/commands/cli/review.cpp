@@ -1,10 +1,11 @@
-// morula review: shows how goldens would change, and with a reason changes them.
+// morula review: shows how goldens would change, with a reason changes them, and tells the errors that they state.
 #include <cstdlib>
 
 #include "base/error.h"
 #include "check/accept_run.h"
 #include "check/check_run.h"
 #include "check/pending.h"
+#include "cli/stated_errors.h"
 #include "cli/verbs.h"
 #include "explain/explain.h"
 #include "files/folders.h"
@@ -27,12 +28,13 @@ std::string usersName() {
 }
 
 struct ReviewOptions {
-  std::vector<std::string> scenarios;
+  std::vector<std::string> scenarios;  // with `stated` goldens
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
-  bool accept = false, reject = false;
+  bool accept = false, reject = false, intoGolden = false, stated = false;
   std::string why, by = usersName();
+  StatedErrorsCommand errors;  // only `until` and `budget` come from the command line
 };
 
 /// Returns the named scenarios, or else those whose results wait. `--accept` and `--reject` need names.
@@ -109,6 +111,12 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
 }
 
 int act(const ReviewOptions& options) {
+  if (options.intoGolden || options.stated) {
+    StatedErrorsCommand errors = options.errors;
+    errors.files = options.scenarios, errors.input = options.input;
+    errors.execution = options.execution, errors.output = options.output;
+    return options.stated ? printStatedErrors(errors) : stateErrors(errors);
+  }
   if (options.accept && options.by.empty()) throw UsageError("--accept: whose name does it carry? Give --by NAME, too");
   std::vector<Scenario> scenarios;
   for (const auto& file : scenarioFiles(options)) {
@@ -151,14 +159,25 @@ int act(const ReviewOptions& options) {
 }  // namespace
 
 void addReview(CLI::App& app, Action& action) {
-  Verb verb(app, action, "review", "Show what golden files would change, and accept or reject it with a reason");
+  Verb verb(app, action, "review",
+            "Show what golden files would change, and accept or reject it with a reason; or state their errors");
   auto& options = verb.does<ReviewOptions>(act);
   verb.takes("scenario", options.scenarios, "FILE",
-             "Scenario files; default: those whose results wait in this project, to look at");
+             "Scenario files, with --stated golden files; default: those whose results wait in this project, to look "
+             "at");
   verb.takes("--accept", options.accept, "Run twice more and write the golden files");
   verb.takes("--reject", options.reject, "Throw the waiting results away");
   verb.takes("--why", options.why, "TEXT", "What changed and why the new result is right, or is not");
-  verb.oneOf({"--accept", "--reject"});
+  verb.takes("--into-golden", options.intoGolden,
+             "Measure the error of each scenario as it is, and write it into its golden file");
+  verb.takes("--until", options.errors.until, "T", number(scenario::positive),
+             "Measure errors up to this time; default: the latest for which they can be known");
+  verb.takes("--budget", options.errors.budget, "SECONDS", number(scenario::positive),
+             "Max CPU time of the runs on finer meshes");
+  verb.takes("--stated", options.stated, "Print the errors that these golden files state, as golden/ERRORS.md does");
+  verb.oneOf({"--accept", "--reject", "--into-golden", "--stated"});
+  verb.onlyWith({"--until", "--budget"}, {"--into-golden"});
+  verb.excludes("--stated", {"--json"}, "--stated prints Markdown");
   verb.onlyWith({"--accept", "--reject"}, {"--why"});
   verb.onlyWith({"--why"}, {"--accept", "--reject"});
   verb.takes("--by", options.by, "NAME", "Who accepts; default: the user's name");

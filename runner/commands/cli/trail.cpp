@@ -1,4 +1,4 @@
-// morula trail: the hashes of a run's states, for another Morula program that asks (explain --with).
+// morula internal trail: the hashes of a run's states, for another Morula program that asks (explain --with).
 #include <limits>
 
 #include "base/error.h"
@@ -54,7 +54,6 @@ void addTrail(CLI::App& app, Action& action) {
              "Print the whole state after this step as bytes instead");
   add(verb, options.input);
   add(verb, options.execution);
-  verb.hide();  // for programs
 }
 
 }  // namespace morula::cli

@@ -5,10 +5,9 @@
 
 namespace morula::cli {
 
-static constexpr AddVerb* all[] = {addRun,     addParts,  addCheck,        addExplain,  addReview,  addValidate,
-                                   addSchema,  addInit,   addRender,       addChart,    addLineage, addReplay,
-                                   addExport,  addReport, addPlayground,   addAccuracy, addBench,   addStudy,
-                                   addCompare, addTrail,  addEngineWorker, addDescribe};
+static constexpr AddVerb* all[] = {addRun,        addParts,    addCheck, addExplain, addReview,  addValidate, addSchema,
+                                   addInit,       addRender,   addChart, addLineage, addReplay,  addExport,   addReport,
+                                   addPlayground, addAccuracy, addBench, addStudy,   addCompare, addInternal};
 const std::span<AddVerb* const> verbs = all;
 
 }  // namespace morula::cli

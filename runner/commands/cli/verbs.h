@@ -8,7 +8,10 @@
 namespace morula::cli {
 
 AddVerb addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender, addChart, addLineage,
-    addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail, addDescribe;
+    addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addInternal;
+
+// Verbs below `internal`.
+AddVerb addTrail, addDescribe;
 
 /// All verbs, in the order in which the help shows them.
 extern const std::span<AddVerb* const> verbs;

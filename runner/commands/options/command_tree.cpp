@@ -1,6 +1,7 @@
 #include "options/command_tree.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "options/verb.h"
 
@@ -22,7 +23,8 @@ OptionInfo describe(const CLI::Option& option) {
 }
 
 CommandInfo describe(const CLI::App& app) {
-  CommandInfo info{.name = app.get_name(), .purpose = app.get_description(), .options = {}, .commands = {}};
+  CommandInfo info{
+      .name = app.get_name(), .purpose = app.get_description(), .options = {}, .commands = {}, .isAlias = isAlias(app)};
   for (const CLI::Option* option : app.get_options()) info.options.push_back(describe(*option));
   for (const CLI::App* inner : app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); }))
     info.commands.push_back(describe(*inner));
@@ -31,6 +33,14 @@ CommandInfo describe(const CLI::App& app) {
 
 }  // namespace
 
-CommandInfo commandTree(const CLI::App& app) { return describe(app); }
+CommandInfo commandTree(const CLI::App& verb) {
+  const CLI::App* program = &verb;
+  while (program->get_parent()) program = program->get_parent();
+  CommandInfo tree = describe(*program);
+  for (CommandInfo& group : tree.commands)
+    for (CommandInfo& inner : group.commands)
+      if (inner.isAlias) inner.options = std::ranges::find(tree.commands, inner.name, &CommandInfo::name)->options;
+  return tree;
+}
 
 }  // namespace morula::cli

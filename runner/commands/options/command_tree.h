@@ -22,10 +22,11 @@ struct CommandInfo {
   std::string name, purpose;
   std::vector<OptionInfo> options;    // in the order of the help
   std::vector<CommandInfo> commands;  // verbs below this one that are not hidden
+  bool isAlias = false;               // true: the same as the program's verb of this name
 };
 
-/// Returns all verbs that are not hidden.
-CommandInfo commandTree(const CLI::App& app);
+/// Returns all verbs that are not hidden, of the program that `verb` belongs to.
+CommandInfo commandTree(const CLI::App& verb);
 
 std::string bashCompletion(const CommandInfo& program);
 std::string zshCompletion(const CommandInfo& program);

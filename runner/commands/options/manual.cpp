@@ -37,6 +37,7 @@ void addCommand(const CommandInfo& command, const std::string& words, std::strin
     return;
   }
   text += ".SS " + synopsis(command, words) + "\n" + roffText(command.purpose) + ".\n";
+  if (command.isAlias) return;
   for (const OptionInfo& option : command.options)
     if (option.names.back() != "--help") text += optionEntry(option);
 }

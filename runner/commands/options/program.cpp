@@ -10,6 +10,7 @@
 #include "database/store_error.h"
 #include "files/text.h"
 #include "options/exit_codes.h"
+#include "options/old_words.h"
 #include "store/build_info.h"
 #include "system/console.h"
 #include "system/signals.h"
@@ -56,7 +57,7 @@ void checkVerb(const CLI::App& app, const std::string& word) {
   const auto names = verbNames(app);
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
     throw UsageError(before + "'" + word + "' is not a verb; did you mean morula " +
-                     (app.get_parent() ? titleOf(app) + " plan " : "run ") + word + "?");
+                     (app.get_parent() ? titleOf(app) + " " : "") + names.front() + " " + word + "?");
   const auto near = closest(word, names);
   throw UsageError(before + "unknown verb '" + word + "'; " +
                    (near.empty() ? "one of " + join(names) : "did you mean " + near + "?"));
@@ -88,6 +89,7 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& verb) {
 }
 
 Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
+  checkOldWords({argv + 1, argv + std::max(argc, 1)});
   // The app lives as long as the action, which reads its options.
   const auto owner =
       std::make_shared<CLI::App>("Morula grows organisms from one cell, the same bits every time.", "morula");
@@ -110,8 +112,17 @@ Action parse(int argc, char** argv, std::span<AddVerb* const> verbs) {
     for (auto* inner : verb->get_subcommands(all)) inner->allow_extras();
   }
   checkVerb(app, word);
-  for (auto* verb : app.get_subcommands(all))
-    if (verb->get_name() == word && !verb->get_subcommands(all).empty()) checkVerb(*verb, argc > 2 ? argv[2] : "");
+  for (auto* verb : app.get_subcommands(all)) {
+    if (verb->get_name() != word || verb->get_subcommands(all).empty()) continue;
+    const std::string inner = argc > 2 ? argv[2] : "";
+    checkVerb(*verb, inner);
+    for (const auto* below : verb->get_subcommands(all)) {
+      if (below->get_name() != inner || !isAlias(*below)) continue;
+      std::vector<char*> words{argv[0]};  // without the group
+      words.insert(words.end(), argv + 2, argv + argc);
+      return parse(static_cast<int>(words.size()), words.data(), verbs);
+    }
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -1,6 +1,8 @@
 #include "options/verb.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
@@ -36,6 +38,12 @@ std::map<const CLI::Option*, std::vector<std::string>>& choicesOfOptions() {
   return all;
 }
 
+/// Returns the verbs that stand for others, which CLI11 does not know.
+std::set<const CLI::App*>& aliases() {
+  static std::set<const CLI::App*> all;
+  return all;
+}
+
 CLI::Option* declare(CLI::App& verb, const std::string& name, const std::string& type, const std::string& help) {
   return verb.add_option(name, help)->type_name(type)->check(refuseEmpty);
 }
@@ -57,6 +65,18 @@ CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string
   group->require_subcommand(0, 1);
   return *group;
 }
+
+void addInternalVerbs(CLI::App& program, Action& chosen, const std::vector<AddVerb*>& verbs) {
+  auto& group = addGroup(program, "internal", "What programs ask Morula for");
+  for (AddVerb* add : verbs) add(group, chosen);
+  group.group("");  // hides the group; set last, since verbs below inherit it
+}
+
+void addAlias(CLI::App& group, const std::string& verb) {
+  aliases().insert(group.add_subcommand(verb, "The same as morula " + verb));
+}
+
+bool isAlias(const CLI::App& verb) { return aliases().contains(&verb); }
 
 Verb::Verb(CLI::App& above, Action& chosen, const std::string& name, const std::string& purpose)
     : verb_(above.add_subcommand(name, purpose)), chosen_(&chosen), checks_(std::make_shared<Checks>()) {}
@@ -102,6 +122,18 @@ void Verb::excludes(const std::string& name, const std::vector<std::string>& oth
   });
 }
 
+void Verb::allowsOnly(const std::string& name, const std::vector<std::string>& others, const std::string& why) {
+  checks_->ofOptions.push_back([=, verb = verb_] {
+    if (!isGiven(*verb, name)) return;
+    for (const auto* option : verb->get_options()) {
+      const std::string other = option->get_name();
+      if (option->nonpositional() && !option->empty() && other != name &&
+          std::ranges::find(others, other) == others.end())
+        throw UsageError(name + " and " + other + ": give one of them; " + why);
+    }
+  });
+}
+
 void Verb::onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners) {
   checks_->ofOptions.push_back([=, verb = verb_] {
     for (const auto& owner : owners)
@@ -110,7 +142,5 @@ void Verb::onlyWith(const std::vector<std::string>& names, const std::vector<std
       if (isGiven(*verb, name)) throw UsageError(name + ": only with " + join(owners, " or ") + "; give it, too");
   });
 }
-
-void Verb::hide() { verb_->group(""); }
 
 }  // namespace morula::cli

@@ -31,6 +31,14 @@ using AddVerb = void(CLI::App& above, Action& chosen);
 /// Adds a verb that only groups others, as `study` in `morula study plan`, and returns it.
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);
 
+/// Adds the group `internal` of these verbs, which are for programs. Help does not list the group.
+void addInternalVerbs(CLI::App& program, Action& chosen, const std::vector<AddVerb*>& verbs);
+
+/// Adds a verb to a group that is the same as the program's verb of this name: one declaration, one help text.
+void addAlias(CLI::App& group, const std::string& verb);
+/// Returns true if `addAlias` has added the verb.
+bool isAlias(const CLI::App& verb);
+
 /// Reads a value from an option's text. Throws InputError without the option's name.
 template <class T>
 using Reader = std::function<T(const std::string& text)>;
@@ -93,11 +101,10 @@ class Verb {
   /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a
   /// sentence.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
+  /// Forbids all options but `others` beside `name`; `why` is part of a sentence.
+  void allowsOnly(const std::string& name, const std::vector<std::string>& others, const std::string& why);
   /// Requires one of `owners` beside each of `names`.
   void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);
-
-  /// Hides the verb from people.
-  void hide();
 
  private:
   using Take = std::function<void(const std::string& text)>;

@@ -1,4 +1,4 @@
-// morula engine-worker: a scene computed by another engine, for the program itself. Not for people.
+// morula internal engine-worker: a scene computed by another engine, for the program itself. Not for people.
 #include "engines/engine_worker.h"
 
 #include "options/exit_codes.h"
@@ -8,11 +8,9 @@
 
 namespace morula::cli {
 
-void addEngineWorker(CLI::App& app, Action& action) {
-  Verb verb(app, action, "engine-worker",
-            "Compute one scene: reads a request from stdin and writes an answer to "
-            "stdout, both JSON");
-  verb.hide();  // not listed
+void addEngineWorker(CLI::App& above, Action& action) {
+  Verb verb(above, action, "engine-worker",
+            "Compute one scene: reads a request from stdin and writes an answer to stdout, both JSON");
   verb.does([] {
     serveEngine(questionStream(), answerStream());
     return fine;

@@ -3,6 +3,7 @@
 
 int main(int argc, char** argv) {
   using namespace morula::cli;
-  AddVerb* const verbs[] = {addRun, addEngineWorker};
+  AddVerb* const verbs[] = {addRun,
+                            [](CLI::App& app, Action& action) { addInternalVerbs(app, action, {addEngineWorker}); }};
   return runProgram(argc, argv, verbs);
 }

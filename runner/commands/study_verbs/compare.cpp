@@ -1,4 +1,4 @@
-// morula compare: the findings of a study; or the difference of two pictures.
+// morula compare, also named morula study compare: the findings of a study.
 #include <algorithm>
 #include <utility>
 
@@ -18,13 +18,12 @@
 #include "study/plan.h"
 #include "study_verbs/study_verbs.h"
 #include "system/console.h"
-#include "views/compare_pictures.h"
 
 namespace morula::cli {
 namespace {
 
 struct CompareCommand {
-  std::vector<std::string> what;  // a study, or two pictures
+  std::vector<std::string> what;  // a study
   std::string picture, organisms;
   std::vector<std::string> intoGolden;  // scenarios
   GridMoments moments;
@@ -34,38 +33,14 @@ struct CompareCommand {
   OutputOptions output;
 };
 
-/// Compares two pictures that should look the same. Throws if options of studies are given.
-int actOnPictures(const CompareCommand& command) {
-  const CompareOptions& options = command.options;
-  if (command.csv || command.tidy || !command.organisms.empty() || !command.intoGolden.empty() || !options.by.empty() ||
-      !options.measures.empty() || !options.margins.empty() || options.within)
-    throw UsageError("of two pictures compare takes -o, --json and --quiet alone; the other options are for a study");
-  const ComparedPictures compared = comparePictures(command.what[0], command.what[1]);
-  const PictureDifference& d = compared.difference;
-  if (!command.picture.empty()) writePicture(drawCompared(compared), command.picture);
-  if (command.output.json) {
-    Json json{{"most", d.most},
-              {"x", d.x},
-              {"y", d.y},
-              {"mean", d.mean},
-              {"share", d.share},
-              {"unequal_pixels", d.unequalPixels},
-              {"threshold", noticeableDifference},
-              {"passed", !d.isNoticeable()}};
-    if (!command.picture.empty()) json["pictures"] = {command.picture};
-    printJson(json);
-  } else {
-    print(compared.words + (command.picture.empty() ? "" : "picture  " + command.picture + "\n"));
-  }
-  return d.isNoticeable() ? differs : fine;
-}
+/// Returns true for a picture, by its name or its content.
+bool isPicture(const std::string& file) { return file.ends_with(".png") || contentOfFile(file) == Content::picture; }
 
 int act(const CompareCommand& command) {
-  if (command.what.size() == 2) return actOnPictures(command);
-  if (command.what.size() > 2)
-    throw UsageError("compare takes one study or two pictures, not " + std::to_string(command.what.size()) + " files");
-  if (contentOfFile(command.what[0]) == Content::picture)
-    throw UsageError("compare: '" + command.what[0] + "' is a picture; give a second one that it is compared with");
+  if (std::ranges::any_of(command.what, isPicture))
+    throw UsageError("compare of pictures is now: morula render ONE.png --compare OTHER.png");
+  if (command.what.size() > 1)
+    throw UsageError("compare takes one study, not " + std::to_string(command.what.size()) + " files");
   const auto rises = [](const auto& list) {
     return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
   };
@@ -133,14 +108,11 @@ std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
   return file / "study.db";
 }
 
-/// Adds the verb to the program, or to `study`.
-void addCompare(CLI::App& above, Action& action) {
-  Verb verb(above, action, "compare",
-            "Compare the conditions of a study, with confidence intervals; or compare two pictures");
+void addCompare(CLI::App& app, Action& action) {
+  Verb verb(app, action, "compare", "Compare the conditions of a study, with confidence intervals");
   auto& command = verb.does<CompareCommand>(act);
   verb.needs("what", command.what, "FILE",
-             "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG pictures, "
-             "to see how different they look");
+             "The study.db of morula study merge, the folder that it lies in, or the study file");
   verb.takes("--by", command.options.by, "AXIS,...",
              "Axes whose levels are compared, in the mean over the others; default: all");
   verb.takes("--measure", command.options.measures, "NAME,...", "Only these measures");
@@ -151,7 +123,7 @@ void addCompare(CLI::App& above, Action& action) {
              "sphericity=0.01");
   verb.takes("--csv", command.csv, "One table for other programs");
   verb.takes("-o,--output", command.picture, "FILE", pictureName("compare", true),
-             "Also draw all values, or of two pictures where they differ: a .png, .svg or .pdf");
+             "Also draw all values: a .png, .svg or .pdf");
   verb.takes("--pictures", command.organisms, "FILE", pictureName("compare", false),
              "Also draw the organisms, a row a condition and a column a moment, of one seed, by running them "
              "again; --moments 1 takes the pictures that the study keeps: a .png; of several pages numbered");

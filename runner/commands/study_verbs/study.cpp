@@ -6,9 +6,9 @@ namespace morula::cli {
 void addStudy(CLI::App& app, Action& action) {
   auto& study = addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, and compare the results");
   // The verbs in the order of their use.
-  for (AddVerb* add :
-       {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyCheck, addStudyEmit})
-    add(study, action);
+  for (AddVerb* add : {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge}) add(study, action);
+  addAlias(study, "compare");
+  for (AddVerb* add : {addStudyCheck, addStudyEmit}) add(study, action);
 }
 
 void add(Verb& verb, StudyOptions& options) {

@@ -1,5 +1,5 @@
 #pragma once
-// `morula study` and the verbs below it, including `morula compare`.
+// `morula study`, the verbs below it, and `morula compare`.
 #include "options/options.h"
 #include "tasks/study_folder.h"
 

@@ -338,7 +338,7 @@ void refuseWithoutError(const Scenario& scenario) {
   if (kindOf(scenario.scene.mechanics->physics.integrator).settles)
     throw InputError(scenario.file +
                      ": physics.integrator: fire has no time step whose error could be measured, and no target for "
-                     "it; accuracy without --target and --into-golden measures how far from rest settlings end");
+                     "it; accuracy without --target measures how far from rest settlings end");
 }
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {

@@ -102,6 +102,7 @@ void refuseIntoGolden(const Scenario& scenario) {
 AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options) {
   const Scenario scenario = read({});
   const bool chosen = options.until.has_value();
+  options.brief = true;
   try {
     AccuracyReport report = measureAccuracy(read, options);
     for (int i = 0; !chosen && i < maxShorter && report.times.size() > 1 && !whyNoError(report).empty(); ++i) {
@@ -202,7 +203,7 @@ std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
   std::string units;
   for (const ErrorQuantity& q : errorQuantities) units += "- " + nameOf(q) + " [" + q.unit + "]\n";
   return "# The errors that goldens state\n\n"
-         "`morula accuracy --stated golden/*/*.golden` prints this file. Each size is the largest over all cells and times\n"
+         "`morula review golden/*/*.golden --stated` prints this file. Each size is the largest over all cells and times\n"
          "of comparison, that of the time step / of the mesh, ? where it is not known, up to the time that stands beside it:\n"
          "the end of the scene, before chaos sets in, or before the first event that differs (other cells, a division across\n"
          "another plane). Neighbours are a share over all times. Scenes without bodies have no errors. [How they are\n"

@@ -1,5 +1,5 @@
 #pragma once
-// accuracy --into-golden: writes the error of a scenario's own settings into its golden file, and shows the errors that
+// review --into-golden: writes the error of a scenario's own settings into its golden file, and shows the errors that
 // golden files state.
 #include "accuracy/accuracy.h"
 #include "document/document.h"
@@ -10,9 +10,9 @@ namespace morula {
 /// Throws InputError if the scenario has no golden of its present meaning, or goldens may not be written.
 void refuseIntoGolden(const Scenario& scenario);
 
-/// Measures the error up to the latest possible time, unless `options` gives a time. Writes it, or the reason for its
-/// absence, into the golden. Throws InputError for a scene without a report, after writing the reason, and FileError if
-/// the file cannot be written.
+/// Measures the error of the scenario's own settings alone, up to the latest possible time, unless `options` gives a
+/// time. Writes it, or the reason for its absence, into the golden. Throws InputError for a scene without a report,
+/// after writing the reason, and FileError if the file cannot be written.
 AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options);
 
 /// Returns true if the golden's scene has bodies; goldens of other scenes are exact.

@@ -39,7 +39,7 @@ struct BenchOptions {
   bool bullet = true;
   int maxBulletCells = 256;
   std::filesystem::path folder = {};  // folder of stored packed scenes; "": none are stored
-  std::string program = {};           // the program that answers to `engine-worker`
+  std::string program = {};           // the program that answers to `internal engine-worker`
   std::string singleBullet = {};      // a program with Bullet in single precision; "": none was built
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };

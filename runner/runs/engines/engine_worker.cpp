@@ -148,7 +148,8 @@ ExternalRun externalRunFrom(const Json& json) { return fromJson<ExternalRun>(jso
 
 namespace {
 
-constexpr const char* workerVerb = "engine-worker";
+/// Returns the command that makes a Morula program answer a question.
+std::vector<std::string> workerOf(const std::string& program) { return {program, "internal", "engine-worker"}; }
 
 BulletResult runRequest(const BulletRequest& request) {
   const auto world = makeBulletWorld(request.scene);
@@ -192,7 +193,7 @@ void serveEngine(std::istream& in, std::ostream& out) {
 }
 
 BulletResult runInBullet(const BulletRequest& request, const std::string& program) {
-  const ChildEnd end = runChild({program, workerVerb}, {.input = jsonText(toJson(request))});
+  const ChildEnd end = runChild(workerOf(program), {.input = jsonText(toJson(request))});
   if (!end.well()) throw FileError("Bullet's process " + program + " " + end.text());
   try {
     return bulletResultFrom(lastMessage(end.said).at("answer"));
@@ -202,8 +203,8 @@ BulletResult runInBullet(const BulletRequest& request, const std::string& progra
 }
 
 ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& question, const std::string& program) {
-  const ChildEnd end = runChild({program, workerVerb},
-                                {.input = jsonText(toJson(scenario, question)), .cpuSeconds = question.cpuSeconds});
+  const ChildEnd end =
+      runChild(workerOf(program), {.input = jsonText(toJson(scenario, question)), .cpuSeconds = question.cpuSeconds});
   const Json message = lastMessage(end.said);
   ExternalRun silent;
   if (message.is_object() && message.contains("step") && message["step"].is_number_unsigned())

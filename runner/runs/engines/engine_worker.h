@@ -16,7 +16,7 @@ namespace morula {
 /// Answers a question, as the worker. Throws InputError for a question that cannot be read.
 void serveEngine(std::istream& in, std::ostream& out);
 
-/// Asks `program`, which is started with the argument "engine-worker". Throws FileError if the program cannot be
+/// Asks `program`, which is started with the words `internal engine-worker`. Throws FileError if the program cannot be
 /// started or fails, InputError if its answer cannot be read; its own message is on stderr.
 BulletResult runInBullet(const BulletRequest& request, const std::string& program);
 

@@ -48,14 +48,14 @@ ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<
     : RunSource(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)), more_(std::move(more)) {}
 
 std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
-  std::vector<std::string> command{name, "trail", scenario_};
+  std::vector<std::string> command{name, "internal", "trail", scenario_};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), more_.begin(), more_.end());
   ChildEnd end = runChild(command);
   if (end.notStarted()) throw InputError(name + ": cannot be started; give a Morula program");
   if (!end.well())
     throw InputError(name + ": ended with exit code " + std::to_string(end.code()) +
-                     "; is it a Morula that knows `trail` and this scenario?");
+                     "; is it a Morula that knows `internal trail` and this scenario?");
   return std::move(end.said);
 }
 

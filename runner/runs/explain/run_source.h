@@ -61,8 +61,8 @@ OwnRun scenarioRun(const Scenario& scenario, const Execution& how, const std::st
 /// A run of another Morula program, perhaps an older build, which is asked for hashes and states.
 class ProgramRun : public RunSource {
  public:
-  /// `program` is started as `PROGRAM trail SCENARIO …`. `make` returns the scenario's world here, into which states
-  /// are restored. Both must use one scenario file.
+  /// `program` is started as `PROGRAM internal trail SCENARIO …`. `make` returns the scenario's world here, into which
+  /// states are restored. Both must use one scenario file.
   ProgramRun(std::string program, std::string scenario, std::function<World()> make,
              std::vector<std::string> more = {});
   /// Throws InputError if the program cannot be started or does not answer.
@@ -75,7 +75,7 @@ class ProgramRun : public RunSource {
 
   std::string scenario_;
   std::function<World()> make_;
-  std::vector<std::string> more_;  // further options of `trail`
+  std::vector<std::string> more_;  // further options of `internal trail`
 };
 
 /// A run in a database: the hashes of its states, without the states themselves.

@@ -23,6 +23,17 @@ ComparedPictures comparePictures(const std::string& one, const std::string& othe
   return compared;
 }
 
+Json toJson(const PictureDifference& d) {
+  return {{"most", d.most},
+          {"x", d.x},
+          {"y", d.y},
+          {"mean", d.mean},
+          {"share", d.share},
+          {"unequal_pixels", d.unequalPixels},
+          {"threshold", noticeableDifference},
+          {"passed", !d.isNoticeable()}};
+}
+
 Drawing drawCompared(const ComparedPictures& compared) {
   const PictureDifference& d = compared.difference;
   return drawPictureDifference(compared.one, compared.other, d,

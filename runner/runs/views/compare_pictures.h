@@ -3,6 +3,7 @@
 #include <string>
 
 #include "comparison/picture_difference.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -14,6 +15,9 @@ struct ComparedPictures {
 
 /// Reads two PNG files of one size and compares them. Throws FileError and InputError.
 ComparedPictures comparePictures(const std::string& one, const std::string& other);
+
+/// Returns the difference for other programs, with the threshold and the verdict.
+Json toJson(const PictureDifference& difference);
 
 /// Both, and where they differ.
 Drawing drawCompared(const ComparedPictures& compared);

@@ -30,7 +30,7 @@ bool isUnstated(const Golden& golden, const std::string& what) {
 }  // namespace
 
 TEST_CASE("Every shipped scene with bodies states its error, or why it has none") {
-  // If one is missing, run: morula accuracy SCENARIO --into-golden
+  // If one is missing, run: morula review SCENARIO --into-golden
   const auto goldens = shippedGoldens();
   CHECK(goldens.size() > 80);
   std::set<std::string> without, withoutMesh;
@@ -63,7 +63,7 @@ TEST_CASE("Every shipped scene with bodies states its error, or why it has none"
 }
 
 TEST_CASE("golden/ERRORS.md is current") {
-  // After a change run: morula accuracy --stated golden/*/*.golden > golden/ERRORS.md
+  // After a change run: morula review golden/*/*.golden --stated > golden/ERRORS.md
   std::vector<Golden> goldens;
   for (const auto& [name, golden] : shippedGoldens()) goldens.push_back(golden);
   CHECK(readFile("golden/ERRORS.md") == statedErrorsAsMarkdown(goldens));

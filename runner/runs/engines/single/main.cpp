@@ -1,5 +1,5 @@
 // Bullet in single precision, which most of its users have, for comparison in `morula bench`. It is a program of its
-// own, since both libraries use the same names. It answers as `morula engine-worker` does.
+// own, since both libraries use the same names. It answers as `morula internal engine-worker` does.
 #include <exception>
 
 #include "engines/engine_worker.h"
