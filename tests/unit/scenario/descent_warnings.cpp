@@ -25,7 +25,7 @@ TEST_CASE("A stem cell that divides more often than a path can hold is told with
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Catch::Contains("stop: a cell divides for the 121st time on its line of descent at time 121,"));
   World world = makeWorld(read("morula: 1\nname: stem\ndna: |" + std::string(stem) + "\nstop: {time: 130}\n").scene);
-  CHECK_THROWS_WITH(run(world), Catch::Contains("at most 120 divisions"));
+  CHECK_THROWS_WITH(runToEnd(world), Catch::Contains("at most 120 divisions"));
   CHECK(world.clock.time == Approx(121));
 }
 
