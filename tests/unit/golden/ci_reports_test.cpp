@@ -116,7 +116,7 @@ TEST_CASE("What follows from one cause is one failure with it") {
              ContainsSubstring("name=\"bits\">\n      <skipped message=\"this difference follows from scenario\"/>"));
   CHECK_THAT(junit, ContainsSubstring("message=\"the scenario changed: physics.drag: 1 → 2; same lineage\">"));
   CHECK_THAT(junit, ContainsSubstring("&#10;consequences: bits; values * from step 4 on: volume 1 → 1.5&#10;") &&
-                        ContainsSubstring(" explain scenarios/two.yaml` tells where it began"));
+                        ContainsSubstring(" explain scenarios/two.yaml` shows where the difference began"));
   CHECK_THAT(junit, ContainsSubstring("message=\"the end of the run is not sane: not sane at the end: cell A is "
                                       "crushed\">not sane"));
   CHECK(annotations({report}) ==
