@@ -7,7 +7,7 @@
 #include "library/scene_format.h"
 #include "observation/measures.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula {
 

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "base/angle.h"
+#include "division/division_record.h"
 #include "division/principal_axis.h"
-#include "division/record.h"
 #include "mesh/mesh_measures.h"
 #include "observation/body_measures.h"
 #include "observation/measures.h"

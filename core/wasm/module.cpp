@@ -7,7 +7,7 @@
 #include "base/floating_point.h"
 #include "library/scene_format.h"
 #include "observation/measures.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula::module {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "comparison/comparison.h"
+#include "comparison/organism_pair.h"
 #include "drawing/annotations.h"
 #include "drawing/palette.h"
 #include "image/colour_difference.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drawing/text.h"
+#include "drawing/drawn_text.h"
 #include "image/image.h"
 
 typedef struct _cairo cairo_t;

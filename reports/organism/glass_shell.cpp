@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "organism/samples.h"
+#include "organism/drawn_samples.h"
 
 namespace morula {
 namespace {

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/parallel.h"
-#include "organism/samples.h"
+#include "organism/drawn_samples.h"
 
 namespace morula {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "organism/camera.h"
+#include "organism/drawn_samples.h"
 #include "organism/gl_objects.h"
 #include "organism/organism_renderer.h"
-#include "organism/samples.h"
 #include "organism/shaders.h"
 #include "organism/surface.h"
 

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
-#include "organism/samples.h"
+#include "organism/drawn_samples.h"
 
 namespace morula {
 namespace {

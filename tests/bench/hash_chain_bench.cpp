@@ -7,7 +7,7 @@
 
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 #include "store/recorder.h"
 #include "store/store.h"
 #include "system/clock.h"

@@ -9,7 +9,7 @@
 
 #include "base/floating_point.h"
 #include "scenes.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -12,7 +12,7 @@
 #include "base/floating_point.h"
 #include "library/scene_format.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -15,7 +15,7 @@
 #include "golden/golden.h"
 #include "mesh/convex_shell.h"
 #include "mesh/mesh.h"
-#include "report/parts.h"
+#include "report/page_parts.h"
 #include "scenario/scenario.h"
 #include "simulation/restore.h"
 #include "state/cell_selection.h"

@@ -19,7 +19,7 @@
 #include <regex>
 
 #include "base/error.h"
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 #include "connections/connections.h"
 #include "diagnose/diagnose.h"
 #include "loop/simulate.h"
@@ -31,7 +31,7 @@
 #include "scenes_by_chance.h"
 #include "simulation/restore.h"
 #include "simulation/settle.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 using namespace morula::chance;
@@ -39,7 +39,7 @@ using namespace morula::chance;
 namespace {
 
 constexpr double maxWork = 4e6;   // max vertices times force evaluations of a run: 0.3 s; longer runs are cut short
-constexpr double maxGain = 0.05;  // [1] of the energy, as in check/sanity.cpp
+constexpr double maxGain = 0.05;  // [1] of the energy, as in check/sanity_check.cpp
 constexpr std::uint64_t fewSteps = 40;
 
 /// Measures the gain of energy [force·length] since the last event, in worlds that are closed between events.

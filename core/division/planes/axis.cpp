@@ -1,6 +1,6 @@
 // Division planes by a given axis.
+#include "division/division_record.h"
 #include "division/planes/directions.h"
-#include "division/record.h"
 
 namespace morula {
 namespace {

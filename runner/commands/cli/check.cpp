@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "check/check_run.h"
 #include "check/pending.h"
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 #include "cli/verbs.h"
 #include "engines/bullet_check.h"
 #include "engines/engine_comparison.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "cli/render_options.h"
 #include "cli/verbs.h"
-#include "comparison/comparison.h"
+#include "comparison/organism_pair.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/comparison.h"
 #include "analysis/organisms.h"
+#include "analysis/study_comparison.h"
 #include "analysis/study_state.h"
 #include "analysis/tidy.h"
 #include "base/error.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analysis/claims.h"
-#include "analysis/comparison.h"
+#include "analysis/study_comparison.h"
 #include "analysis/study_state.h"
 #include "base/error.h"
 #include "files/content.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "accuracy/bullet_trial.h"
-#include "accuracy/reference.h"
+#include "accuracy/converged_reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "physics/integrator.h"

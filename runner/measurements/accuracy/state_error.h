@@ -7,7 +7,7 @@
 
 #include "base/cell_path.h"
 #include "biology/lineage.h"
-#include "division/record.h"
+#include "division/division_record.h"
 #include "mesh/mesh.h"
 #include "observation/measures.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accuracy/reference.h"
+#include "accuracy/converged_reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "physics/integrator.h"

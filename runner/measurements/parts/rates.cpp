@@ -10,7 +10,7 @@
 #include "simulation/make_world.h"
 #include "simulation/move_physics.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 #include "system/clock.h"
 
 namespace morula {

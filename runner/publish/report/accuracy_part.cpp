@@ -6,8 +6,8 @@
 #include "base/number_text.h"
 #include "document/document.h"
 #include "files/read_file.h"
-#include "report/parts.h"
-#include "report_data/words.h"
+#include "report/page_parts.h"
+#include "report_data/run_words.h"
 #include "system/installation.h"
 #include "system/json_record.h"
 

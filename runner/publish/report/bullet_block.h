@@ -1,7 +1,7 @@
 #pragma once
 // Morula's results beside Bullet's: the numbers that decide, pictures, and the distances of the surfaces.
-#include "report/parts.h"
-#include "report_data/words.h"
+#include "report/page_parts.h"
+#include "report_data/run_words.h"
 
 namespace morula {
 

@@ -8,7 +8,7 @@
 #include "files/read_file.h"
 #include "golden/change.h"
 #include "pictures/pictures.h"
-#include "report/parts.h"
+#include "report/page_parts.h"
 #include "report/run_blocks.h"
 #include "system/installation.h"
 #include "system/json_record.h"

@@ -1,6 +1,6 @@
 #pragma once
 // The runs of a page that are simulated again and shown in three dimensions.
-#include "report/parts.h"
+#include "report/page_parts.h"
 
 namespace morula {
 

@@ -5,7 +5,7 @@
 #include "base/number_text.h"
 #include "pictures/pictures.h"
 #include "report/run_blocks.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 
 namespace morula {
 namespace {

@@ -12,7 +12,7 @@
 #include "loop/stored_scenario.h"
 #include "report/bullet_block.h"
 #include "report/explored.h"
-#include "report/parts.h"
+#include "report/page_parts.h"
 #include "report/run_blocks.h"
 #include "report/study_part.h"
 #include "system/installation.h"

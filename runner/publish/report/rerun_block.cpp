@@ -1,7 +1,7 @@
 #include "files/text.h"
 #include "library/scene_format.h"
 #include "report/run_blocks.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 #include "system/installation.h"
 #include "system/json.h"
 

@@ -6,7 +6,7 @@
 #include "document/document.h"
 #include "page/page.h"
 #include "report_data/run_facts.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 
 namespace morula {
 

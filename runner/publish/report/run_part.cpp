@@ -8,9 +8,9 @@
 #include "check/remarks.h"
 #include "files/printable.h"
 #include "report/bullet_block.h"
-#include "report/parts.h"
+#include "report/page_parts.h"
 #include "report/run_blocks.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 #include "store/records.h"
 #include "system/installation.h"
 

@@ -4,13 +4,13 @@
 #include <map>
 #include <set>
 
-#include "analysis/comparison.h"
 #include "analysis/organisms.h"
+#include "analysis/study_comparison.h"
 #include "charts/small_multiples.h"
 #include "check/remarks.h"
 #include "database/database.h"
 #include "database/store_error.h"
-#include "division/record.h"
+#include "division/division_record.h"
 #include "files/read_file.h"
 #include "loop/stored_scenario.h"
 #include "store/store.h"

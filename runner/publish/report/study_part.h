@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/comparison.h"
-#include "report/parts.h"
+#include "analysis/study_comparison.h"
+#include "report/page_parts.h"
 
 namespace morula {
 

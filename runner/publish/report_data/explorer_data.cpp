@@ -5,7 +5,7 @@
 #include "drawing/palette.h"
 #include "files/printable.h"
 #include "pictures/pictures.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 #include "values/measure_list.h"
 #include "views/picture_maker.h"
 

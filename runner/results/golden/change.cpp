@@ -5,8 +5,8 @@
 #include <map>
 
 #include "files/text.h"
-#include "golden/number_text.h"
-#include "golden/numbers.h"
+#include "golden/read_number.h"
+#include "golden/toleranced_numbers.h"
 
 namespace morula {
 namespace {

@@ -8,8 +8,8 @@
 #include "golden/change.h"
 #include "golden/compare_numbers.h"
 #include "golden/difference.h"
-#include "golden/number_text.h"
-#include "golden/numbers.h"
+#include "golden/read_number.h"
+#include "golden/toleranced_numbers.h"
 
 namespace morula {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "files/text.h"
-#include "golden/number_text.h"
-#include "golden/numbers.h"
+#include "golden/read_number.h"
+#include "golden/toleranced_numbers.h"
 
 namespace morula {
 namespace {

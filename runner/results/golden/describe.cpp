@@ -7,7 +7,7 @@
 #include "base/cell_path.h"
 #include "files/text.h"
 #include "golden/check_result.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

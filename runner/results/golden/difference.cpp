@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/cell_path.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

@@ -8,7 +8,7 @@
 #include "biology/lineage.h"
 #include "golden/golden.h"
 #include "observation/measures.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula {
 

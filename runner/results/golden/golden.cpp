@@ -10,7 +10,7 @@
 #include "files/read_file.h"
 #include "files/text.h"
 #include "golden/item.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

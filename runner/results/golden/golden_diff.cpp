@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "golden/number_text.h"
-#include "golden/numbers.h"
+#include "golden/read_number.h"
+#include "golden/toleranced_numbers.h"
 
 namespace morula {
 namespace {

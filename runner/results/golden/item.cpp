@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "contacts/contacts.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula {
 

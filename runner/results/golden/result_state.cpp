@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/text.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

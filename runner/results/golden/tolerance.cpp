@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 namespace {

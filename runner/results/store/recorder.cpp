@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula {
 namespace {

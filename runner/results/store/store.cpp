@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "database/store_error.h"
+#include "store/result_file.h"
 #include "store/rows.h"
 #include "store/run_tables.h"
-#include "store/schema.h"
 #include "store/seal.h"
 #include "system/clock.h"
 

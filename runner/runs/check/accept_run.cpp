@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "check/check_run.h"
 #include "check/pending.h"
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 #include "files/folders.h"
 #include "golden/change.h"
 #include "golden/golden_diff.h"

@@ -10,7 +10,7 @@
 #include "check/golden_scenario.h"
 #include "document/words.h"
 #include "files/folders.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 #include "loop/simulate.h"
 #include "mesh/mesh_measures.h"
 #include "pictures/pictures.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/comparison.h"
+#include "comparison/organism_pair.h"
 #include "golden/golden.h"
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"

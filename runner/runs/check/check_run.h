@@ -3,7 +3,7 @@
 #include <string>
 
 #include "check/invariants.h"
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 #include "golden/check_result.h"
 #include "golden/golden.h"
 #include "loop/simulate.h"

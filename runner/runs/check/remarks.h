@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "biology/lineage.h"
-#include "division/record.h"
+#include "division/division_record.h"
 #include "physics/parameters.h"
 #include "simulation/simulation.h"
 #include "state/scene.h"

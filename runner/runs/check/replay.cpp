@@ -6,7 +6,7 @@
 #include <set>
 
 #include "check/check_run.h"
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 #include "files/text.h"
 #include "loop/simulate.h"
 #include "store/run_tables.h"
@@ -134,8 +134,8 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario, c
   const bool endAlone = hashes.size() == 1 && hashes.front().step == before.steps && before.steps > 0;
   RecordOptions recording = recordingOf(scenario, !hashes.empty() && !endAlone);
   recording.hashEnd = endAlone;
-  CheckedRun checked =
-      simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording}, kinds.contains(CheckKind::invariant));
+  CheckedRun checked = simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording},
+                                       kinds.contains(CheckKind::invariant));
   Simulation& run = checked.run;
   requireEnough(run.end);
   run.results.checks = checkWithoutGolden(scenario, checked);

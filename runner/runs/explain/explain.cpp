@@ -7,7 +7,7 @@
 
 #include "base/cell_path.h"
 #include "golden/difference.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 #include "loop/simulate.h"
 #include "simulation/simulation.h"
 #include "state/state_fields.h"

@@ -7,7 +7,7 @@
 
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 namespace morula {
 

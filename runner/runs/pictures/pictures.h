@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/multiples.h"
-#include "comparison/comparison.h"
+#include "comparison/organism_pair.h"
 #include "loop/observer.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"

@@ -2,7 +2,7 @@
 // The parts of compareStudy, one file each.
 #include <optional>
 
-#include "analysis/comparison.h"
+#include "analysis/study_comparison.h"
 
 namespace morula {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The tables of a comparison. A column is declared once, with its names in `compare --json` and `--csv`, its title and
 // its cell.
-#include "analysis/comparison.h"
+#include "analysis/study_comparison.h"
 #include "document/table.h"
 
 namespace morula {

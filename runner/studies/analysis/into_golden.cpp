@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "analysis/comparison.h"
+#include "analysis/study_comparison.h"
 #include "base/error.h"
 #include "golden/accept.h"
 #include "scenario/scenario.h"

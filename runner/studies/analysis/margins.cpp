@@ -5,7 +5,7 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 #include "system/usage_error.h"
 
 namespace morula {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/comparison.h"
 #include "analysis/measure_words.h"
+#include "analysis/study_comparison.h"
 #include "charts/small_multiples.h"
 #include "drawing/palette.h"
 #include "files/text.h"

@@ -7,7 +7,7 @@
 #include "database/database.h"
 #include "database/store_error.h"
 #include "files/text.h"
-#include "store/schema.h"
+#include "store/result_file.h"
 #include "store/seal.h"
 #include "study/study_file.h"
 #include "study_store/study_tables.h"

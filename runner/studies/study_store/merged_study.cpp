@@ -1,7 +1,7 @@
 #include "study_store/merged_study.h"
 
+#include "store/result_file.h"
 #include "store/run_tables.h"
-#include "store/schema.h"
 #include "store/seal.h"
 
 namespace morula {

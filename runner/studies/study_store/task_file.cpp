@@ -4,8 +4,8 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "golden/result_state.h"
+#include "store/result_file.h"
 #include "store/rows.h"
-#include "store/schema.h"
 #include "store/seal.h"
 
 namespace morula {

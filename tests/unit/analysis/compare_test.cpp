@@ -1,13 +1,13 @@
 // Comparisons of studies with known values.
 #include <algorithm>
 
-#include "analysis/comparison.h"
+#include "analysis/study_comparison.h"
 #include "base/random.h"
 #include "catch.h"
 #include "database/database.h"
 #include "database/store_error.h"
 #include "statistics/equivalence.h"
-#include "store/schema.h"
+#include "store/result_file.h"
 #include "study_db.h"
 #include "system/usage_error.h"
 #include "temporary_folder.h"

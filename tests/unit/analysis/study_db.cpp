@@ -3,8 +3,8 @@
 #include <set>
 
 #include "database/database.h"
+#include "store/result_file.h"
 #include "store/rows.h"
-#include "store/schema.h"
 #include "store/seal.h"
 #include "study_store/study_tables.h"
 

@@ -5,7 +5,7 @@
 #include "bench/machine_limits.h"
 #include "bench/peak_kernels.h"
 #include "catch.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 #include "system/clock.h"
 #include "worst.h"
 

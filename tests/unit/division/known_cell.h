@@ -2,8 +2,8 @@
 // A cell that knows only what a test gives: its shape, its mother's division, its contacts, its substances and its
 // place.
 #include "biology/physical_unit.h"
+#include "division/division_record.h"
 #include "division/policy.h"
-#include "division/record.h"
 #include "mesh/mesh_measures.h"
 
 namespace morula {

@@ -4,7 +4,7 @@
 #include "library/scene_format.h"
 #include "observation/measures.h"
 #include "scenes.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -11,7 +11,7 @@
 #include "parts/rates.h"
 #include "scenes.h"
 #include "simulation/memory.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "catch.h"
-#include "report/parts.h"
+#include "report/page_parts.h"
 #include "temporary_folder.h"
 
 namespace morula {

@@ -1,9 +1,8 @@
 // The words of a page; texts of users stay texts.
-#include "report_data/words.h"
-
 #include "catch.h"
 #include "golden/change.h"
 #include "report/run_blocks.h"
+#include "report_data/run_words.h"
 
 namespace morula {
 namespace {

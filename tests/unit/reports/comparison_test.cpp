@@ -1,10 +1,9 @@
 // Organisms side by side: how distances look, and that every tile is whole.
-#include "comparison/comparison.h"
-
 #include <cstdlib>
 
 #include "base/error.h"
 #include "catch.h"
+#include "comparison/organism_pair.h"
 #include "pictures.h"
 
 namespace morula {

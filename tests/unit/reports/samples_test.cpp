@@ -1,10 +1,9 @@
 // Passes over the whole picture, on samples made by hand instead of by OpenGL.
-#include "organism/samples.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "catch.h"
+#include "organism/drawn_samples.h"
 
 using namespace morula;
 

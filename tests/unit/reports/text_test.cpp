@@ -1,11 +1,10 @@
 // Texts: their width, their place, and how long ones are shortened.
-#include "drawing/text.h"
-
 #include <cstdlib>
 #include <string>
 
 #include "catch.h"
 #include "drawing/drawing.h"
+#include "drawing/drawn_text.h"
 #include "pictures.h"
 
 namespace morula {

@@ -10,7 +10,7 @@
 #include "simulation/make_world.h"
 #include "simulation/restore.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -13,7 +13,7 @@
 #include "simulation/make_world.h"
 #include "simulation/population.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 #include "unit/physics/lab.h"
 
 namespace morula {

@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "database/store_error.h"
 #include "example_run.h"
-#include "store/schema.h"
+#include "store/result_file.h"
 
 using namespace morula;
 

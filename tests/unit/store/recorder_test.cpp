@@ -9,7 +9,7 @@
 #include "example_run.h"
 #include "simulation/make_world.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 using namespace morula;
 

@@ -9,7 +9,7 @@
 #include "pictures/pictures.h"
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"
-#include "state/hash.h"
+#include "state/state_hash.h"
 #include "views/picture_maker.h"
 
 namespace morula {

@@ -1,4 +1,4 @@
-#include "store/schema.h"
+#include "store/result_file.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "golden/numbers.h"
+#include "golden/toleranced_numbers.h"
 
 #include "files/text.h"
-#include "golden/number_text.h"
+#include "golden/read_number.h"
 
 namespace morula {
 

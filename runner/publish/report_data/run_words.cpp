@@ -1,4 +1,4 @@
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 
 #include <map>
 

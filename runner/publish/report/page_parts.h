@@ -7,7 +7,7 @@
 #include "check/beside_golden.h"
 #include "report/report.h"
 #include "report_data/explorer_data.h"
-#include "report_data/words.h"
+#include "report_data/run_words.h"
 
 namespace morula {
 

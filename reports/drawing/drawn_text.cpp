@@ -1,4 +1,4 @@
-#include "drawing/text.h"
+#include "drawing/drawn_text.h"
 
 #include <cairo-ft.h>
 

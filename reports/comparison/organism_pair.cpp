@@ -1,4 +1,4 @@
-#include "comparison/comparison.h"
+#include "comparison/organism_pair.h"
 
 #include <algorithm>
 #include <map>

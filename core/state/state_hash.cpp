@@ -1,6 +1,6 @@
 // Hashes field by named field, never over raw memory: where a cell lies in memory must not matter.
 
-#include "state/hash.h"
+#include "state/state_hash.h"
 
 #include <map>
 #include <string>

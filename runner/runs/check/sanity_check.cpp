@@ -1,4 +1,4 @@
-#include "check/sanity.h"
+#include "check/sanity_check.h"
 
 #include <algorithm>
 #include <cmath>
