@@ -9,6 +9,7 @@
 
 #include "base/members.h"
 #include "base/vec3.h"
+#include "biology/cell_selection.h"
 
 namespace morula {
 
@@ -51,13 +52,14 @@ MORULA_MEMBERS(Chirality, angle, time)
 /// How some cells divide. Absent members are as for a cell that no rule names.
 struct DivisionRule {
   std::vector<std::string> of{};       // patterns: the rule is for cells that hold a substance for each
+  std::vector<CellSelection> cells{};  // and that each of these selects
   std::optional<PlaneChoice> plane{};  // absent: DivisionParameters::otherwise
   std::optional<double> share{};       // [1] daughter A's share of the volume; absent: the plane goes
                                        // through the centre
   std::optional<double> tilt{};        // [degree] standard deviation of the axis from its direction, by the seed
   std::optional<Chirality> chirality{};
 };
-MORULA_MEMBERS(DivisionRule, of, plane, share, tilt, chirality)
+MORULA_MEMBERS(DivisionRule, of, cells, plane, share, tilt, chirality)
 
 struct DivisionParameters {
   PlaneChoice otherwise{};               // for cells that no rule names
@@ -96,7 +98,8 @@ const DivisionPlaneKind& kindOf(DivisionPlane plane);
 bool keepsPolarity(const DivisionParameters& parameters);
 
 /// Returns the chirality of the division of a cell with these substances; absent: its daughters do not turn.
-std::optional<Chirality> chiralityOf(const DivisionParameters& parameters, const std::string& substances);
+std::optional<Chirality> chiralityOf(const DivisionParameters& parameters, const CellPath& cell,
+                                     const std::string& substances);
 /// Returns the longest time [time] of all chiralities; 0 without any.
 double longestChirality(const DivisionParameters& parameters);
 

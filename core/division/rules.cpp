@@ -13,8 +13,9 @@
 namespace morula {
 namespace {
 
-bool fitsCell(const DivisionRule& rule, std::string_view substances) {
-  return std::ranges::all_of(rule.of, [&](const std::string& pattern) { return fitsAny(pattern, substances); });
+bool fitsCell(const DivisionRule& rule, const CellPath& cell, std::string_view substances) {
+  return std::ranges::all_of(rule.of, [&](const std::string& pattern) { return fitsAny(pattern, substances); }) &&
+         std::ranges::all_of(rule.cells, [&](const CellSelection& some) { return some.has(cell, substances); });
 }
 
 /// Cuts each cell by its rule, with its deviations.
@@ -31,7 +32,7 @@ class RuledDivision final : public DivisionPolicy {
   }
 
   Cut findCut(const CellContext& cell) const override {
-    const DivisionRule* rule = division_.rules.empty() ? nullptr : ruleFor(division_, cell.substances());
+    const DivisionRule* rule = division_.rules.empty() ? nullptr : ruleFor(division_, cell.path, cell.substances());
     const DivisionPolicy* plane = rule ? planes_[rule - division_.rules.data()].get() : nullptr;
     Cut cut = (plane ? *plane : *otherwise_).findCut(cell);
     const double tilt = rule && rule->tilt ? *rule->tilt : variation_.tilt;
@@ -62,14 +63,14 @@ class RuledDivision final : public DivisionPolicy {
 
 }  // namespace
 
-const DivisionRule* ruleFor(const DivisionParameters& division, std::string_view substances) {
+const DivisionRule* ruleFor(const DivisionParameters& division, const CellPath& cell, std::string_view substances) {
   for (const DivisionRule& rule : division.rules)
-    if (fitsCell(rule, substances)) return &rule;
+    if (fitsCell(rule, cell, substances)) return &rule;
   return nullptr;
 }
 
-const PlaneChoice& planeFor(const DivisionParameters& division, std::string_view substances) {
-  const DivisionRule* rule = ruleFor(division, substances);
+const PlaneChoice& planeFor(const DivisionParameters& division, const CellPath& cell, std::string_view substances) {
+  const DivisionRule* rule = ruleFor(division, cell, substances);
   return rule && rule->plane ? *rule->plane : division.otherwise;
 }
 
@@ -80,8 +81,8 @@ std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& div
   return std::make_unique<RuledDivision>(division, seed, variation);
 }
 
-std::optional<Chirality> chiralityOf(const DivisionParameters& p, const std::string& substances) {
-  const DivisionRule* rule = ruleFor(p, substances);
+std::optional<Chirality> chiralityOf(const DivisionParameters& p, const CellPath& cell, const std::string& substances) {
+  const DivisionRule* rule = ruleFor(p, cell, substances);
   return rule && rule->chirality ? rule->chirality : p.chirality;
 }
 

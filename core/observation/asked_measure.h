@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "observation/measures.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 
 namespace morula {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "observation/observation.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 
 namespace morula {
 

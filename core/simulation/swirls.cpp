@@ -27,7 +27,7 @@ void addSwirl(World& world, int cell, std::span<const std::uint32_t> order) {
   const DivisionRecord* division = divisionOf(world, path.mother());
   const LineageEntry* mother = find(world.lineage, order, path.mother());
   if (!division || !mother) return;
-  const auto chirality = chiralityOf(parameters, world.biology->describe(mother->state));
+  const auto chirality = chiralityOf(parameters, mother->path, world.biology->describe(mother->state));
   if (!chirality || age > lifetime * chirality->time) return;
   const bool isB = path.letter(path.depth() - 1);
   const double angle = chirality->angle * (std::numbers::pi / 180);

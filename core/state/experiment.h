@@ -11,7 +11,7 @@
 #include "base/members.h"
 #include "contacts/parameters.h"
 #include "physics/parameters.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 
 namespace morula {
 

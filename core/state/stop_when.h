@@ -7,7 +7,7 @@
 
 #include "base/choice.h"
 #include "base/members.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 
 namespace morula {
 

@@ -18,7 +18,7 @@
 #include "report/page_parts.h"
 #include "scenario/scenario.h"
 #include "simulation/restore.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 #include "study/plan.h"
 #include "study/study_file.h"
 #include "study_store/task_file.h"

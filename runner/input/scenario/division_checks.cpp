@@ -114,7 +114,7 @@ class DivisionCheck {
   }
 
   static bool takesAllOf(const DivisionRule& wide, const DivisionRule& narrow) {
-    return std::ranges::all_of(wide.of, [&](const std::string& w) {
+    return wide.cells.empty() && std::ranges::all_of(wide.of, [&](const std::string& w) {
       return std::ranges::any_of(narrow.of, [&](const std::string& n) { return includes(w, n); });
     });
   }

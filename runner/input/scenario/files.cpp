@@ -156,6 +156,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
     reference = readNamedFile(scenario, "reference", file.text, file.place, places, reading.problems);
   }
   readReference(reference, scenario, reading);
+  readRuleCells(scenario, reading);
   readExperiments(scenario, reading);
   readStopWhen(scenario, reading);
 }

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "biology/dna.h"
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 #include "values/cell_names.h"
 
 namespace morula {

@@ -4,6 +4,7 @@
 
 #include "base/did_you_mean.h"
 #include "division/rules.h"
+#include "values/cell_words.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {
@@ -153,21 +154,35 @@ class RuleReader {
     const auto* of = node_.find("of");
     if (!of) {
       reading_.problems.add(node_.place, path, "is missing",
-                            "needs a substance of the rule's cells, or a list of several, as of: AB");
+                            "needs a substance of the rule's cells, 'cell NAME', or a list of several, as of: AB");
       return;
     }
     if (of->value.kind != Node::Kind::sequence) {
+      if (callsCells(of->value)) return waitForNames(of->value, path);
       if (const auto pattern = readPattern(of->value, path, reading_)) rule.of.push_back(*pattern);
       return;
     }
     if (!expectEntries(of->value, path, "a substance, or a list of several", reading_.problems)) return;
     for (const Node& item : of->value.items) {
+      if (callsCells(item)) {
+        waitForNames(item, path);
+        continue;
+      }
       const auto pattern = readPattern(item, path, reading_);
       if (!pattern) continue;
       if (std::ranges::find(rule.of, *pattern) != rule.of.end())
         reading_.problems.add(item.place, path, "'" + *pattern + "' is given twice", "keep one");
       rule.of.push_back(*pattern);
     }
+  }
+
+  /// Returns true for "cell EMS", which a substance cannot be called.
+  static bool callsCells(const Node& node) {
+    return node.kind == Node::Kind::scalar && node.text.find(' ') != node.text.npos;
+  }
+
+  void waitForNames(const Node& node, const std::string& path) {
+    reading_.ruleCells.push_back({reading_.rules.size(), node.text, node.place, path});
   }
 
   /// Reads the plane; `axis: v` is short for `plane: {axis: v}`.
@@ -187,7 +202,8 @@ class RuleReader {
 };
 
 Json ruleSchema() {
-  const Json pattern{{"type", "string"}, {"pattern", "^[^* ]*[*]?$"}, {"minLength", 1}};
+  const Json pattern{
+      {"type", "string"}, {"pattern", "^([^* ]*[*]?|(cell|clone|path|generation|substance) [^ ]+)$"}, {"minLength", 1}};
   Json properties{
       {"of",
        {{"oneOf",
@@ -207,6 +223,7 @@ Json ruleSchema() {
 
 Json writeRule(const DivisionRule& rule) {
   Json map{{"of", rule.of}};
+  for (const CellSelection& cells : rule.cells) map["of"].push_back(selectionText(cells));
   if (rule.plane) map["plane"] = writePlane(*rule.plane);
   if (rule.share) map["share"] = *rule.share;
   if (rule.tilt) map["tilt"] = *rule.tilt;
@@ -289,6 +306,17 @@ Json writeChirality(const Chirality& c) { return {{"angle", c.angle}, {"time", c
 
 Json chiralitySchema() {
   return mapSchema({{"angle", numberSchema(chiralAngle)}, {"time", numberSchema(positive)}}, {});
+}
+
+void readRuleCells(Scenario& scenario, Reading& reading) {
+  if (!scenario.scene.mechanics) return;
+  std::vector<DivisionRule>& rules = scenario.scene.mechanics->division.rules;
+  for (const RuleCells& cells : reading.ruleCells) try {
+      const CellSelection selection = selectionOf(cells.text, scenario.names, scenario.scene.dna);
+      if (cells.rule >= rules.size()) continue;  // an unreadable rule has been reported
+      if (selection.kind == CellSelection::Kind::substance) rules[cells.rule].of.push_back(selection.substance);
+      else rules[cells.rule].cells.push_back(selection);
+    } catch (const InputError& error) { addReadError(cells.place, cells.path, error, reading.problems); }
 }
 
 }  // namespace morula::scenario

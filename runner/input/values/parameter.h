@@ -39,6 +39,14 @@ struct ReferenceSource {
   std::optional<Node> contacts, positions, file;
 };
 
+/// Cells of a division rule that are called by names or paths, which are read once cells have their names.
+struct RuleCells {
+  std::size_t rule;  // its place in the list
+  std::string text;  // "cell EMS"
+  Place place;
+  std::string path;  // "division.rules[2].of"
+};
+
 /// The state of reading: all that values need and produce besides the Scenario.
 struct Reading {
   Problems& problems;
@@ -49,6 +57,7 @@ struct Reading {
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
   std::vector<Place> rules{};      // the places of `division.rules`
+  std::vector<RuleCells> ruleCells{};
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
   std::vector<Node> stopWhen{};     // the entries of `stop.when`, read then, too
@@ -96,6 +105,9 @@ void readStartCellTable(const std::string& text, const std::string& file, const 
 
 /// Reads check.reference, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+/// Finds the cells that division rules call by names (division_types.cpp).
+void readRuleCells(Scenario& scenario, Reading& reading);
 
 /// Reads the entries of `stop.when` (stop_types.cpp).
 void readStopWhen(Scenario& scenario, Reading& reading);

@@ -108,7 +108,7 @@ std::vector<DivisionRecord> ambiguousDivisions(const Scene& scene, const std::ve
     if (!d.extentRatio || !(*d.extentRatio < ambiguousExtentRatio)) continue;
     const auto mother = states.find(d.path);
     const std::string substances = mother == states.end() ? "" : describe(mother->second);
-    if (planeFor(scene.mechanics->division, substances).plane == DivisionPlane::longest) ambiguous.push_back(d);
+    if (planeFor(scene.mechanics->division, d.path, substances).plane == DivisionPlane::longest) ambiguous.push_back(d);
   }
   return ambiguous;
 }

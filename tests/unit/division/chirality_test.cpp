@@ -6,19 +6,19 @@ using namespace morula;
 
 TEST_CASE("chirality: none, that of all, and that of the first rule that fits") {
   DivisionParameters p;
-  CHECK_FALSE(chiralityOf(p, "a0 divide"));
+  CHECK_FALSE(chiralityOf(p, CellPath(), "a0 divide"));
   CHECK(longestChirality(p) == 0);
   p.rules = {DivisionRule{.of = {"a1", "divide"}, .chirality = Chirality{20, 0.5}}, DivisionRule{.of = {"a1"}},
              DivisionRule{.of = {"a0"}, .chirality = Chirality{-10, 0.75}}};
-  CHECK(chiralityOf(p, "a1 divide") == Chirality{20, 0.5});
-  CHECK_FALSE(chiralityOf(p, "a1"));  // the first rule that fits has no chirality, and later rules do not count
-  CHECK(chiralityOf(p, "a0") == Chirality{-10, 0.75});
-  CHECK_FALSE(chiralityOf(p, "a2"));
+  CHECK(chiralityOf(p, CellPath(), "a1 divide") == Chirality{20, 0.5});
+  CHECK_FALSE(chiralityOf(p, CellPath(), "a1"));  // the first rule that fits has no chirality, and later rules do not count
+  CHECK(chiralityOf(p, CellPath(), "a0") == Chirality{-10, 0.75});
+  CHECK_FALSE(chiralityOf(p, CellPath(), "a2"));
   CHECK(longestChirality(p) == 0.75);
   p.chirality = Chirality{5, 1};
-  CHECK(chiralityOf(p, "a1") == Chirality{5, 1});
-  CHECK(chiralityOf(p, "a2") == Chirality{5, 1});
-  CHECK(chiralityOf(p, "a0") == Chirality{-10, 0.75});
+  CHECK(chiralityOf(p, CellPath(), "a1") == Chirality{5, 1});
+  CHECK(chiralityOf(p, CellPath(), "a2") == Chirality{5, 1});
+  CHECK(chiralityOf(p, CellPath(), "a0") == Chirality{-10, 0.75});
   CHECK(longestChirality(p) == 1);
 }
 

@@ -21,7 +21,7 @@ PlaneChoice along(const Vector& axis) { return {DivisionPlane::axis, axis}; }
 
 /// Returns the number of the rule that fits, from 1, or 0 if none fits.
 int ruleOf(const DivisionParameters& division, const char* substances) {
-  const DivisionRule* rule = ruleFor(division, substances);
+  const DivisionRule* rule = ruleFor(division, CellPath(), substances);
   return rule ? static_cast<int>(rule - division.rules.data()) + 1 : 0;
 }
 
@@ -57,8 +57,8 @@ TEST_CASE("What a rule does not say is as of other cells") {
   CHECK_FALSE(c.share);
   CHECK(none.normal == Vector{0, 1, 0});
   CHECK_FALSE(none.share);
-  CHECK(planeFor(division, "c").plane == DivisionPlane::longest);
-  CHECK(planeFor(division, "b") == division.otherwise);
+  CHECK(planeFor(division, CellPath(), "c").plane == DivisionPlane::longest);
+  CHECK(planeFor(division, CellPath(), "b") == division.otherwise);
 }
 
 TEST_CASE("A tilt is of its rule, or else of the variation; none is none") {
@@ -105,4 +105,24 @@ TEST_CASE("Shares that no cut can give are refused, with their deviations") {
   CHECK_THROWS_AS(make(0.2, 0.04), InputError);
   CHECK_THROWS_AS(make(0.5, 0.14), InputError);
   CHECK_THROWS_AS(makeDivisionPolicy({.rules = {{.of = {"a"}, .plane = along({0, 0, 0})}}}, 1), InputError);
+}
+
+TEST_CASE("A rule may be for one cell, for a clone, or for a generation, whatever they hold") {
+  const auto clone = [](const char* path) {
+    return CellSelection{.kind = CellSelection::Kind::clone, .path = CellPath::parse(path)};
+  };
+  const DivisionParameters division{
+      .rules = {{.cells = {{.kind = CellSelection::Kind::cell, .path = CellPath::parse("AB")}}},
+                {.of = {"skin"}, .cells = {clone("A")}},
+                {.cells = {{.kind = CellSelection::Kind::generation, .generation = 1}}}}};
+  const auto ruleOfCell = [&](const char* path, const char* substances) {
+    const DivisionRule* rule = ruleFor(division, CellPath::parse(path), substances);
+    return rule ? static_cast<int>(rule - division.rules.data()) + 1 : 0;
+  };
+  CHECK(ruleOfCell("AB", "skin") == 1);
+  CHECK(ruleOfCell("AA", "skin") == 2);
+  CHECK(ruleOfCell("A", "skin") == 2);
+  CHECK(ruleOfCell("A", "nerve") == 3);
+  CHECK(ruleOfCell("B", "skin") == 3);
+  CHECK(ruleOfCell("BA", "skin") == 0);
 }

@@ -120,3 +120,26 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
   refused("{when: [{measure: count of a9, above: 1}]}", "a9");
   refused("{when: [{cells: 3, off: a0}]}", "off");
 }
+
+TEST_CASE("Division rules call cells by name, and come back by path") {
+  const auto withRules = [](const std::string& rules) {
+    return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 3}\n"
+           "physics: {}\nnames: {egg: P0, daughters: [a, p]}\ndivision: {rules: " +
+           rules + "}\n";
+  };
+  const Scenario s = read(withRules("[{of: cell P0p, share: 0.6}, {of: [a0, clone P0a], share: 0.4}]"));
+  const auto& rules = s.scene.mechanics->division.rules;
+  REQUIRE(rules.size() == 2);
+  CHECK(rules[0].of.empty());
+  CHECK(rules[0].cells[0].path == CellPath::parse("B"));
+  CHECK(rules[1].of == std::vector<std::string>{"a0"});
+  CHECK(rules[1].cells[0].kind == CellSelection::Kind::clone);
+  CHECK(readScenario(s.resolved, "resolved.yaml", "", {}).meaning == s.meaning);
+  CHECK(read(withRules("[{of: substance a0, share: 0.6}]")).meaning ==
+        read(withRules("[{of: a0, share: 0.6}]")).meaning);
+  CHECK_THAT(complaints(withRules("[{of: cell P0x, share: 0.6}]")),
+             ContainsSubstring("division.rules[0].of: no cell is called 'P0x'"));
+  CHECK_THAT(complaints(withRules("[{of: substance a7, share: 0.6}]")),
+             ContainsSubstring("the DNA has no substance 'a7'"));
+  CHECK_THAT(complaints(withRules("[{of: cells P0a, share: 0.6}]")), ContainsSubstring("did you mean cell P0a?"));
+}

@@ -1,5 +1,5 @@
 
-#include "state/cell_selection.h"
+#include "biology/cell_selection.h"
 
 #include <algorithm>
 #include <charconv>
