@@ -9,7 +9,7 @@
 namespace morula::cli {
 
 void addEngineWorker(CLI::App& above, Action& action) {
-  Verb verb(above, action, "engine-worker", "Computes one scene: question on stdin, answer on stdout, both JSON");
+  Verb verb(above, action, "engine-worker", "Compute one scene: question on stdin, answer on stdout, both JSON");
   verb.does([] {
     serveEngine(questionStream(), answerStream());
     return fine;
