@@ -18,6 +18,7 @@
 #include "observation/energy.h"
 #include "scenario/scenario.h"
 #include "simulation/restore.h"
+#include "simulation/simulation.h"
 #include "state/state_hash.h"
 
 using namespace morula;

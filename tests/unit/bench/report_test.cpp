@@ -47,8 +47,8 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   rows.push_back(free);
   free.stage = Stage::internal, free.nsPerVertexStep = 8;
   rows.push_back(free);
-  for (const auto& [engine, nanoseconds] : {std::pair{"morula", 30.0}, {"bullet-b1", 600.0}}) {
-    rows.push_back(row(engine, Stage::step, 64, nanoseconds, engine == std::string("morula") ? "avx2" : ""));
+  for (const auto& [engine, nanoseconds] : {std::pair{MeasuredEngine::morula, 30.0}, {MeasuredEngine::bulletB1, 600.0}}) {
+    rows.push_back(row(engine, Stage::step, 64, nanoseconds, engine == MeasuredEngine::morula ? "avx2" : ""));
     rows.back().scene = "packed-single", rows.back().precision = Precision::binary32;
   }
 

@@ -19,7 +19,7 @@ Setting setting(Integrator integrator, double timeStep) {
 /// Returns an error of volumes alone.
 StateError sizes(double volume) { return {.volume = volume}; }
 
-AccuracyRow row(const std::string& engine, const std::string& series, double timeStep, double error, double seconds) {
+AccuracyRow row(MeasuredEngine engine, const std::string& series, double timeStep, double error, double seconds) {
   AccuracyRow row;
   row.setting = setting(Integrator::rungeKutta4, timeStep);
   row.cpuSeconds = seconds, row.steps = 100, row.forceEvaluations = 100, row.vertexSteps = 4200;
@@ -34,7 +34,7 @@ AccuracyRow row(const std::string& engine, const std::string& series, double tim
 Json output() {
   AccuracyReport report;
   report.scenario = "<script>alert(1)</script>";
-  report.own = row("morula", "as it is", 0.25, 0.05, 1);
+  report.own = row(MeasuredEngine::morula, "as it is", 0.25, 0.05, 1);
   report.mesh.levels = {{2, sizes(0.01), sizes(0.01)}};
   report.mesh.own = 2, report.mesh.order = 2, report.mesh.orderIsObserved = true;
   report.mesh.until = 1, report.mesh.touch = true, report.mesh.cpuSeconds = 1;
@@ -45,8 +45,8 @@ Json output() {
                       .witnessLeft = {1e-7, 2},
                       .distance = 1e-7,
                       .agrees = true};
-  report.rows = {row("morula", "velocity-verlet", 0.25, 0.05, 1), row("morula", "rk4", 0.25, 0.0005, 2),
-                 row("bullet-b1", "bullet b1", 0.125, 0.04, 3), row("bullet-b1", "bullet b1", 0.0625, 0.03, 6)};
+  report.rows = {row(MeasuredEngine::morula, "velocity-verlet", 0.25, 0.05, 1), row(MeasuredEngine::morula, "rk4", 0.25, 0.0005, 2),
+                 row(MeasuredEngine::bulletB1, "bullet b1", 0.125, 0.04, 3), row(MeasuredEngine::bulletB1, "bullet b1", 0.0625, 0.03, 6)};
   report.remarks = {"a <remark>"};
   return toJson(report, "");
 }

@@ -95,7 +95,7 @@ TEST_CASE("A Bullet that gave no answer, or is not there, is said to") {
                                   .kind = CheckKind::bullet,
                                   .expected = "an answer",
                                   .actual = "its process was ended by signal <9>"},
-                                 false, "bullet", "SETUP")};
+                                 false, "bullet", FailureClass::setup)};
   const std::string html = htmlOf(besideBullet(scenario, world, broken, nullptr, {}));
   CHECK_THAT(html, ContainsSubstring("Bullet: its process was ended by signal &lt;9&gt;."));
   CHECK_THAT(html, !ContainsSubstring("<img"));

@@ -37,9 +37,9 @@ TEST_CASE("Nothing is told of lines that end, are slow enough, or are not known 
   CHECK_FALSE(isTold(warningsOf(stem, "stop: {time: 120.5}\n")));
   CHECK_FALSE(isTold(warningsOf(stem, "stop: {time: 130}\ncycle: {length: 2}\n")));
   CHECK_FALSE(isTold(warningsOf(stem, "stop: {time: 130, cells: 3}\n")));
-  CHECK_FALSE(isTold(warningsOf("\n  START: s\n  a(t, divide|s)\n  b(t|t)", "stop: {time: 1000}\n")));
+  CHECK_FALSE(isTold(warningsOf("\n  START: s\n  a(t|s)\n  d(divide|s)\n  b(t|t)", "stop: {time: 1000}\n")));
   // Every other cycle passes without a division.
-  const std::string slow = "\n  START: s\n  w(w|s, !B)\n  d(s, divide|w)\n  gone(die|s, B)";
+  const std::string slow = "\n  START: s\n  w(w|s, !B)\n  v(s|w)\n  d(divide|w)\n  gone(die|s, B)";
   CHECK_FALSE(isTold(warningsOf(slow, "stop: {time: 240}\n")));
   CHECK(isTold(warningsOf(slow, "stop: {time: 250}\n")));
   CHECK(isTold(warningsOf(stem, "stop: {time: 70}\ncycle: {length: 1, per-substance: {divide: 0.5}}\n")));

@@ -1,8 +1,8 @@
 // `cells: {file: …}`: a table of start cells gives the scene that a list of the same cells gives.
-#include "files/write_file.h"
-#include "helpers.h"
 #include "simulation/simulation.h"
 #include "simulation/start_cells.h"
+// Included last, because of CHECK:
+#include "helpers.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -11,15 +11,15 @@ namespace {
 
 const std::string physics = "physics: {mesh: {icosphere: 1}, cell: {radius: 2}, contact: {}}\n";
 
-std::string sceneWith(const std::string& cells, const std::string& parts = physics) {
+std::string tableScene(const std::string& cells, const std::string& parts = physics) {
   return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(b1|b1)\nstop: {time: 1}\n" + parts + "cells: " +
          cells + "\n";
 }
 
 Scenario readTable(const std::string& table, const std::string& parts = physics) {
   const TemporaryFolder folder;
-  writeWhole(folder / "cells.csv", table);
-  return readScenario(sceneWith("{file: cells.csv}", parts), "test.yaml", std::string(folder / ""), {});
+  writeText(folder / "cells.csv", table);
+  return readScenario(tableScene("{file: cells.csv}", parts), "test.yaml", std::string(folder / ""), {});
 }
 
 std::string refusalOfTable(const std::string& table, const std::string& parts = physics) {
@@ -33,7 +33,7 @@ TEST_CASE("A table of start cells gives the scenario that a list gives, to the h
       "\xEF\xBB\xBFname;x [um];POSITION_Y;z;radius;vx;vy;vz;mass;kind\r\n# a comment\r\nleft;-2;0;0;1;0;0;0;;a0\r\n"
       "right;2;0.5;0;2;-1;0;0;3;b1 a0\r\n");
   const Scenario list = read(
-      sceneWith("[{at: [-2, 0, 0], scale: 0.5, substances: [a0]}, {at: [2, 0.5, 0], velocity: [-1, 0, 0], mass: 3, "
+      tableScene("[{at: [-2, 0, 0], scale: 0.5, substances: [a0]}, {at: [2, 0.5, 0], velocity: [-1, 0, 0], mass: 3, "
                 "substances: [a0, b1]}]\nnames: {cells: {A: left, B: right}}"));
   CHECK(table.resolved == list.resolved);
   CHECK(table.meaning == list.meaning);
@@ -78,6 +78,6 @@ TEST_CASE("A table of start cells that is wrong is refused with its line and the
   refused("x,y,z,name\n0,0,0,=A\n", "'=A' is no name of a cell");
   refused("x,y,z,name\n0,0,0,A\n9,0,0,A\n", "'A' is also the name of");
   refused("\xFF\xFEx", "the file is UTF-16");
-  CHECK_THAT(complaints(sceneWith("{file: none.csv}")), Catch::Contains("cells.file"));
-  CHECK_THAT(complaints(sceneWith("[{scale: 1}]")), Catch::Contains("cells[0].at: is missing"));
+  CHECK_THAT(complaints(tableScene("{file: none.csv}")), Catch::Contains("cells.file"));
+  CHECK_THAT(complaints(tableScene("[{scale: 1}]")), Catch::Contains("cells[0].at: is missing"));
 }

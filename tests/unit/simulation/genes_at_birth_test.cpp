@@ -59,7 +59,7 @@ TEST_CASE("With bodies daughters have the states that they have without") {
 }
 
 TEST_CASE("A sense at birth perceives the newborn's own body") {
-  Scene scene = scenes::withBodies("START: a\nd(divide|a, !A, !B)\ns(seen|small)\nk(a|a, !A, !B)\n", 1);
+  Scene scene = scenes::withBodies("START: a, small\nd(divide|a, !A, !B)\ns(seen|small)\nk(a|a, !A, !B)\n", 1);
   scene.cycle.first = FirstCycle::atBirth;
   scene.senses = {{.substance = "small", .kind = SenseKind::volume, .is = {.below = 0.8}}};
   const World world = ranToEnd(scene);
