@@ -103,9 +103,6 @@ Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string>
 }
 
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
-  if (one.cells.size() != other.cells.size())
-    throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " + std::to_string(other.cells.size()) +
-                     " cells cannot be compared cell by cell");
   return comparisonSheet(compareOrganisms(std::move(one), std::move(other), eggRadius));
 }
 

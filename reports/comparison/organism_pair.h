@@ -32,7 +32,7 @@ ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, do
 /// Puts the three images in a row, and below them the notes and `unmatched`, a line each.
 Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string> notes = {});
 
-/// Draws comparisonSheet of compareOrganisms. Throws InputError if the numbers of cells differ.
+/// Draws comparisonSheet of compareOrganisms.
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius);
 
 /// Draws all images as tiles in rows of `columns` (0: as square as possible), `gap` pixels apart. Tiles are as large as

@@ -108,7 +108,10 @@ TEST_CASE("two runs stand side by side with the distance of their surfaces") {
   const TemporaryFolder folder;
   succeeds({"render", uniqueFour, "--time", "1.2", "--size", "150", "--beside", uniqueFour, "-o", folder / "a.png"});
   CHECK(sidesOf(readWhole(folder / "a.png")).first == 3 * (150 + 8) + 8);
-  CHECK(launch({"render", uniqueFour, "--beside", "scenarios/worm/four-cell.yaml", "--time", "2.3"}).code == 3);
+  const auto other = succeeds({"render", uniqueFour, "--beside", "scenarios/worm/four-cell.yaml", "--time", "2.3",
+                               "--size", "150", "-o", folder / "b.png"});
+  CHECK_THAT(other.err, ContainsSubstring("only in the"));  // cells that the other has not
+  CHECK(sidesOf(readWhole(folder / "b.png")).first == 3 * (150 + 8) + 8);
 }
 
 TEST_CASE("chart draws measures over time, contacts and divisions of a stored run") {

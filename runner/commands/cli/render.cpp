@@ -125,6 +125,7 @@ Shown show(const std::string& file, const RenderOptions& options,
 /// Draws two runs at one moment side by side, with the distance of their surfaces.
 int drawBeside(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::vector<OrganismPicture> pictures;
+  NameOf names;
   double radius = 1;
   for (const std::string& file : {options.file, options.beside}) {
     const Shown shown = show(file, options, [](const Scenario&, std::optional<double>) { return nullptr; });
@@ -133,20 +134,15 @@ int drawBeside(const RenderOptions& options, const PictureWishes& wishes, Json& 
     maker.add(shown.run->world);
     pictures.push_back(maker.take()[0]);
     pictures.back().title += ": " + file;
-    if (pictures.size() == 1) radius = shown.scenario->scene.mechanics->physics.cell.radius;
+    if (pictures.size() > 1) continue;
+    radius = shown.scenario->scene.mechanics->physics.cell.radius;
+    names = shown.scenario->names.function();
   }
-  const auto paths = [](const OrganismPicture& picture) {
-    std::vector<std::string> list;
-    for (const CellShape& cell : picture.cells) list.push_back(cell.path);
-    return list;
-  };
-  if (paths(pictures[0]) != paths(pictures[1]))
-    throw InputError(
-        fmt::format("--beside: the two runs do not have the same cells at this time, {} here and {} there; "
-                    "needs an earlier --time",
-                    pictures[0].cells.size(), pictures[1].cells.size()));
   const std::string file = options.output.empty() ? "comparison.png" : options.output;
-  writePicture(drawComparison(pictures[0], pictures[1], radius), file);
+  const auto named = [&](const std::string& text) { return withNames(text, names); };
+  const ComparisonImages images = compareOrganisms(pictures[0], pictures[1], radius, {.named = named});
+  if (!images.unmatched.empty()) tell("--beside: " + images.unmatched, options.messages.quiet);
+  writePicture(comparisonSheet(images), file);
   told = {{"pictures", {file}}};
   return fine;
 }
