@@ -1,5 +1,5 @@
 #pragma once
-// Scenes that several kinds of tests share. They give all numbers, so that new defaults do not change them.
+// Scenes that tests of several folders share. Each scene sets all its numbers, so that new defaults do not change it.
 #include <string>
 
 #include "mesh/mesh_measures.h"
@@ -10,7 +10,7 @@ namespace morula::scenes {
 
 inline const std::string everybodyDivides = "START: a0\ng1(a0|a0)\ng2(divide|a0)\n";
 
-// Four leaves [Nilsson 2008, §5.2.1].
+// DNA whose lineage ends with four different cells [Nilsson 2008, §5.2.1].
 inline const std::string uniqueFour =
     "START: a0\n"
     "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(a4|a2,A)\ng7(a5|a2,B)\ng8(a6|a3,A)\n"
@@ -48,7 +48,7 @@ inline Scene lineageOnly(const std::string& dna, std::uint64_t cycles) {
   return s;
 }
 
-/// Cells without shell, contact and connections, whose egg is at rest.
+/// Returns a scene of cells with bodies, without shell, contact and connections. The egg begins at rest.
 inline Scene withBodies(const std::string& dna, std::uint64_t cycles,
                         const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   Scene s = lineageOnly(dna, cycles);
@@ -67,7 +67,7 @@ inline const ContactParameters pairContact{ContactLaw::pair, 30, 0.02, 0, 0.01, 
 inline const ContactParameters pairContactWithFriction{ContactLaw::pair, 30, 0.02, 0.3, 0.01, 1};
 inline const ContactParameters thesisContact{ContactLaw::thesis, 30, 0.02, 0, 0.01, 1};
 
-/// Sixteen cells that touch each other in a spherical shell.
+/// Returns a scene of sixteen cells that touch each other in a spherical shell.
 inline Scene packed() {
   Scene s = withBodies(everybodyDivides, 5);
   s.name = "packed";
@@ -77,7 +77,7 @@ inline Scene packed() {
   return s;
 }
 
-/// Eight cells in an ellipsoid, with friction and drag, random planes, and sisters that stay connected.
+/// Returns a scene of eight cells in an ellipsoid, with friction, drag, random planes, and sisters that stay connected.
 inline Scene ellipsoid() {
   Scene s = withBodies(everybodyDivides, 3);
   s.name = "ellipsoid";
@@ -91,7 +91,7 @@ inline Scene ellipsoid() {
   return s;
 }
 
-/// The thesis' integrator and contact law, a fixed step and a fixed axis.
+/// Returns a scene with the thesis' integrator and contact law, a fixed time step and a fixed division axis.
 inline Scene thesis() {
   Scene s = withBodies(uniqueFour, 4);
   s.name = "thesis";
@@ -106,8 +106,8 @@ inline Scene thesis() {
   return s;
 }
 
-/// Returns a scene with odd numbers of cells, births and deaths, growth, and genes that connect, to test lanes and
-/// slots.
+/// Returns a scene to test lanes and slots. Cells are born, die, grow and connect by genes, and the number of cells
+/// leaves some lanes of a block empty.
 inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   Scene s = withBodies(eventful, 6, egg);
   s.name = "life";
@@ -119,7 +119,8 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
-/// Variants of `life`: meshes with corners or a hole, and other precision or methods.
+// Variants of scenes: `life` from an egg with corners or with a hole, and any scene in another precision or by another
+// method.
 inline Scene lifeOfCubes() {
   Scene s = life(cube());
   s.name = "life-of-a-cube";
@@ -149,7 +150,7 @@ inline Scene byShapes(Scene s) {
   return s;
 }
 
-/// Sixteen spheres in an ellipsoid that holds them closely, with friction, drag and connections.
+/// Returns a scene of sixteen spheres in a tight ellipsoid, with friction, drag and connections.
 inline Scene spheres() {
   Scene s = withBodies(everybodyDivides, 5);
   s.name = "spheres";
@@ -221,7 +222,8 @@ inline Scene coarsening() {
   return s;
 }
 
-/// Four cells in contact: daughters turn against each other, and a polarity turns to the other half of the tree.
+/// Returns a scene of four cells in contact. Daughters turn against each other, and polarities turn towards cells that
+/// hold substance a2.
 inline Scene turning() {
   Scene s = withBodies(uniqueFour, 4);
   s.name = "turning";
@@ -236,7 +238,8 @@ inline Scene turning() {
   return s;
 }
 
-/// Cells that grow in a shell, divide by what they have gained, and stop while they are pressed or surrounded.
+/// Returns a scene of cells that grow in a shell and divide when they have added a given size. They do not divide while
+/// they are surrounded or pressed, and do not grow while they are pressed.
 inline Scene sensing() {
   Scene s = withBodies(everybodyDivides, 9);
   s.dna = dnaThatSenses("START: a0, grow\ng1(a0|a0)\ng2(divide|a0, !crowded, !pressed)\ng3(grow|a0, !pressed)\n",
@@ -258,7 +261,8 @@ inline Scene sensing() {
   return s;
 }
 
-/// Cells that divide by rules, unequally and askew, and each at a pace of its own.
+/// Returns a scene of cells that divide by rules, with unequal shares, tilted planes, and a random cycle length
+/// for each cell.
 inline Scene varied() {
   Scene s = withBodies(uniqueFour, 4);
   s.name = "varied";

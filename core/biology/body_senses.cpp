@@ -8,7 +8,7 @@ namespace morula {
 namespace {
 
 const PhysicalUnit& bodyOf(const CellContext& cell) {
-  MORULA_CHECK(cell.physical(), "a cell without a body is not asked for it");
+  MORULA_CHECK(cell.physical(), "senses of the body are only for cells with a body");
   return *cell.physical();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// A scene as text, for programs that have the simulator but know no scenario files: run_scene of the tests, pages that
-// run again, other programs. A scenario is for people; this text holds exactly what decides a run, with all numbers as
-// bits.
+// A scene as text, for programs that have the simulator but know no scenario files: run_scene of the tests, the
+// simulator in reports' pages, and others. A scenario is for people. The text of a scene holds exactly what decides a
+// run, with the bits of all numbers.
 //
 //   morula-scene 3
 //   11 unique-four         a text: its bytes, a blank, and the text
@@ -20,7 +20,7 @@ inline constexpr int sceneFormat = 3;
 std::string writeScene(Scene scene);
 
 /// Reads a text of writeScene. Throws InputError "NAME:line: what is wrong; what would be right" for anything else:
-/// another version, a byte changed, cut off or added, or a number that its member cannot be.
+/// another version, a byte changed, cut off or added, or a value that a member of Scene cannot have.
 Scene readScene(std::string_view text, const std::string& name);
 
 }  // namespace morula

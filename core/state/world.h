@@ -1,5 +1,5 @@
 #pragma once
-// The state of a scene in motion. The functions that take it on are in simulation/simulation.h.
+// The state of a running scene. The functions that advance it are in simulation/simulation.h.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,19 +23,19 @@ namespace morula {
 
 struct Contacts;  // contacts/contacts.h
 
-/// Settings of the computation, which change no bit of the result.
+/// Settings of the computation, which do not change a bit of the result.
 struct Execution {
   Isa isa = bestIsa();
   int threads = 1;
   SearchSettings search = {};
-  double memoryLimit = INFINITY;  // [byte] a run that would take more is refused, or ends as a failure
+  double memoryLimit = INFINITY;  // [byte] a run that needs more does not start, or ends as a failure
 };
 
-/// The living cells, by lineage path. Where the body of cell number i is stored: Bodies::slots[i].
+/// The living cells, by lineage path. The body of cell number i is stored in the slot Bodies::slots[i].
 struct Cells {
   std::vector<CellPath> path;
   std::vector<StateId> state;
-  std::vector<double> lastCycle;     // [time] when its last cell cycle was due; until its first one, its mother's
+  std::vector<double> lastCycle;     // [time] when the cell's last cycle was due; its mother's before its first
   std::vector<double> growth;        // wantsToGrow, as it was at the last cell cycle
   std::vector<std::uint32_t> entry;  // index in lineage.entries
 };
@@ -45,7 +45,7 @@ int cellNumber(const Cells& cells, const CellPath& path);
 
 struct Clock {
   double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
-  std::uint64_t step = 0;  // physical steps; in a lineage-only world, times at which cell cycles ran
+  std::uint64_t step = 0;  // number of steps; in a lineage-only world, of moments when cell cycles ran
   double timeStep = 0;     // [time] 0 in a lineage-only or quasi-static world, which goes from cycle to cycle
   double epochTime = 0;    // [time] when the present time step came into force
   std::uint64_t epochStep = 0;
@@ -76,10 +76,10 @@ struct SettlingRecord {
   std::uint64_t step = 0, cells = 0;
   std::uint64_t evaluations = 0;  // evaluations of the forces
   double residual = 0;            // [1] r of settle.h, at the end of the settling
-  // How far from rest the end is [SettleParameters::sample]: the energy that cells lose and the way of a vertex until r
-  // is a hundredth of the tolerance, or `evaluations` have been made once more
-  std::optional<double> energyLeft = {};        // [force·length]
-  std::optional<double> displacementLeft = {};  // [length]
+  // The distance of the end from rest, measured in some settlings [SettleParameters::sample]: a trial settles further,
+  // until r is a hundredth of the tolerance or SettleParameters::evaluations more have been made
+  std::optional<double> energyLeft = {};        // [force·length] energy that the cells lose in the trial
+  std::optional<double> displacementLeft = {};  // [length] largest way of a vertex in the trial
 };
 
 /// The directions in which cells crawl, kept so that a steady step draws no numbers.
@@ -105,7 +105,7 @@ struct World {
   std::unique_ptr<BiologicalUnit> biology;
   std::unique_ptr<DivisionPolicy> divisionPolicy;         // null without physics
   PhysicsStages stages{};                                 // in the instruction set of `execution`
-  std::array<PhysicsStages, blockLanes> stagesOfLanes{};  // [living cells of a block − 1] narrowestIsa
+  std::array<PhysicsStages, blockLanes> stagesOfLanes{};  // [living cells of a block − 1] in the set narrowestIsa
 
   // State
   Clock clock;

@@ -10,7 +10,7 @@
 
 namespace morula {
 
-/// The eye's axes: x to the right, y up, z from the scene to the eye. Right-handed, unit length.
+/// The eye's axes: x to the right, y up, z from the scene to the eye. The axes are right-handed and have unit length.
 struct EyeAxes {
   Vector x, y, z;
   Vector of(const Vector& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
@@ -48,13 +48,13 @@ class FramingFinder {
 /// coincide (or none) give distance 1.
 Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture);
 
-/// Returns the least distance from which an eye that looks at `centre` sees all points, with the margin of frame().
+/// Returns the min distance from which an eye that looks at `centre` sees all points, with the margin of frame().
 /// Points at `centre` only (or none) give 1.
 double distanceFor(const std::vector<Point>& points, const Point& centre, const EyeAxes& axes,
                    const Aperture& aperture);
 
 /// Returns the projection of eye coordinates relative to the framing's centre: x right, y up, z to the eye, which
-/// stands at z = distance. Columns follow each other, as in OpenGL. Depths nearClip to farClip from the eye are
+/// stands at z = distance. The matrix is stored by columns, as in OpenGL. Depths nearClip to farClip from the eye are
 /// visible.
 std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip);
 

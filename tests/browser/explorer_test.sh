@@ -14,12 +14,12 @@ node "$folder/node_modules/typescript/bin/tsc" --noEmit --incremental --tsBuildI
 
 node "$here/faces_test.mjs" "$folder" "$source/reports/explorer/src"
 
-page() { # page NAME FRAMES WHAT...: the page NAME.html
+page() { # page NAME FRAMES WHAT...: makes the page NAME.html
   name=$1 frames=$2
   shift 2
   "$program" report "$@" -o "$scratch/$name.html" --frames "$frames" --quiet >/dev/null
 }
-run() { # run NAME SCENARIO OPTION...: the database NAME.db
+run() { # run NAME SCENARIO OPTION...: makes the database NAME.db
   name=$1
   shift
   "$program" run "$@" --quiet --no-pictures --db "$scratch/$name.db" --out "$scratch/$name" >/dev/null
@@ -58,7 +58,7 @@ printf 'variation: {cycle: 0.05, start: 0.01}\n' >>"$scratch/small.yaml"
 page study 10 "$scratch/many"
 
 files="one.html check.html study.html"
-# The largest study takes as long as all others together; MORULA_BROWSER_LARGE=1 includes it.
+# The page of the largest run takes as long as all others together; MORULA_BROWSER_LARGE=1 includes it.
 if [ -n "${MORULA_BROWSER_LARGE-}" ]; then
   run elegans scenarios/thesis/elegans-128.yaml --no-check
   page elegans 200 "$scratch/elegans.db"

@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export CCACHE_DIR=$work/cache
 unset CCACHE_DISABLE
-precompile() { # FOLDER, as CMake does
+precompile() { # FOLDER COMMAND...: precompiles the folder's headers as CMake does
   (cd "$1" && "${@:2}" "$compiler" -x c++-header -include all.h -o all.h.gch -c all.cxx)
 }
 value() { # prints the value that a source with the precompiled header has
@@ -46,6 +46,6 @@ if [ "$planted" = 3 ]; then echo "note: this ccache does not have the fault; the
 rm -rf "$CCACHE_DIR"
 seen=$(try sh "$launcher")
 if [ "$seen" != 3 ]; then
-  echo "a header was precompiled to what another folder made of another edit: value is $seen, not 3"
+  echo "the precompiled header holds the edit of another folder: value is $seen, not 3"
   exit 1
 fi

@@ -26,7 +26,7 @@ struct Kind {
   double volume = 0, lowest = INFINITY, highest = -INFINITY;  // [length³] of all cells; [length] z of centres
 };
 
-/// Groups cells by the substance that their names begin with.
+/// Groups cells by the substances that they hold.
 std::map<std::string, Kind> kindsOf(const World& world) {
   std::map<std::string, Kind> kinds;
   for (const CellMeasures& cell : measureCells(world)) {
@@ -39,8 +39,8 @@ std::map<std::string, Kind> kindsOf(const World& world) {
   return kinds;
 }
 
-/// Returns the angles [degree] by which daughter A of each cell at this depth is turned about the z axis against
-/// daughter B. Anticlockwise, seen from +z, is positive.
+/// Returns the angle [degree] about the z axis from daughter B to daughter A, for each divided cell at this depth.
+/// Angles are positive anticlockwise, seen from +z.
 std::vector<double> twists(const World& world, int depth) {
   const auto cells = measureCells(world);
   std::vector<double> all;
@@ -71,9 +71,9 @@ TEST_CASE("sea urchin: 8 mesomeres, 4 macromeres and 4 micromeres, from pole to 
   CHECK(micro.volume < 0.2 * macro.volume);
 }
 
-TEST_CASE("sea urchin: starts a millionth of a radius apart go through the third cleavage, too") {
-  // Formerly steps ignored pairs held at the end of their reach, and these seeds ended before time 9.2 with "it is
-  // pressed into".
+TEST_CASE("sea urchin: the third cleavage also succeeds from starts that differ by a millionth of a radius") {
+  // Formerly the time step ignored pairs of vertices that contacts hold at the end of their reach. Runs with these
+  // seeds then failed before time 9.2 with "it is pressed into".
   for (const std::uint64_t seed : {3, 4, 6, 7, 8, 9}) {
     Scene scene = sceneOf("urchin");
     scene.seed = seed, scene.variation.start = 1e-6, scene.stop.time = 9.5;

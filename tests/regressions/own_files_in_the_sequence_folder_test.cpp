@@ -1,5 +1,5 @@
-// run removed the whole folder `sequence` of an earlier run, with the user's files in it. Now it removes only pictures
-// that Morula wrote and that the new run does not replace.
+// `morula run` removed the whole folder `sequence` of an earlier run, with the user's files in it. Now it removes only
+// pictures that Morula wrote and that the new run does not replace.
 #include <filesystem>
 
 #include "catch.h"

@@ -1,6 +1,6 @@
-// Without `record` nothing was sampled, although "only start and end" was documented; an organism whose cells had all
-// died was stored as one without bodies. Now every run has a sample of its start and end; a value is NULL if and only
-// if it was not measured.
+// Without `record` nothing was sampled, although the documentation said "only start and end". An organism whose cells
+// had all died was stored as one without bodies. Now every run has a sample of its start and one of its end. A value is
+// NULL if and only if it was not measured.
 #include "catch.h"
 #include "launch.h"
 #include "stored.h"
@@ -43,7 +43,7 @@ TEST_CASE("a run without record has a sample of its start and of its end") {
   }
 }
 
-TEST_CASE("where all cells have died there are bodies, but none alive") {
+TEST_CASE("an organism whose cells have all died has bodies, but none alive") {
   RunWithoutRecord stored(dies);
   Statement last(stored.db,
                  "SELECT cells, volume, kinetic_energy, shell_fill, mean_pressure IS NULL, outermost IS NULL FROM "

@@ -1,4 +1,4 @@
-// A random direction, uniform over all: the thesis' reference [Nilsson 2008, §4.4.2].
+// A uniformly distributed random direction: the thesis' reference for other planes [Nilsson 2008, §4.4.2].
 #include "base/random.h"
 
 #include "division/planes/directions.h"
@@ -6,7 +6,7 @@
 namespace morula {
 namespace {
 
-/// Each cell has one direction, whatever the order in which cells divide.
+/// Gives each cell one direction, whatever the order in which cells divide.
 struct RandomDirection final : DivisionPolicy {
   explicit RandomDirection(std::uint64_t s) : seed(s) {}
   Cut findCut(const CellContext& cell) const override {

@@ -34,7 +34,8 @@ CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string
 /// Adds the group `internal` of these verbs, which are for programs. Help does not list the group.
 void addInternalVerbs(CLI::App& program, Action& chosen, const std::vector<AddVerb*>& verbs);
 
-/// Adds a verb to a group that is the same as the program's verb of this name: one declaration, one help text.
+/// Adds to a group a verb that does the same as the program's verb of this name. Both have one declaration and one help
+/// text.
 void addAlias(CLI::App& group, const std::string& verb);
 /// Returns true if `addAlias` has added the verb.
 bool isAlias(const CLI::App& verb);
@@ -57,15 +58,15 @@ class Verb {
   }
   void does(Action action);
 
-  /// Declares a required option; parameters as for `takes`. No word may be empty.
+  /// Declares a required option; parameters as for `takes`. An empty word is an error.
   template <class... Rest>
   void needs(const std::string& name, Rest&&... rest) {
     takes(name, std::forward<Rest>(rest)...);
     require(name);
   }
 
-  /// Declares an option with a word, whose present value is the default in the help; or with any number of words. If
-  /// the type ends in ",...", several words may be separated by commas or blanks.
+  /// Declares an option with one word or with any number of words. The present value of a single word is the default in
+  /// the help. If the type ends in ",...", several words may be separated by commas or blanks.
   template <class Words>
   void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
     takes(
@@ -93,15 +94,15 @@ class Verb {
     setChoices(name, namesOfChoices<T>());
   }
 
-  /// Sets the default in the help if no value can express it: "as then".
+  /// Sets the text that the help shows as the default, for an option whose default is not the present value.
   void showDefault(const std::string& name, const std::string& text);
 
   /// Allows at most one of these options.
   void oneOf(const std::vector<std::string>& names);
-  /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"); `why` is part of a
-  /// sentence.
+  /// Forbids `others` beside `name`, which may be an option and its value ("--style lineage"). The message ends with
+  /// `why`, a clause that gives the reason.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
-  /// Forbids all options but `others` beside `name`; `why` is part of a sentence.
+  /// Forbids all options but `others` beside `name`. The message ends with `why`, as for `excludes`.
   void allowsOnly(const std::string& name, const std::vector<std::string>& others, const std::string& why);
   /// Requires one of `owners` beside each of `names`.
   void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);
@@ -134,7 +135,7 @@ class Verb {
 
   CLI::App* verb_;
   Action* chosen_;
-  struct Checks;                    // checks before the action
+  struct Checks;                    // what is validated before the action
   std::shared_ptr<Checks> checks_;  // lives as long as the action
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Names, numbers and lists in messages, and as a person writes them in YAML.
+// Formats names, numbers and lists for messages and for YAML.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,21 +10,22 @@ namespace morula::tracks {
 
 std::string inQuotes(std::string_view text);
 
-/// Returns true if a comes before b: by letters, and by value where both have digits, so that 9 comes before 10.
+/// Returns true if `a` comes before `b`: by letters, and by value where both have numbers, so that 9 comes before 10.
 bool precedes(std::string_view a, std::string_view b);
 
-/// Adds "What is assumed: AB, MS, E and 2 more" for the cells of which it is; nothing if there are none.
+/// Adds the sentence "WHAT: AB, MS, E and 2 more", which lists the cells to which an assumption applies. Adds nothing
+/// if there are no cells.
 void assume(std::vector<std::string>& sentences, const std::string& what, const std::vector<std::string>& cells);
 
-/// A name in YAML: in quotes only where it would be taken for something else.
+/// Returns a name in YAML, in quotes only if YAML would read it as something else.
 std::string word(const std::string& text);
 
 std::string rounded(double a, int decimals = 3);
-/// "[1, 0, -0.5]"
+/// Returns "[1, 0, -0.5]".
 std::string triple(const Vector& v);
-/// "{a: 1, b: 2}", over several lines where it is long.
+/// Returns "{a: 1, b: 2}", in several lines if it is long.
 std::string flow(const std::vector<std::string>& entries, char open, char close);
-/// Lines that begin with '#', and are not too long.
+/// Returns the text as a YAML comment: short lines that begin with '#'.
 std::string comment(const std::string& text);
 
 }  // namespace morula::tracks

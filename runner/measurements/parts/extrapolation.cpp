@@ -13,14 +13,15 @@
 namespace morula {
 namespace {
 
-/// Returns the share of all surfaces that touches another cell, if N equal cells fill a sphere: all but the sphere's
-/// surface. The cells' surfaces are 1.19 times those of spheres: exact for two halves, near enough for more.
+/// Returns the share of the cells' surface at which they touch, if N equal cells fill a sphere. Only the surface of the
+/// whole sphere touches no cell. A cell's surface is 1.19 times that of a ball with its volume: this is exact for two
+/// halves, and near enough for more cells.
 double touchingShare(double cells) { return cells < 2 ? 0 : 1 - 1 / (1.19 * cubeRoot(cells)); }
 
 /// The contacts in completed eras, or in the last one if none is complete. The defaults are those of the thesis'
 /// scenes.
 struct ContactTrend {
-  double pairs = 6.2;               // per vertex in a face that touches another cell's
+  double pairs = 6.2;               // for each vertex where the cell touches another one
   double searches = 40, cells = 2;  // searches and number of cells in the latest era
 };
 
@@ -33,23 +34,23 @@ ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
     const bool over = i + 1 < trial.eras.size() || trial.whole;
     if (era.pairs == 0 || cells < 2 || (!over && found)) continue;
     const double pairs = era.pairs / (era.steps * cells * verticesPerCell(*trial.world.bodies)) / touchingShare(cells);
-    // Freshly cut faces are crowded; later eras are like the least crowded one.
+    // Vertices crowd on freshly cut faces, so the era with the fewest pairs resembles later eras most.
     trend = {found ? std::min(trend.pairs, pairs) : pairs, era.searches, cells};
     found = true;
   }
   return trend;
 }
 
-/// Returns the stability limit of an equal part of the egg, free and round.
+/// Returns the stability limit of the time step for a free, round cell that equal divisions have made of the egg.
 double idealLimit(const Scene& scene, int generation) {
   Scene any = scene;
-  any.mechanics->physics.timeStep.reset();  // to ask is not to use it
+  any.mechanics->physics.timeStep.reset();  // makeWorld would throw if a fixed time step lies above the limit
   Body cell = makeEgg(*makeWorld(any).bodies);
   const double share = std::ldexp(1.0, -generation), scale = cubeRoot(share);
   for (Point& x : cell.position) x *= scale;
   cell.mass *= share;
   cell.pressureConstant *= share;
-  // Each cut multiplies the membrane by `areaFactor`, for two cells.
+  // Each division multiplies the membrane's area by `areaFactor`, and two cells share it.
   cell.restScale = std::pow(any.mechanics->physics.membrane.areaFactor / 2, 0.5 * generation);
   World part = makeWorldOf(any, {CellPath{}}, {cell}, {});
   beginWithBodies(part);
@@ -100,7 +101,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     counts.steps += steps;
     if (!world.contacts || cells < 2) continue;
     counts.pairs += steps * cells * vertices * contact.pairs * touchingShare(cells);
-    // Cells that part push others on through the organism, whose size in edges grows with the cube root.
+    // Dividing cells push others through the whole organism, whose diameter grows with the cube root of their number.
     const double expected = contact.searches * cubeRoot(cells / contact.cells);
     counts.searches = std::min(std::max(counts.searches, expected), counts.steps);
   }

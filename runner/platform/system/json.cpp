@@ -11,7 +11,7 @@ Json parseJson(std::string_view text) {
   using Event = Json::parse_event_t;
   return Json::parse(text, [](int depth, Event event, Json&) {  // depth: number of lists and objects around the value
     if (depth >= maxDepth && (event == Event::object_start || event == Event::array_start))
-      throw Json::other_error::create(501, "lists and members are nested more than 32 deep", nullptr);
+      throw Json::other_error::create(501, "lists and objects are nested more than 32 deep", nullptr);
     return true;
   });
 }

@@ -15,12 +15,12 @@ class SignalWatch {
   static int caught();
 };
 
-/// The exception for a signal during runs that leave nothing behind.
+/// The exception that ends a run on a signal if nothing of the run is stored.
 struct Interrupted {
   int signal;
 };
 
-/// Throws Interrupted if a signal has come, while a SignalWatch lives.
+/// Throws Interrupted if a signal has come during the life of a SignalWatch.
 void stopAtSignal();
 
 }  // namespace morula

@@ -1,6 +1,6 @@
 #pragma once
-// The list of the states of a result. Every verb that judges or shows results takes the state's word and exit code from
-// this list. The table of verbs and states is in golden/README.md.
+// The list of the states of a result. Every verb that judges or shows results takes the names and exit codes of states
+// from this list. The table of verbs and states is in golden/README.md.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -29,17 +29,18 @@ inline constexpr auto choices<ResultState> = std::to_array<Choice<ResultState>>(
      {ResultState::unread, "unread", "the file could not be read"},
      {ResultState::changed, "changed", "the rows of the result do not match their digest"}});
 
-/// Returns true for results that are fine or were compared with nothing; the latter is told and is no error.
+/// Returns true for a result that is fine or unchecked. Verbs report unchecked results, but not as errors.
 inline bool isAcceptable(ResultState state) { return state <= ResultState::unchecked; }
 
 ResultState worstOf(std::span<const ResultState> states);
 
 /// Returns the exit code of a verb that judges several results or a stored one.
 cli::ExitCode exitCodeOf(ResultState state);
-/// Returns the exit code of `run`, which differs only for a failed run: 4, the code of its NumericalError.
+/// Returns the exit code of the verb `run`: 4, the code of a NumericalError, for a failed run; else as exitCodeOf.
 cli::ExitCode exitCodeOfRun(ResultState state);
 
-/// Returns the worst state of failed checks: differs, insane, failed or unread; unchecked if there are no checks.
+/// Returns the worst state of the failed checks: differs, insane, failed or unread. Returns fine if all checks passed,
+/// and unchecked if there are none.
 ResultState stateOf(const CheckReport& report);
 ResultState stateOf(const std::vector<CheckResult>& checks);
 
@@ -71,8 +72,8 @@ class StateCounts {
   std::array<std::size_t, choices<ResultState>.size()> counts_{};
 };
 
-/// Returns a check for each state that is not acceptable and that occurs in `counts` or is allowed by `allowed`, for
-/// continuous integration. `why`: for each state, its runs, for people.
+/// Returns the checks of a study for continuous integration: one for each state that is not acceptable and that occurs
+/// in `counts` or has a max above 0 in `allowed`. `why`: for each state, a text for people that names its runs.
 std::vector<CheckResult> checksOf(const StateCounts& counts, const AllowedRuns& allowed,
                                   const std::array<std::string, choices<ResultState>.size()>& why);
 

@@ -8,7 +8,8 @@
 namespace morula {
 namespace {
 
-/// Returns the step of the file's checkpoint, if its samples and hashes were recorded at the same intervals.
+/// Returns the step of the file's checkpoint. Absent if there is none, or if its intervals of samples and hashes are
+/// not those of `c`.
 std::optional<std::uint64_t> keptStep(Database& db, const std::string& id, const Checkpoint& c) {
   Statement s(db, "SELECT step FROM checkpoint WHERE run_id = ? AND every IS ? AND hash_every IS ?");
   if (!s.start(id, c.every, c.hashEvery).next()) return std::nullopt;

@@ -51,10 +51,11 @@ bool stepBoth(Run& a, Run& b) {
   return a.world().clock.time == b.world().clock.time && a.world().cells.path == b.world().cells.path;
 }
 
-/// Runs both scenarios side by side, on the same conditions, as long as they have the same cells at the same times.
-/// Returns lines for people, as changeInWords: after which step a vertex of which cell first differs, and by how much
-/// [radii of the egg]; and from which steps on the farthest vertex differs by 0.001, 0.01 and 0.1 radii. Returns ""
-/// without bodies or differences. Throws Interrupted if a signal has come.
+/// Runs both scenarios side by side, with the same `how`, as long as they have the same cells at the same times.
+/// Returns two lines for people, in the form of changeInWords. The first line tells the step, cell and vertex at which
+/// the runs first differ, and the distance [radii of the egg]. The second line tells from which steps on the farthest
+/// vertex differs by 0.001, 0.01 and 0.1 radii. Returns "" without bodies or differences. Throws Interrupted if a
+/// signal has come.
 std::string partingInWords(const Scenario& before, const Scenario& now, const Execution& how) {
   Run beforeRun(makeScenarioWorld(before, how)), nowRun(makeScenarioWorld(now, how));
   const World &a = beforeRun.world(), &b = nowRun.world();
@@ -95,8 +96,8 @@ void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQue
     f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
 }
 
-/// Finds where the present scenario leaves the path of the earlier one, which is run again. `accepted`: the bits that
-/// the earlier scenario must reach by its golden; "" if unknown.
+/// Runs both scenarios and tells where the results of the present one begin to differ from those of the earlier one,
+/// `before`. `accepted`: the hash of the earlier scenario's end state in its golden; "" if unknown.
 void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const std::string& called,
                       const std::string& accepted, const WhyQuestion& question, Findings& f) {
   OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),
@@ -133,7 +134,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   try {
     theirs = storedScenario(question.database, stored.id);
     before = goldenOf(stored, store.results(stored.id), *theirs);
-  } catch (const InputError& unreadable) {  // stored by a Morula with other keys
+  } catch (const InputError& unreadable) {  // another version of Morula stored the scenario, with other keys
     if (otherInput)
       f.text += "the changed keys are not known, because this program cannot read the stored scenario: " +
                 firstLine(unreadable.what()) + '\n';
@@ -147,8 +148,8 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   const auto chain = store.chain(stored.id);
   if (chain.empty())
     throw InputError(question.database + ": run " + stored.id +
-                     " kept no chain: no hashes of the states on the way; run the scenario again with a golden file or "
-                     "with `check: {}` in it, and without --no-check, --set and --seed");
+                     " kept no chain, the hashes of the states between start and end; run the scenario again with a "
+                     "golden file or with `check: {}` in it, and without --no-check, --set and --seed");
   std::uint64_t step = 0;
   if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
     f.failureClass = f.where.failureClass = FailureClass::inputChanged;
@@ -166,7 +167,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
 
 void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
   std::vector<std::string> more;
-  if (scenario.allowOutside) more.push_back("--allow-outside");  // unknown to older programs
+  if (scenario.allowOutside) more.push_back("--allow-outside");  // older programs do not know this option
   ProgramRun expected(
       question.program, scenario.file, [&] { return makeScenarioWorld(scenario, question.execution); }, more);
   OwnRun actual = scenarioRun(scenario, question.execution);
@@ -175,7 +176,7 @@ void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, F
   f.text += f.where.text;
 }
 
-/// Tells how the scenario differs from the golden's scenario; nothing if the golden cannot be read.
+/// Tells how the scenario differs from the golden's scenario. Tells nothing if the golden cannot be read.
 void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question, Findings& f) {
   try {
     const Golden golden = readAccepted(scenario, goldenFile(scenario));
@@ -208,7 +209,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   const CheckReport report = check(scenario, checked, observe(scenario, run), true);
   f.checks = report.results;
   f.text += describe(report, true);
-  const CheckResult* first = nullptr;  // the earliest, of the class that explains the others
+  const CheckResult* first = nullptr;  // the failed check that explains the others: the earliest, before CHAOS
   for (const auto& r : report.results)
     if (!r.passed && (!first || (first->failureClass == FailureClass::chaos && r.failureClass != FailureClass::chaos) ||
                       (r.firstStep && first->firstStep && *r.firstStep < *first->firstStep)))
@@ -220,8 +221,8 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   if (fileExists(goldenFile(scenario))) tellChangedScenario(scenario, run, question, f);
   if (f.failureClass != FailureClass::inputChanged) {
     f.text +=
-        "A golden holds hashes, not states. For the first step, the vertex and both values give the program or the "
-        "run that was accepted: --with PROGRAM, or --db FILE\n";
+        "A golden holds hashes, not states. To see the first step, the vertex and both values, compare with the "
+        "program that made the golden (--with PROGRAM), or with the stored run (--db FILE)\n";
   }
 }
 

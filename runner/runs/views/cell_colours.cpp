@@ -91,7 +91,7 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
 }  // namespace
 
 Range withoutRounding(Range range) {
-  constexpr double rounding = 1e-9;  // far more than sums of some thousand terms are off by
+  constexpr double rounding = 1e-9;  // far above the rounding error of a sum of some thousand terms
   const double most = std::max(std::abs(range.low), std::abs(range.high));
   if (range.low < range.high && range.high - range.low <= rounding * most) range.high = range.low;
   return range;

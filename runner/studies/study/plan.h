@@ -19,15 +19,16 @@ struct Condition {
   std::vector<std::size_t> levels;  // the labels' numbers in the axes
   std::size_t base = 0;             // index in Study::bases
   /// The scenario, loaded with the first seed and the overrides of the condition's levels. The study's measures and
-  /// times replace its `record`. Its own file and those that it names are relative to the study's folder.
+  /// times replace its `record`. Paths of the scenario's file and in the scenario are relative to the study's folder.
   Scenario scenario;
   bool usesSeed = false;  // other seeds give other results
-  Hash meaning;           // hash of all that decides results but the seed, and of the reference
+  /// Hash of the scene except its seed, of the check's reference if measures use it, and of the colours of pictures.
+  Hash meaning;
 };
 
 /// One distinct run.
 struct Task {
-  std::string id;  // 16 hex digits: of the condition's meaning, the seed if it is used, measures, when and keep
+  std::string id;  // 16 hex digits, from the condition's meaning, the seed if it is used, measures, `when` and `keep`
   std::size_t condition = 0;  // condition of the first replicate that needs the task
   std::uint64_t seed = 0;     // seed of that replicate
   friend bool operator==(const Task&, const Task&) = default;
@@ -50,23 +51,23 @@ struct RunCost {
   friend bool operator==(const RunCost&, const RunCost&) = default;
 };
 
-/// The cost of a base's first condition, which goes through time, and its cost from rest to rest, with
-/// physics.integrator fire.
+/// The expected cost of a base's first condition in two ways: with its own integrator, which takes time steps, and with
+/// `physics.integrator: fire`, which goes from one state at rest to the next.
 struct SettledCost {
   std::size_t base = 0;             // index in Study::bases
-  double seconds = 0, settled = 0;  // [s] CPU time as it is, and with fire
+  double seconds = 0, settled = 0;  // [s] CPU time with its own integrator, and with fire
   std::string refused;              // why fire is impossible; "" if it is possible
 };
 
 struct Plan {
-  Study study;  // with places relative to the study's folder, as in the conditions' scenarios
+  Study study;  // paths are relative to the study's folder, as in the conditions' scenarios
   std::vector<Condition> conditions;
-  std::vector<Task> tasks;            // by the first replicates that need them
+  std::vector<Task> tasks;            // in the order of the first replicates that need them
   std::vector<Replicate> replicates;  // by condition, then in the order of the seeds
   std::string id;                     // 32 hex digits: hash of all that decides what is run, kept and compared
-  std::vector<std::string> warnings;  // warnings of the scenarios. No part of the file
-  std::vector<RunCost> costs;         // one for each condition; empty: not predicted. No part of the id
-  std::vector<SettledCost> settled;   // at most one for each base. No part of the file
+  std::vector<std::string> warnings;  // warnings of the scenarios; not in the plan's file
+  std::vector<RunCost> costs;         // one for each condition; empty: not predicted; not part of the id
+  std::vector<SettledCost> settled;   // at most one for each base; not in the plan's file
 };
 
 struct PlanOptions {
@@ -82,14 +83,14 @@ Plan makePlan(const Study& study, const PlanOptions& options = {});
 /// Returns the condition's scenario with the task's seed, as if it had been loaded with that seed.
 Scenario scenarioOf(const Plan& plan, const Task& task);
 
-/// Writes the plan as a file with everything that running it needs, including scenarios and their files. The text ends
-/// with a newline. Equal plans give equal texts on every machine, but for the costs.
+/// Returns the text of the plan's file: everything that a run of the plan needs, including scenarios and their files.
+/// The text ends with a newline. Equal plans give equal texts on every machine, except for the costs.
 std::string writePlan(const Plan& plan);
-/// Reads a plan from its text alone. Throws FileError, which calls it `file`, if it is no plan, is damaged, or means
-/// something else to this build than to the build that made it.
+/// Reads a plan from the text of its file. Throws FileError, with the name `file`, if the text is no plan, is damaged,
+/// or means something else to this build than to the build that made the plan.
 Plan readPlan(const std::string& text, const std::string& file);
 
-/// Returns the numbers of conditions whose seeds change nothing.
+/// Returns the conditions, by number, whose results no seed changes.
 std::vector<std::size_t> conditionsWithoutSeeds(const Plan& plan);
 /// Returns groups of two or more conditions, by number, that are equal and so share their runs.
 std::vector<std::vector<std::size_t>> conditionsThatShare(const Plan& plan);
@@ -101,7 +102,7 @@ std::optional<RunCost> totalCost(const Plan& plan);
 
 /// Describes a plan before anything starts: counts, shared runs, conditions that seeds do not change, costs.
 std::string describe(const Plan& plan);
-/// Writes the description for programs: `morula study plan --json`.
+/// Returns the description for programs: `morula study plan --json`.
 Json summaryOf(const Plan& plan);
 
 /// Returns the default folder of a study's results: results/studies/NAME.
@@ -111,10 +112,11 @@ std::filesystem::path studyFolder(const Study& study);
 std::filesystem::path planFile(const std::filesystem::path& folder);
 
 /// Writes the plan into the folder, which it makes. Returns false, and writes nothing, if an equal plan is there.
-/// Throws InputError if another plan is there: its results would be taken for this plan's. Throws FileError.
+/// Throws InputError if another plan is there, since its results would be taken for this plan's. Throws FileError if
+/// the folder cannot be read or written.
 bool keepPlan(const Plan& plan, const std::filesystem::path& folder);
 
-/// Returns the plan of the folder. Throws FileError as readPlan does, and if there is no plan.
+/// Returns the plan of the folder. Throws FileError as readPlan does, or if the folder has no plan.
 Plan loadPlan(const std::filesystem::path& folder);
 
 }  // namespace morula

@@ -12,7 +12,7 @@
 
 namespace morula {
 
-/// The reason why a task has no state hash. The row's `reason` begins with the name of its kind, a colon and a blank.
+/// The kinds of failure of a task. The row's `reason` begins with the name of the kind, a colon and a blank.
 enum class FailureKind { numerical, cpuLimit, memoryLimit, crash };
 template <>
 inline constexpr auto choices<FailureKind> = std::to_array<Choice<FailureKind>>(
@@ -25,19 +25,19 @@ std::string reasonOf(FailureKind kind, const std::string& why);
 enum class TaskStatus { done, failed, missing };
 template <>
 inline constexpr auto choices<TaskStatus> =
-    std::to_array<Choice<TaskStatus>>({{TaskStatus::done, "done", "its run came to its end"},
-                                       {TaskStatus::failed, "failed", "its run could not go on"},
-                                       {TaskStatus::missing, "missing", "it has not been run"}});
+    std::to_array<Choice<TaskStatus>>({{TaskStatus::done, "done", "the run came to its end"},
+                                       {TaskStatus::failed, "failed", "the run could not continue"},
+                                       {TaskStatus::missing, "missing", "the task has not been run"}});
 
 struct TaskRow {
   std::string id;
   std::uint64_t number = 0, condition = 0, seed = 0;  // as in the plan
   TaskStatus status = TaskStatus::missing;
-  std::string reason = {};                  // of a failure; else ""
+  std::string reason = {};                  // reason of a failure; else ""
   std::string runId = {}, resultHash = {};  // "" while the run is missing
 
-  /// Returns true if the task is done or failed numerically: scene, seed and program alone decide that. Limits and
-  /// crashes depend on the machine, too.
+  /// Returns true if the task is done or failed numerically: only scene, seed and program decide these results. Limits
+  /// and crashes depend on the machine, too.
   bool isComputed() const;
 };
 template <>
@@ -49,18 +49,17 @@ inline constexpr TableInfo tableInfo<TaskRow> = {.name = "task",
 template <IsA<TaskRow> T>
 void listFields(T& task, auto&& field) {
   auto& [id, number, condition, seed, status, reason, runId, resultHash] = task;
-  field({"task_id", "from the scene's meaning, the seed if it is used, measures, when and keep"}, id);
-  field({"number", "in the plan"}, number);
-  field({"condition_id", "of the first replicate that needs it"}, condition);
-  field({"seed", "of that replicate; two's complement from 2^63 on"}, AllBits{seed});
+  field({"task_id", "from the scene's meaning, the seed if used, and the study's measures, when and keep"}, id);
+  field({"number", "position in the plan"}, number);
+  field({"condition_id", "condition of the first replicate that needs the task"}, condition);
+  field({"seed", "seed of that replicate; two's complement from 2^63 on"}, AllBits{seed});
   field({"status"}, status);
   field({.name = "reason",
          .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
          .anyCharacters = true},
         reason);
-  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"}, NullIf{runId.empty(), runId});
-  field({"result_hash", "over all results of the run; NULL while it is missing"},
-        NullIf{resultHash.empty(), resultHash});
+  field({.name = "run_id", .meaning = "NULL while missing", .refersTo = "run"}, NullIf{runId.empty(), runId});
+  field({"result_hash", "over all results of the run; NULL while missing"}, NullIf{resultHash.empty(), resultHash});
 }
 
 /// One value of one measure of a run: a scalar.
@@ -78,17 +77,17 @@ inline constexpr TableInfo tableInfo<ResultRow> = {
     .key = "run_id, measure, time",
     .csv = "results",
     .why =
-        "of a study: what `measures` asks for: of cells the mean over the living, of pairs over those that "
-        "touch; compare reads it"};
+        "of a study: the values of `measures`; a measure of cells is the mean over living cells, a measure of pairs "
+        "the mean over touching pairs; compare reads it"};
 template <IsA<ResultRow> T>
 void listFields(T& result, auto&& field) {
   auto& [measure, time, value] = result;
   field({"measure"}, measure);
-  field({"time", "the last is the end", "time"}, time);
+  field({"time", "the last one is the run's end", "time"}, time);
   field({"value"}, value);
 }
 
-/// When and where a task was computed: all that may differ between two computations of a task.
+/// The time and machine of a task's computation: all that may differ between two computations of the task.
 struct TimingRow {
   std::string started, ended;   // UTC
   double cpuSeconds = 0;        // [s]
@@ -173,7 +172,7 @@ void listFields(T& level, auto&& field) {
   field({"number", "in the order of the study file"}, number);
   field({.name = "label", .anyCharacters = true}, label);
   field({.name = "keys",
-         .meaning = "JSON: what it changes in the scenario; null takes a part away",
+         .meaning = "JSON: the scenario keys that the level sets; null removes a part",
          .anyCharacters = true},
         keys);
 }
@@ -189,16 +188,16 @@ inline constexpr TableInfo tableInfo<ReplicateRow> = {
     .part = TablePart::study,
     .key = "condition_id, seed",
     .csv = "replicates",
-    .why = "of a study: which task is which condition with which seed; compare reads it"};
+    .why = "of a study: the task of each condition and seed; compare reads it"};
 template <IsA<ReplicateRow> T>
 void listFields(T& replicate, auto&& field) {
   auto& [condition, seed, task] = replicate;
   field({.name = "condition_id", .refersTo = "condition"}, condition);
   field({"seed"}, AllBits{seed});
-  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"}, task);
+  field({.name = "task_id", .meaning = "equal replicates share a task", .refersTo = "task"}, task);
 }
 
-/// Makes `task`, `result` and `timing`.
+/// Makes the tables `task`, `result` and `timing`.
 void makeTaskTables(Database& db, bool withComments = true);
 /// Makes the tables of the merged file. `axes`, `keys`: columns of `condition` and `condition_key`.
 void makeStudyTables(Database& db, const std::vector<std::string>& axes, const std::vector<std::string>& keys);
@@ -216,7 +215,7 @@ inline constexpr TableInfo tableInfo<StudySeal> = {
     .name = "study_digest",
     .part = TablePart::seal,
     .key = "name",
-    .why = "of a study: every verb that reads it holds the study's own tables against these"};
+    .why = "of a study: the digests of its own tables; every verb that reads the study compares them"};
 template <IsA<StudySeal> T>
 void listFields(T& sealed, auto&& field) {
   auto& [table, digest] = sealed;
@@ -231,7 +230,7 @@ void sealStudy(Database& db);
 /// Throws StoreError if the rows of the study's own tables have changed since they were stored.
 void requireSealedStudy(Database& db);
 
-/// Returns the hash of the run's end and of all rows of its results: they must be equal wherever the task is computed.
+/// Returns the hash of the run's end and of all rows of its results. All machines must compute the same hash of a task.
 /// NULLs do not count, so that later versions of the tables, with more columns, give equal hashes.
 Hash resultHash(Database& db, const std::string& run);
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double secondsPerJob = 600;
 
-/// Returns a job's time limit [s]: three times the predicted time, for slower machines, and ten minutes at least. If
-/// runs have a limit of CPU time, the limit of all of a job's runs holds if that is less.
+/// Returns a job's time limit [s]: three times the predicted time, for slower machines, and at least ten minutes. If
+/// the study limits the CPU time of a run, a job gets no more than its runs together may take.
 std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
   const auto cost = totalCost(plan);
   const double most = std::ceil(double(plan.tasks.size()) / double(shares));
@@ -66,11 +66,11 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
   text += "#SBATCH --output=" + shellWord(slurmFile(folder) + "/slurm-%A_%a.log") + "\n";
   text += "#SBATCH --requeue\n";
   text += fmt::format(
-      "#\n# The study {}: {} runs in {} jobs. From the folder that it was written from:\n"
-      "#   sbatch FILE && squeue --me          # this file; what has a result is not computed again\n"
-      "#   morula study status {}              # how far it is\n"
-      "#   morula study merge {}               # afterwards\n"
-      "# MORULA: the program, if it is not in PATH.\n"
+      "#\n# The study {}: {} runs in {} jobs. Start it where `morula study emit` was called:\n"
+      "#   sbatch FILE && squeue --me          # FILE: this file; runs with a result are not computed again\n"
+      "#   morula study status {}              # shows the progress\n"
+      "#   morula study merge {}               # merges the results at the end\n"
+      "# Set MORULA to the path of the program if it is not in PATH.\n"
       "set -eu\n"
       "exec \"${{MORULA:-morula}}\" study run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" \\\n"
       "  --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
@@ -80,12 +80,12 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
 
 std::string snakemake(const PlannedStudy& study, std::size_t shares) {
   const Plan& plan = study.plan;
-  const std::string folder = jsonText(Json(folderOf(study)));  // Python reads JSON's strings
+  const std::string folder = jsonText(Json(folderOf(study)));  // a JSON string is also a string of Python
   std::string text = fmt::format(
-      "# The study {}: {} runs. For Snakemake 7 and later; from the folder that this was written from:\n"
+      "# The study {}: {} runs. Needs Snakemake 7 or later. Start it where `morula study emit` was called:\n"
       "#   snakemake --snakefile FILE --cores 8\n"
-      "# On a cluster, several runs make one job: --group-components runs={}.\n"
-      "# MORULA: the program, if it is not in PATH.\n"
+      "# On a cluster, --group-components runs={} puts several runs into one job.\n"
+      "# Set MORULA to the path of the program if it is not in PATH.\n"
       "import os\n\n"
       "FOLDER = {}\nMORULA = os.environ.get(\"MORULA\", \"morula\")\n",
       plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares, folder);
@@ -120,10 +120,9 @@ std::string parallel(const PlannedStudy& study, std::size_t shares) {
   const std::string job = fmt::format("\"$MORULA\" study run {} --shard {{}}/{} --quiet >/dev/null", word, shares);
   return fmt::format(
       "#!/bin/sh\n"
-      "# The study {}: {} runs in {} jobs, as many at a time as there are processors; `sh FILE --jobs 4`: "
-      "four. What has a\n"
-      "# result is not computed again. From the folder that this was written from. MORULA: the program, if "
-      "it is not in PATH.\n"
+      "# The study {}: {} runs in {} jobs, one for each processor at a time, or four with `sh FILE --jobs 4`.\n"
+      "# Start it where `morula study emit` was called. Runs with a result are not computed again.\n"
+      "# Set MORULA to the path of the program if it is not in PATH.\n"
       "set -eu\n"
       "export MORULA=\"${{MORULA:-morula}}\"\n"
       "# shellcheck disable=SC2016  # expanded by the shell of each job\n"
@@ -133,7 +132,7 @@ std::string parallel(const PlannedStudy& study, std::size_t shares) {
       shellWord(job), word);
 }
 
-/// Returns the number of jobs, so that none is much shorter than ten minutes: a scheduler takes seconds for each.
+/// Returns a number of jobs that makes none much shorter than ten minutes, since a scheduler takes seconds for each.
 std::size_t sharesFor(const Plan& plan) {
   const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
   const auto cost = totalCost(plan);
@@ -155,7 +154,7 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
   const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
   if (options.site == Site::slurm) return slurm(study, std::min(shares, maxArrayJobs));
   if (options.site == Site::snakemake) return snakemake(study, shares);
-  // Jobs on one machine cost little: there are enough for all processors to end at about one time.
+  // Jobs on one machine cost little. With 200 of them, if there are as many runs, all processors end at about one time.
   return parallel(study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
 }
 

@@ -15,7 +15,7 @@ ComparedCell cell(const char* path, const Mesh& mesh) { return comparedCell(Cell
 
 }  // namespace
 
-TEST_CASE("Centroid, volume and surface are each the worst over the cells, in egg radii or relative") {
+TEST_CASE("The errors of centroid, volume and surface are each the max over the cells, in egg radii or relative") {
   const Mesh cube = scenes::cube();
   const Shapes reference{1, {cell("A", cube), cell("B", zoo::moved(cube, {5, 0, 0}))}};
   Shapes other{
@@ -28,7 +28,7 @@ TEST_CASE("Centroid, volume and surface are each the worst over the cells, in eg
   CHECK(error.largest() == error.volume);
 }
 
-TEST_CASE("A cell's centroid is that of what it encloses, wherever its vertices lie") {
+TEST_CASE("A cell's centroid is that of its volume, wherever its vertices lie") {
   // A half ball has its vertices crowded on the dome; the centroid of its volume lies 3/8 of the radius up.
   Mesh half = makeIcosphere(3);
   for (Point& x : half.vertices) x.z = std::max(x.z, 0.0);
@@ -36,7 +36,7 @@ TEST_CASE("A cell's centroid is that of what it encloses, wherever its vertices 
   CHECK(comparedCell({}, zoo::moved(half, {1e3, 0, 0})).centroid.x == Approx(1e3).epsilon(1e-12));
 }
 
-TEST_CASE("Other cells are told, and not compared") {
+TEST_CASE("States with different cells are recognised, and not compared") {
   const Mesh cube = scenes::cube();
   const Shapes one{0, {cell("", cube)}}, two{0, {cell("A", cube), cell("B", cube)}}, empty{0, {}};
   CHECK(haveSameCells(one, one));
@@ -45,7 +45,7 @@ TEST_CASE("Other cells are told, and not compared") {
   CHECK_THROWS(compareShapes(one, two, 1));
 }
 
-TEST_CASE("Births are held against those of the same path") {
+TEST_CASE("Births are compared with births of the same path") {
   const std::vector<LineageEntry> a{{CellPath{}, 0, 1, 0, 0, Fate::divided, 0},
                                     {CellPath::parse("A"), 1, 0, 0, 0, Fate::alive, 0},
                                     {CellPath::parse("B"), 1, 0, 0, 0, Fate::alive, 0}};

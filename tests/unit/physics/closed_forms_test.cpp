@@ -57,7 +57,7 @@ TEST_CASE("An icosahedron rings and dies away as the linearised sphere says") {
       if ((now > 0) != (before > 0)) {
         last = time - dt * now / (now - before);
         if (crossings++ == 0) first = last;
-        // All energy is kinetic when the radius passes through rest: |λ'| = ω e^(−γt/2) of the first stretch.
+        // All energy is kinetic when the radius passes through rest: |λ'| = ω e^(−γt/2) times the initial stretch.
         const double speed = norm(lab.velocity(0, 0)) * std::sqrt(stiffness);
         beyond.see(std::abs(speed / envelopeAt(last) - 1));
       }

@@ -1,4 +1,4 @@
-// Texts: their width, their place, and how long ones are shortened.
+// The width and place of texts, and the shortening of long ones.
 #include <cstdlib>
 #include <string>
 
@@ -18,7 +18,7 @@ Extent inkBox(const std::string& text, const TextStyle& style) {
 
 }  // namespace
 
-TEST_CASE("text runs as far as it says and stays on its line", "[text]") {
+TEST_CASE("text is as wide as textWidth says, and stands on its line", "[text]") {
   const TextStyle style{.size = 20};
   const double width = textWidth("Morula", style);
   CHECK(width > 40);
@@ -35,7 +35,7 @@ TEST_CASE("text runs as far as it says and stays on its line", "[text]") {
 
 TEST_CASE("bold letters are wider", "[text]") { CHECK(textWidth("n", {.bold = true}) > textWidth("n", {})); }
 
-TEST_CASE("anchors move text by its width, and upward text is the same turned", "[text]") {
+TEST_CASE("anchors move text by its width, and upward text is the same text turned", "[text]") {
   const auto fromLeft = inkBox("AVm", {.size = 24});
   CHECK(fromLeft.left >= 99);
   CHECK(inkBox("AVm", {.size = 24, .anchor = Anchor::right}).right <= 100);
@@ -48,7 +48,7 @@ TEST_CASE("anchors move text by its width, and upward text is the same turned", 
 }
 
 TEST_CASE("letters are not moved to whole pixels", "[text]") {
-  // A shift by half a pixel changes the picture, a shift by a whole pixel only moves it.
+  // A shift by half a pixel changes the picture; a shift by a whole pixel only moves it.
   const auto drawn = [](double x) {
     Drawing drawing(60, 30);
     drawing.text({x, 20}, "in", {.size = 13});
@@ -59,7 +59,7 @@ TEST_CASE("letters are not moved to whole pixels", "[text]") {
   CHECK(part(one, 1, 0, 59, 30) == part(here, 0, 0, 59, 30));
 }
 
-TEST_CASE("what is not UTF-8 does no harm and is seen", "[text]") {
+TEST_CASE("bytes that are not UTF-8 are drawn as U+FFFD", "[text]") {
   const TextStyle style{.size = 12};
   CHECK(textWidth("\xff", style) == textWidth("\uFFFD", style));
   CHECK(shortened("a\xff\xc3\x28\xe2\x82", style, 1000) == "a\uFFFD\uFFFD(\uFFFD\uFFFD");

@@ -1,4 +1,4 @@
-// Adhesion in a living world: it follows the substances that cells hold now, and changes how cells touch.
+// Adhesion in a running world follows the substances that cells hold at the time, and changes how cells touch.
 #include "catch.h"
 #include "observation/energy.h"
 #include "simulation/time_step.h"
@@ -22,7 +22,7 @@ double workOf(const World& world, int a, int b) {
 }
 
 struct HeldBy {
-  double area = 0;  // [length²] measureContactAreas
+  double area = 0;  // [length²] contact area by measureContactAreas
   double held = 0;  // [force·length] work needed to part the cells
   friend bool operator==(const HeldBy&, const HeldBy&) = default;
 };
@@ -52,7 +52,7 @@ TEST_CASE("The first pair that fits two cells counts, in either order; the defau
     }
 }
 
-TEST_CASE("A cell sticks by what it holds after its cycle, with or without births") {
+TEST_CASE("Adhesion follows the substances that a cell holds after its cycle, with or without births") {
   Scene scene = sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
                          {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
   World world = makeWorld(scene);
@@ -64,7 +64,7 @@ TEST_CASE("A cell sticks by what it holds after its cycle, with or without birth
   CHECK(works == std::vector<double>{1, 2, 3});
 }
 
-TEST_CASE("Cells that stick flatten against each other the more, the stronger") {
+TEST_CASE("Stronger adhesion flattens cells more against each other") {
   const auto heldWith = [](AdhesionParameters adhesion) {
     Scene scene = sticking(resting, std::move(adhesion));
     for (const char* substance : {"red", "blue"})
@@ -74,8 +74,9 @@ TEST_CASE("Cells that stick flatten against each other the more, the stronger") 
   };
   const HeldBy none = heldWith({0, {}}), little = heldWith({0.25, {}}), some = heldWith({1, {}}),
                more = heldWith({2, {}});
-  // The area, force over pressure, only shows that the cells touch: nothing but adhesion presses them, so both are
-  // small. It does not grow with W throughout (3.1 at 1, 2.8 at 2). The area of flat contact is held / W.
+  // The area is computed as force over pressure. Both are small here, since only adhesion presses the cells together.
+  // So the area shows only that the cells touch, and need not grow with W (3.1 at W = 1, 2.8 at W = 2). The area of
+  // flat contact is held / W.
   CHECK(little.area > none.area + 0.1);
   CHECK(some.area > none.area + 0.1);
   CHECK(more.area > none.area + 0.1);
@@ -96,7 +97,7 @@ TEST_CASE("Without crawling and drag, cells that stick keep their momentum") {
   CHECK(norm(momentumOf(*world.bodies) - before) < 1e-12);
 }
 
-TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffness balance") {
+TEST_CASE("Spheres in contact overlap by the depth at which adhesion and stiffness balance") {
   // At rest 2πW R* = K depth, with R* = ½ for two balls of radius 1.
   Scene scene = sticking(resting, {1.5, {}});
   scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
@@ -106,7 +107,7 @@ TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffnes
   CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
 }
 
-TEST_CASE("Of two spheres that stick the force changes no faster with their distance than limits count with") {
+TEST_CASE("The force between two adhering spheres changes with their distance no faster than time step limits assume") {
   for (const double scale : {1.0, 0.6}) {
     Scene scene = sticking(resting, {2, {}});
     scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
@@ -133,7 +134,7 @@ TEST_CASE("Of two spheres that stick the force changes no faster with their dist
   }
 }
 
-TEST_CASE("Adhesion shortens the automatic time step, for membranes that stick fold; of spheres only strong one does") {
+TEST_CASE("Adhesion shortens the automatic time step: that of membranes, which fold, earlier than that of spheres") {
   const auto limitWith = [](double work, CellModel model = CellModel::shell) {
     Scene scene = sticking(resting, {work, {}});
     scene.mechanics->physics.cell.model = model;
@@ -147,7 +148,7 @@ TEST_CASE("Adhesion shortens the automatic time step, for membranes that stick f
   CHECK(limitWith(30, CellModel::sphere) < 0.8 * limitWith(0, CellModel::sphere));
 }
 
-TEST_CASE("Adhesion with no strength costs what none does, and changes no bit") {
+TEST_CASE("Adhesion of strength 0 costs nothing, and changes no bit") {
   Scene none = scenes::packed(), zero = none;
   none.stop.time = zero.stop.time = 2.5;
   zero.mechanics->contact->adhesion = AdhesionParameters{0, {{"a*", "a*", 0}}};
@@ -157,8 +158,8 @@ TEST_CASE("Adhesion with no strength costs what none does, and changes no bit") 
   CHECK(plain.bodies->count > 1);
 }
 
-TEST_CASE("How far two sticky cells spread on each other is a question of W, not of the mesh") {
-  // Values at rest. Icosphere 5 gives them to 2 % with an attraction that reaches 1.25 and 1.5 edges.
+TEST_CASE("How far two sticky cells spread on each other depends on W, not on the mesh") {
+  // Values at rest: icosphere 5 gives them to 2 %, whether attraction reaches 1.25 or 1.5 edges.
   struct Limit {
     double work, area, distance;
   };

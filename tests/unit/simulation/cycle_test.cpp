@@ -21,7 +21,7 @@ TEST_CASE("The thesis' four unique cells, from cycle to cycle") {
   CHECK(statesOf(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
 }
 
-TEST_CASE("A cycle of another length, from a substance on") {
+TEST_CASE("A substance with a cycle length of its own sets the length of the next cycles") {
   Scene scene = scenes::lineageOnly("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(slow|A)\ng4(a1|a1)\ng5(slow|slow)\n", 1);
   scene.cycle.length = 0.5;
   scene.cycle.perSubstance = {{"slow", 0.25}};
@@ -56,7 +56,7 @@ TEST_CASE("The first stop condition that holds ends the run") {
   }
 }
 
-TEST_CASE("The end is planned from what is known: times and cycles, not numbers of cells") {
+TEST_CASE("The planned end follows from times and cycles, not from numbers of cells") {
   Scene scene = scenes::lineageOnly(scenes::uniqueFour, 4);
   scene.cycle.length = 0.5;
   CHECK(plannedEnd(scene) == 2.0);
@@ -68,7 +68,7 @@ TEST_CASE("The end is planned from what is known: times and cycles, not numbers 
   CHECK_FALSE(plannedEnd(scene));
 }
 
-TEST_CASE("Fifteen cycles of a tenth are fifteen, though their sum is 1.5000000000000002") {
+TEST_CASE("A run to 15 cycles of length 0.1 has 15 cycles, although the lengths add up to 1.5000000000000002") {
   for (const auto& [length, cycles] :
        {std::pair{0.1, 15}, std::pair{0.1, 100}, std::pair{0.7, 6}, std::pair{1.1, 20}}) {
     Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", static_cast<std::uint64_t>(cycles));
@@ -77,7 +77,7 @@ TEST_CASE("Fifteen cycles of a tenth are fifteen, though their sum is 1.50000000
   }
 }
 
-TEST_CASE("Cycles that fall between steps run at the next one, and their delays do not add up") {
+TEST_CASE("Cycles that are due between steps run at the next step, and their delays do not add up") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
   scene.mechanics->physics.cell.mass = 10000;
   scene.mechanics->physics.timeStep = 0.3;
@@ -85,7 +85,7 @@ TEST_CASE("Cycles that fall between steps run at the next one, and their delays 
   std::vector<double> births;
   for (const LineageEntry& e : world.lineage.entries)
     if (births.empty() || births.back() != e.born) births.push_back(e.born);
-  // Due at 1, 2, 3, 4: steps 4, 7, 10, 14.
+  // The divisions are due at times 1, 2, 3 and 4, and happen at steps 4, 7, 10 and 14.
   REQUIRE(births.size() >= 5);
   CHECK(births[1] == Approx(1.2));
   CHECK(births[2] == Approx(2.1));
@@ -126,7 +126,7 @@ TEST_CASE("Another biology may control the cells") {
   CHECK(world.clock.time == Approx(1.5).margin(0.02));
 }
 
-TEST_CASE("A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
+TEST_CASE("A run that only stop.cells can end fails with a message if it never has so many cells") {
   for (const bool bodies : {false, true}) {
     Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 1);
     scene.stop = {.cycles = {}, .time = {}, .cells = 5};
@@ -142,7 +142,7 @@ TEST_CASE("A number of cells that alone ends a run, and is never reached, ends i
     REQUIRE(failure);
     CHECK_THAT(failure->what(), ContainsSubstring("stop.cells: 5 cells do not live within 1000 cycles: 1 live"));
     CHECK(world.clock.time > 1000);
-    scene.stop.time = 1002;  // then the time ends the run
+    scene.stop.time = 1002;  // now stop.time ends the run
     world = makeWorld(scene);
     runToEnd(world);
     CHECK(world.clock.time == Approx(1002).margin(0.5));

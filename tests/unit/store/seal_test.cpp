@@ -1,4 +1,4 @@
-// Rows changed after they were stored are found, whatever their table and column.
+// requireSealed detects a change after storing in any column of any table.
 #include "store/seal.h"
 
 #include <set>
@@ -34,7 +34,7 @@ bool isSealed(Database& db, const std::string& id) {
 
 }  // namespace
 
-TEST_CASE("A value that was changed in any column of any table of a run is found, and so is a row that is gone") {
+TEST_CASE("A changed value in any column of any table of a run is detected, and so is a missing row") {
   const SealedRun stored;
   Database db(stored.file, Database::Mode::existing, std::chrono::seconds(1));
   REQUIRE(isSealed(db, stored.id));
@@ -48,7 +48,7 @@ TEST_CASE("A value that was changed in any column of any table of a run is found
     for (const auto* columns : {&table->context, &table->own})
       for (const SqlColumn& c : *columns) {
         CAPTURE(name, c.name);
-        Transaction transaction(db);  // is rolled back
+        Transaction transaction(db);  // rolled back at the end of the scope
         const std::string other = c.type.starts_with("INTEGER") ? "ifnull(" + sqlName(c.name) + " + 1000000, 1)"
                                   : c.type.starts_with("REAL")  ? "ifnull(" + sqlName(c.name) + " * 0.5 + 1, 1.0)"
                                   : c.type.starts_with("BLOB")  ? "CAST('x' AS BLOB)"
@@ -72,7 +72,7 @@ TEST_CASE("A value that was changed in any column of any table of a run is found
   CHECK(isSealed(db, stored.id));
 }
 
-TEST_CASE("Digests do not depend on the order of rows, and rows that join are added") {
+TEST_CASE("Digests do not depend on the order of rows, and the digests of parts add up to that of the whole") {
   const TemporaryFolder folder;
   Database db(folder / "t.db", Database::Mode::create, std::chrono::seconds(1));
   db.execute("CREATE TABLE a (n INTEGER, x REAL, t TEXT); CREATE TABLE b (t TEXT, x REAL, n INTEGER, later REAL)");

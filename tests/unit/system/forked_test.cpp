@@ -22,7 +22,7 @@ namespace {
 
 }  // namespace
 
-TEST_CASE("what a process answers arrives, at most 16 KiB of it") {
+TEST_CASE("the answer of a process arrives, cut off after 16 KiB") {
   Forked process({}, [] { return ForkedAnswer{3, "some words"}; });
   const ForkedEnd end = process.wait();
   CHECK((end.signal == 0 && end.answer.code == 3 && end.answer.text == "some words"));
@@ -30,8 +30,8 @@ TEST_CASE("what a process answers arrives, at most 16 KiB of it") {
   CHECK(talker.wait().answer.text == std::string(16384, 'x'));
 }
 
-#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer runs a thread of its own, so Forked refuses nothing
-TEST_CASE("a process is not forked while others of its threads run") {
+#if !defined(__SANITIZE_THREAD__)  // ThreadSanitizer has a thread of its own, so Forked does not count threads
+TEST_CASE("a process with several threads cannot be forked") {
   std::atomic<bool> over = false;
   std::thread other([&] {
     while (!over) std::this_thread::yield();
@@ -42,8 +42,8 @@ TEST_CASE("a process is not forked while others of its threads run") {
 }
 #endif
 
-TEST_CASE("a signal that comes as soon as a process is made ends it as if it came later") {
-  // The new process does not inherit this process's signal handler, with which it would end with 99.
+TEST_CASE("a signal right after the fork ends the new process as a later one would") {
+  // The new process does not inherit this process's signal handler, which would end it with exit code 99.
   struct sigaction before {
   }, here{};
   here.sa_handler = [](int) { ::_exit(99); };
@@ -58,14 +58,14 @@ TEST_CASE("a signal that comes as soon as a process is made ends it as if it cam
   CHECK(ended == 200);
 }
 
-TEST_CASE("memory is its own") {
+TEST_CASE("a forked process changes only its own memory") {
   int number = 1;
   Forked process({}, [&] { return ForkedAnswer{++number, ""}; });
   CHECK(process.wait().answer.code == 2);
   CHECK(number == 1);
 }
 
-TEST_CASE("those that have ended are told apart from those that run") {
+TEST_CASE("endedAmong returns only processes that have ended") {
   std::vector<Forked> processes;
   for (int i = 0; i < 3; ++i)
     processes.emplace_back(ForkedLimits{}, [i]() -> ForkedAnswer {
@@ -78,7 +78,7 @@ TEST_CASE("those that have ended are told apart from those that run") {
   CHECK(ended == std::vector<std::size_t>{1});
   processes[0].stop(SIGTERM);
   CHECK(processes[0].wait().signal == SIGTERM);
-  // The other process is ended with its owner.
+  // The destructor of `processes` ends the process that still runs.
 }
 
 TEST_CASE("limits end a process and no other") {

@@ -77,7 +77,7 @@ export class Editor {
     );
   }
 
-  /** Returns the keys above the caret, the outermost first, by indentation and by the flow map around it. */
+  /** Returns the path of keys at the caret, outermost first: keys by indentation, then the key in an open flow map. */
   path(): string[] {
     const before = this.value.slice(0, this.text.selectionStart),
       rows = before.split("\n"),
