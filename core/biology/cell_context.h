@@ -41,7 +41,7 @@ class CellContext {
   CellPath path;
   StateId state = 0;
   double time = 0;       // [time] now
-  double lastCycle = 0;  // [time] when its last cell cycle was due; until its first one, its mother's
+  double lastCycle = 0;  // [time] when its last cell cycle was due; before its first cycle, when its mother's was due
   double born = 0;       // [time] of the step in which it was born, which may be a little after `time`
   double pace = 1;       // [1] its cycle lengths over those of its state
   double age() const { return time > born ? time - born : 0; }

@@ -1,5 +1,5 @@
 #pragma once
-// What experiments have done in a world, and to which cells.
+// The records of experiments that were done in a world, and of the cells that they were done to.
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What computes a row of a benchmark or of speed against error.
+// The engines that compute the rows of a benchmark or of speed against error.
 #include <array>
 
 #include "base/choice.h"
