@@ -15,6 +15,7 @@
 #include "store/store.h"
 #include "system/console.h"
 #include "system/usage_error.h"
+#include "values/cell_words.h"
 #include "views/run_charts.h"
 
 namespace morula::cli {
@@ -61,15 +62,15 @@ Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optio
 }
 
 int act(const ChartOptions& options) {
-  std::optional<AskedMeasure> measure;
-  if (options.what != "contacts" && options.what != "divisions") try {
-      measure = readMeasure(options.what, IfSeveral::first);
-    } catch (const InputError& error) {
-      throw UsageError(std::string("WHAT needs a measure, contacts or divisions: ") + error.what());
-    }
   if (options.time && options.what != "contacts")
     throw UsageError("--time is the time of contacts; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
+  std::optional<AskedMeasure> measure;
+  if (options.what != "contacts" && options.what != "divisions") try {
+      measure = readMeasure(measureByPaths(options.what, scenario.names, scenario.scene.dna), IfSeveral::first);
+    } catch (const InputError& error) {
+      throw UsageError(std::string("WHAT needs a measure, contacts or divisions: ") + error.what());
+    }
   const RunToDraw run = resultsOf(options, scenario);
   if (options.time && *options.time > run.end)
     throw UsageError(

@@ -65,6 +65,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
     if (use.path.starts_with("cells")) around.given.insert(use.name);
     else around.read.push_back(use.name);
   }
+  around.read.insert(around.read.end(), reading.measured.begin(), reading.measured.end());
   around.sensed = reading.senses;
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics) return around;  // a DNA made for bodies may run as a lineage alone
@@ -157,6 +158,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   }
   readReference(reference, scenario, reading);
   readRuleCells(scenario, reading);
+  readRecordMeasures(scenario, reading);
   readExperiments(scenario, reading);
   readStopWhen(scenario, reading);
 }

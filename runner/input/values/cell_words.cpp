@@ -87,6 +87,31 @@ CellSelection selectionOf(const std::string& text, const CellNames& names, const
   refuseWord(text, names, dna);
 }
 
+std::string measureByPaths(const std::string& measure, const CellNames& names, const Dna& dna) {
+  constexpr std::string_view before = " of ";
+  const auto at = measure.find(before);
+  if (at == measure.npos) return measure;
+  const std::string head = measure.substr(0, at + before.size()), text = measure.substr(at + before.size());
+  const std::string first = text.substr(0, text.find(' '));
+  const std::array words{"cell", "clone", "path", "substance"};
+  if (first == text) {  // a word alone
+    const auto named = pathNamed(names, text);
+    const bool isPath = text.find_first_not_of("AB") == text.npos;
+    if (!named || (isPath && named->text() == text)) return measure;
+    if (isPath || isSubstance(dna, text))
+      throw InputError("'" + text + "' is the name of a cell (path " + (named->isEgg() ? "egg" : named->text()) +
+                       ") and " + (isPath ? "a path" : "a substance") + "; write 'cell " + text + "' or '" +
+                       (isPath ? "path " : "substance ") + text + "'");
+    return head + named->text();
+  }
+  if (std::ranges::find(words, first) == words.end()) return measure;
+  const CellSelection selection = selectionOf(text, names, dna);
+  if (selection.path.isEgg() && selection.kind == Kind::cell)
+    throw InputError("'" + text + "' is the egg, whose path has no letters; leave 'of " + text +
+                     "' out while she is the only cell");
+  return head + (selection.path.isEgg() && selection.kind == Kind::clone ? "*" : selection.text());
+}
+
 std::string selectionText(const CellSelection& selection) {
   const std::string path = selection.path.isEgg() ? "egg" : selection.path.text();
   switch (selection.kind) {

@@ -22,6 +22,12 @@ inline constexpr const char* cellsAllowed =
 /// not have, and a word that could be both.
 CellSelection selectionOf(const std::string& text, const CellNames& names, const Dna& dna);
 
+/// Returns a measure with its cells by path, as readMeasure takes them: "volume of AAB" for "volume of cell ABp". A text
+/// that selects no cells by a word of this grammar is returned unchanged, as "volume of AAB" or "count of skin" is; but
+/// a word that is both a path or a substance and the name of another cell is refused with both readings. Throws
+/// InputError as selectionOf does.
+std::string measureByPaths(const std::string& measure, const CellNames& names, const Dna& dna);
+
 /// The text that selectionOf reads as this selection, whatever names there are.
 std::string selectionText(const CellSelection& selection);
 

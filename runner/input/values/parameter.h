@@ -56,12 +56,14 @@ struct Reading {
   std::optional<std::pair<std::string, Place>> cellsFile{};
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
-  std::vector<Place> rules{};      // the places of `division.rules`
+  std::vector<Place> rules{};  // the places of `division.rules`
   std::vector<RuleCells> ruleCells{};
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
-  std::vector<Node> stopWhen{};     // the entries of `stop.when`, read then, too
-  std::vector<Node> experiments{};  // the entries of `experiments`, which are read once cells have their names
+  std::vector<Node> measures{};         // the entries of `record.measures`, read once cells have their names
+  std::vector<std::string> measured{};  // substances that measures may read: words that may also be names of cells
+  std::vector<Node> stopWhen{};         // the entries of `stop.when`, read then, too
+  std::vector<Node> experiments{};      // the entries of `experiments`, which are read once cells have their names
 };
 
 enum class Decides {
@@ -108,6 +110,9 @@ void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
 
 /// Finds the cells that division rules call by names (division_types.cpp).
 void readRuleCells(Scenario& scenario, Reading& reading);
+
+/// Reads the entries of `record.measures` (record_types.cpp).
+void readRecordMeasures(Scenario& scenario, Reading& reading);
 
 /// Reads the entries of `stop.when` (stop_types.cpp).
 void readStopWhen(Scenario& scenario, Reading& reading);

@@ -1,6 +1,7 @@
 // Keys of `record` besides regular samples: samples at numbers of cells, and measures on demand.
 #include <algorithm>
 
+#include "values/cell_words.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {
@@ -71,25 +72,34 @@ Parameter recordMeasures() {
   p.absent = "none";
   p.later = true;
   p.schema = measuresSchema(onDemand());
-  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+  p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     if (!expectEntries(node, path, allowed, reading.problems)) return;
-    for (const Node& item : node.items) {
-      const auto text = readText(item, path, "a measure's name", reading.problems);
-      if (!text) continue;
-      try {
-        const AskedMeasure m = readMeasure(*text, IfSeveral::first);
-        if (!m.onDemand)
-          reading.problems.add(item.place, path, "'" + *text + "' is part of every sample already", "remove it");
-        else if (std::ranges::find(s.record.measures, m.name) != s.record.measures.end())
-          reading.problems.add(item.place, path, "'" + *text + "' is given twice", "remove it");
-        else s.record.measures.push_back(m.name);
-        if (m.of && m.of->kind == CellSelection::Kind::substance)
-          reading.substances.push_back({m.of->substance, item.place, path, m.of->substance.ends_with('*')});
-      } catch (const InputError& error) { addReadError(item.place, path, error, reading.problems); }
-    }
+    reading.measures = node.items;
+    for (const Node& item : node.items)
+      if (const auto m = findMeasure(item.text); m && m->of && m->of->kind == CellSelection::Kind::substance)
+        reading.measured.push_back(m->of->substance);
   };
   p.write = [](const Scenario& s) { return s.record.measures.empty() ? Json() : Json(s.record.measures); };
   return p;
+}
+
+void readRecordMeasures(Scenario& scenario, Reading& reading) {
+  const std::string path = "record.measures";
+  std::vector<std::string>& measures = scenario.record.measures;
+  for (const Node& item : reading.measures) {
+    const auto text = readText(item, path, "a measure's name", reading.problems);
+    if (!text) continue;
+    try {
+      const AskedMeasure m = readMeasure(measureByPaths(*text, scenario.names, scenario.scene.dna), IfSeveral::first);
+      if (!m.onDemand)
+        reading.problems.add(item.place, path, "'" + *text + "' is part of every sample already", "remove it");
+      else if (std::ranges::find(measures, m.name) != measures.end())
+        reading.problems.add(item.place, path, "'" + *text + "' is given twice", "remove it");
+      else measures.push_back(m.name);
+      if (m.of && m.of->kind == CellSelection::Kind::substance)
+        reading.substances.push_back({m.of->substance, item.place, path, m.of->substance.ends_with('*')});
+    } catch (const InputError& error) { addReadError(item.place, path, error, reading.problems); }
+  }
 }
 
 }  // namespace morula::scenario

@@ -78,7 +78,7 @@ class WhenReader {
     const auto text = readText(what.value, path_ + ".measure", "a measure", reading_.problems);
     if (!text) return;
     try {
-      const AskedMeasure asked = readMeasure(*text);
+      const AskedMeasure asked = readMeasure(measureByPaths(*text, scenario_.names, scenario_.scene.dna));
       entry_.measure = asked.name;
       if (asked.needs != Needs::nothing && !scenario_.scene.mechanics)
         say(what.place, what.key, asked.name + " would find nothing to measure", "add a physics block");

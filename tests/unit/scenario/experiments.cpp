@@ -143,3 +143,24 @@ TEST_CASE("Division rules call cells by name, and come back by path") {
              ContainsSubstring("the DNA has no substance 'a7'"));
   CHECK_THAT(complaints(withRules("[{of: cells P0a, share: 0.6}]")), ContainsSubstring("did you mean cell P0a?"));
 }
+
+TEST_CASE("Measures select cells by the same words, and keep their names by path") {
+  const auto withMeasures = [](const std::string& measures) {
+    return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(skin|a0)\nstop: {cycles: 3}\nphysics: {}\n"
+           "names: {cells: {A: ABa, B: skin, AA: B}}\nrecord: {measures: " +
+           measures + "}\n";
+  };
+  const auto measuresOf = [&](const std::string& measures) { return read(withMeasures(measures)).record.measures; };
+  using Names = std::vector<std::string>;
+  CHECK(measuresOf("[count of clone ABa, count of path AB*, count of substance skin]") ==
+        Names{"count of A*", "count of AB*", "count of skin"});
+  CHECK(measuresOf("[count of AA, count of a0, count of ABa, count of generation 1]") ==
+        Names{"count of AA", "count of a0", "count of A", "count of generation 1"});
+  CHECK_THAT(complaints(withMeasures("[count of skin]")),
+             ContainsSubstring(
+                 "'skin' is the name of a cell (path B) and a substance; write 'cell skin' or 'substance skin'"));
+  CHECK_THAT(complaints(withMeasures("[count of B]")),
+             ContainsSubstring("'B' is the name of a cell (path AA) and a path; write 'cell B' or 'path B'"));
+  CHECK_THAT(complaints(withMeasures("[count of cell ABx]")),
+             ContainsSubstring("no cell is called 'ABx'; did you mean"));
+}
