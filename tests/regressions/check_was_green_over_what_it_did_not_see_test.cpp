@@ -59,7 +59,7 @@ TEST_CASE("a scenario that cannot be read is a failed check, the others go on, a
   CHECK(red.code == 3);
   CHECK_THAT(red.out, ContainsSubstring("a: all"));
   CHECK_THAT(red.err, ContainsSubstring("scenarios/b.yaml:2") && ContainsSubstring("scenarios/d.yaml") &&
-                          ContainsSubstring("its golden is that of scenarios/c.yaml"));
+                          ContainsSubstring("its golden file is the same as that of scenarios/c.yaml"));
   const std::string junit = readWhole(project.folder / "reports/junit.xml");
   CHECK_THAT(junit, ContainsSubstring("type=\"UNREAD\"") && ContainsSubstring("scenarios/b.yaml") &&
                         ContainsSubstring("classname=\"a\""));

@@ -69,5 +69,5 @@ TEST_CASE("an OSMesa that does not fit into memory is told as that") {
   const auto run = launch({"render", uniqueFour, "-o", folder / "four.png"}, {{"LD_LIBRARY_PATH", MORULA_LARGE}});
   refuses(run, 4, "there is not enough memory to draw: ");
   CHECK_THAT(run.err,
-             ContainsSubstring("failed to map segment from shared object, however small the picture; draw where"));
+             ContainsSubstring("failed to map segment from shared object, however small the picture; draw on a machine"));
 }

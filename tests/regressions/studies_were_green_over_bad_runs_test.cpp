@@ -134,7 +134,7 @@ TEST_CASE("statistics of a study go into no golden whose DNA has changed since, 
   change(project.folder / "out/study.db", "UPDATE study SET build_id = 'another'");
   const auto other = project.shell(into);
   CHECK(other.code == 3);
-  CHECK_THAT(other.err, ContainsSubstring("its runs were computed by another build of the program (another, this is "));
+  CHECK_THAT(other.err, ContainsSubstring("the study's runs were computed by another build of the program (another, this is "));
 }
 
 TEST_CASE("a study that varies what it compares with, or colours alone, has a run for each level") {

@@ -78,7 +78,11 @@ class TableReader {
     }
     for (const auto* child : parameterTable().sectionsOf(section.path)) {
       const auto* member = node.find(child->key());
-      if (!member && child->required) missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
+      if (!member && child->required) {
+        std::vector<std::string> keys = keysOf(child->path);
+        std::erase_if(keys, [&](const std::string& key) { return refines(child->path, key); });
+        missing(node, child->path, "needs at least one of " + join(keys));
+      }
       if (!member) continue;
       // Only top-level sections are ever needed by others.
       if (!child->needs.empty() && !root_.find(child->needs))
