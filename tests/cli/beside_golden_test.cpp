@@ -95,7 +95,7 @@ TEST_CASE("render --compare tells how different two pictures look") {
   CHECK(readWhole(folder / "map.png").substr(1, 3) == "PNG");
   CHECK(jsonOf({"render", "--compare", folder / "one.png", folder / "other.png"}, 1).at("most") == json.at("most"));
   CHECK(succeeds({"render", folder / "one.png", "--compare", folder / "one.png", "-o", folder / "map.svg"}).out ==
-        "the same pixels\npicture  " + (folder / "map.svg") + "\n");
+        "the pictures have the same pixels\npicture  " + (folder / "map.svg") + "\n");
 
   const auto fails = [&](int code, const std::string& because, const Words& more) {
     refuses(joined({"render", folder / "one.png", "--compare"}, more), code, because);
@@ -103,7 +103,7 @@ TEST_CASE("render --compare tells how different two pictures look") {
   fails(3, "60 x 40 and 30 x 40 pixels cannot be compared", {folder / "small.png"});
   fails(6, "No such file", {folder / "none.png"});
   fails(3, "not a PNG picture", {uniqueFour});
-  fails(2, "--compare and --size: give one of them", {folder / "other.png", "--size", "100"});
-  fails(2, "--compare and --threads: give one of them", {folder / "other.png", "--threads", "2"});
+  fails(2, "--compare and --size: give only one of them", {folder / "other.png", "--size", "100"});
+  fails(2, "--compare and --threads: give only one of them", {folder / "other.png", "--threads", "2"});
   fails(2, "needs a name that ends in .png, .svg or .pdf", {folder / "other.png", "-o", folder / "map.mp4"});
 }

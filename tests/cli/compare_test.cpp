@@ -38,7 +38,7 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   CHECK_THAT(text.out, ContainsSubstring("), every one of 10 pairs: difference -0."));
   CHECK(launch({"study", "compare", file}).out == text.out);
   CHECK(launch({"study", "compare", "--help"}).out == launch({"compare", "--help"}).out);
-  refuses({"study", "compare", file, "--csv", "--json"}, 2, "--csv and --json: give one of them");
+  refuses({"study", "compare", file, "--csv", "--json"}, 2, "--csv and --json: give only one of them");
   CHECK(launch({"compare", folder.path()}).out == text.out);  // the database's folder
   CHECK(launch({"compare", file, "--by", "division"}).out == text.out);
 

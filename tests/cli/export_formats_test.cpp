@@ -162,8 +162,8 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
 TEST_CASE("what is asked for in a wrong way") {  // of requests that need surfaces; others: bad_commands
   const StoredRun stored(bodies + "record: {meshes: 1}\n");
   refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
-  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + ", 2.25");
-  refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times of its own");
+  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + "; needs at most 2.25");
+  refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times");
   refuses(stored.exported("csv", "x.csv"), 2, "holds one table; name it with --table");
   refuses(stored.exported("csv", "x", {"--table", "cell"}), 2, "there is no table 'cell'; did you mean cells?");
   refuses(stored.exported("csv", "x", {"--table", "measures_world"}), 6, "has no rows for the table measures_world");

@@ -90,7 +90,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
   CHECK_THAT(wrong("volume of A*"), ContainsSubstring("'volume of A*' is part of every sample already; remove it"));
   CHECK_THAT(wrong("age of A B"), ContainsSubstring("'A B' selects no cells; needs a path"));
-  CHECK_THAT(wrong("lumen of A"), ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("lumen of A"), ContainsSubstring("'lumen' measures the whole organism and takes no 'of'"));
   CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("is given twice; remove it"));
 
   write("shell-share of A*, count of skin, generation, clone_spread of generation 1");

@@ -145,7 +145,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
   SECTION("recorded in another way it is refused, and nothing is lost") {
     change(database, "UPDATE checkpoint SET hash_every = NULL");
     refuses(again, 2,
-            "samples every 0.25 and no state hashes, and now it is samples every 0.25 and state hashes every 64");
+            "samples every 0.25 and no state hashes, but this run has samples every 0.25 and state hashes every 64");
     CHECK(checkpointStep(database) > 0);
   }
   SECTION("a damaged checkpoint is refused") {

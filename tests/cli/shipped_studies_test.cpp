@@ -101,7 +101,7 @@ TEST_CASE("the claims of the shipped studies hold, and their READMEs say what th
     command[2] = databaseOf(temporary, study), command.back() = drawn;
     std::istringstream lines(succeeds(command).out);
     for (std::string line; std::getline(lines, line);) printed[study].emplace_back(withSingleBlanks(line));
-    succeeds({"study", "compare", kept, drawn});
+    succeeds({"render", kept, "--compare", drawn});
     ++figures;
   }
   CHECK(figures >= (family == "worm" ? 1 : 8));

@@ -129,7 +129,7 @@ void Verb::allowsOnly(const std::string& name, const std::vector<std::string>& o
       const std::string other = option->get_name();
       if (option->nonpositional() && !option->empty() && other != name &&
           std::ranges::find(others, other) == others.end())
-        throw UsageError(name + " and " + other + ": give one of them; " + why);
+        throw UsageError(name + " and " + other + ": give only one of them; " + why);
     }
   });
 }

@@ -13,8 +13,8 @@
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
-#include "simulation/simulation.h"
 #include "simulation/cycle_lengths.h"
+#include "simulation/simulation.h"
 #include "simulation/start_variation.h"
 #include "values/measure_list.h"
 #include "yaml/numbers.h"
@@ -115,14 +115,22 @@ void checkShell(const SceneCheck& check) {
     refuseRadius(check, smallestAxis(*physics.shell), "the shell's smallest semi-axis");
 }
 
-/// Checks that each start cell with a body has a place.
+/// Checks that each start cell with a body has a place, and that none without a body has anything but substances.
 void checkPlacesOfStart(const SceneCheck& check) {
   const Node* cells = given(check.root, "cells");
   if (!cells || cells->kind != Node::Kind::sequence) return;
-  for (std::size_t i = 0; i < cells->items.size(); ++i)
-    if (const Node& cell = cells->items[i]; cell.kind == Node::Kind::map && !cell.find("at"))
-      check.reading.problems.add(cell.place, "cells[" + std::to_string(i) + "].at", "is missing",
-                                 "needs its centre, as at: [0, 0, 0]");
+  for (std::size_t i = 0; i < cells->items.size(); ++i) {
+    const Node& cell = cells->items[i];
+    const std::string path = "cells[" + std::to_string(i) + "].";
+    if (cell.kind != Node::Kind::map) continue;
+    if (check.scene().mechanics && !cell.find("at"))
+      check.reading.problems.add(cell.place, path + "at", "is missing", "needs its centre, as at: [0, 0, 0]");
+    if (check.scene().mechanics) continue;
+    for (const Member& member : cell.members)
+      if (member.key != "substances")
+        check.reading.problems.add(member.place, path + member.key, "has no effect without physics",
+                                   "add 'physics: {}', or remove this");
+  }
 }
 
 void checkStartCells(const SceneCheck& check) {
@@ -300,7 +308,6 @@ void checkMeasures(const SceneCheck& check) {
 }
 
 void checkBodies(const SceneCheck& check) {
-  checkPlacesOfStart(check);
   checkFit(check);
   // Without outside pressure, contents have no volume at rest from which their energy could count.
   if (check.scenario.check.energy && check.physics().pressure.outside == 0)
@@ -349,6 +356,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkCellNames(scenario, reading, root);
   if (reading.problems.empty()) checkMeasures(check);
   checkReason(check);
+  checkPlacesOfStart(check);
   if (scenario.scene.mechanics) checkBodies(check);
   checkVariation(check);
   checkSenses(check);

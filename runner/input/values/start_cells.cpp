@@ -101,7 +101,7 @@ Parameter startCells() {
   const Json list{{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};
   p.schema = {{"oneOf", Json::array({list, onlySchema("file", {{"type", "string"}, {"minLength", 1}})})}};
   p.read = [allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    if (node.kind == Node::Kind::map) {
+    if (node.kind == Node::Kind::map && node.find("file")) {
       const auto* file = readOnly(node, "cells", {"file"}, allowed, reading.problems);
       if (!file) return;
       if (const auto name = readWords(file->value, "cells.file", "the name of a table", reading.problems))

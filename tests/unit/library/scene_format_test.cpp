@@ -99,7 +99,7 @@ TEST_CASE("Numbers that a member cannot be are refused") {
   };
   CHECK(refused([](Scene&) {}) == "");
   CHECK_THAT(refused([](Scene& s) { s.cycle.length = std::numeric_limits<double>::quiet_NaN(); }),
-             ContainsSubstring("not a number"));
+             ContainsSubstring("these bits are not those of a finite number"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->physics.integrator = Integrator(77); }),
              ContainsSubstring("77 is no value"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->division.otherwise.plane = DivisionPlane(13); }),

@@ -17,7 +17,7 @@ cycle:
   length: 2
   per-substance: {a0: 1.5}
   at-birth: {a0: 1.25}
-stop: {cycles: 3, time: 9.5, cells: 4}
+stop: {cycles: 3, time: 9.5, cells: 4, when: [{cells: 40}], every: 0.5}
 physics:
   time_step: 0.001953125
   integrator: thesis-verlet

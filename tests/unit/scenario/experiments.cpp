@@ -96,7 +96,7 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
   const Scenario s = read(withStop("{time: 3, every: 0.5, when: [{born: cell P0a}, {cells: 4, of: a0, after: 1}]}"));
   REQUIRE(s.scene.stop.when.size() == 2);
   CHECK(s.scene.stop.when[0].of[0].path == CellPath::parse("A"));
-  CHECK(morula::scenario::stopText(s.scene.stop.when[1]) == "{\"after\":1.0,\"cells\":4,\"of\":\"substance a0\"}");
+  CHECK(morula::scenario::stopText(s.scene.stop.when[1]) == "{\"cells\":4,\"of\":\"substance a0\",\"after\":1.0}");
   CHECK(readScenario(s.resolved, "resolved.yaml", "", {}).meaning == s.meaning);
   CHECK(read(withStop("{time: 3}")).meaning != s.meaning);
   CHECK(read(withStop("{when: [{born: cell P0a}]}")).scene.stop.when.size() == 1);  // it suffices alone
@@ -106,7 +106,7 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
     CHECK_THAT(complaints(withStop(stop)), ContainsSubstring(why));
   };
   refused("{every: 1}", "needs at least one of");
-  refused("{time: 1, every: 1}", "makes no sense without when");
+  refused("{time: 1, every: 1}", "has no effect without when");
   refused("{when: []}", "stop.when");
   refused("{when: [{}]}", "says no condition; needs one of touch or part or born or cells or measure");
   refused("{when: [{born: cell P0a, cells: 3}]}", "stands beside born");
@@ -163,4 +163,14 @@ TEST_CASE("Measures select cells by the same words, and keep their names by path
              ContainsSubstring("'B' is the name of a cell (path AA) and a path; write 'cell B' or 'path B'"));
   CHECK_THAT(complaints(withMeasures("[count of cell ABx]")),
              ContainsSubstring("no cell is called 'ABx'; did you mean"));
+}
+
+TEST_CASE("Genes that are read at birth are part of a scenario's meaning, and need no lengths from birth") {
+  const std::string scene = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\n";
+  const Scenario late = read(scene), early = read(scene + "cycle: {first: at-birth}\n");
+  CHECK(early.scene.cycle.first == FirstCycle::atBirth);
+  CHECK(early.meaning != late.meaning);
+  CHECK(read(scene + "cycle: {first: after-length}\n").meaning == late.meaning);
+  CHECK_THAT(complaints(scene + "cycle: {first: at-birth, at-birth: {a0: 2}}\n"),
+             ContainsSubstring("cycle.at-birth: cells whose genes are read at birth have no first cycle to wait for"));
 }

@@ -12,8 +12,8 @@ namespace {
 const std::string physics = "physics: {mesh: {icosphere: 1}, cell: {radius: 2}, contact: {}}\n";
 
 std::string tableScene(const std::string& cells, const std::string& parts = physics) {
-  return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(b1|b1)\nstop: {time: 1}\n" + parts + "cells: " +
-         cells + "\n";
+  return "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(b1|a0)\n  g3(b1|b1)\nstop: {time: 1}\n" + parts +
+         "cells: " + cells + "\n";
 }
 
 Scenario readTable(const std::string& table, const std::string& parts = physics) {
@@ -34,7 +34,7 @@ TEST_CASE("A table of start cells gives the scenario that a list gives, to the h
       "right;2;0.5;0;2;-1;0;0;3;b1 a0\r\n");
   const Scenario list = read(
       tableScene("[{at: [-2, 0, 0], scale: 0.5, substances: [a0]}, {at: [2, 0.5, 0], velocity: [-1, 0, 0], mass: 3, "
-                "substances: [a0, b1]}]\nnames: {cells: {A: left, B: right}}"));
+                 "substances: [a0, b1]}]\nnames: {cells: {A: left, B: right}}"));
   CHECK(table.resolved == list.resolved);
   CHECK(table.meaning == list.meaning);
   CHECK(table.names.of(CellPath::parse("B")) == "right");

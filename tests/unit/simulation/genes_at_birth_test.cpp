@@ -58,11 +58,11 @@ TEST_CASE("With bodies daughters have the states that they have without") {
   CHECK(pathsOf(bodies) == pathsOf(lineage));
 }
 
-TEST_CASE("A sense at birth perceives the newborn's own body") {
-  Scene scene = scenes::withBodies("START: a, small\nd(divide|a, !A, !B)\ns(seen|small)\nk(a|a, !A, !B)\n", 1);
+TEST_CASE("A sense at birth perceives the newborn") {
+  Scene scene = scenes::withBodies("START: a, young\nd(divide|a, !A, !B)\ns(seen|young)\nk(a|a, !A, !B)\n", 1);
   scene.cycle.first = FirstCycle::atBirth;
-  scene.senses = {{.substance = "small", .kind = SenseKind::volume, .is = {.below = 0.8}}};
+  scene.senses = {{.substance = "young", .kind = SenseKind::age, .is = {.below = 0.5}}};
   const World world = ranToEnd(scene);
   REQUIRE(world.cells.path.size() == 2);
-  for (const std::string& state : statesOf(world)) CHECK(state == "seen small");
+  for (const std::string& state : statesOf(world)) CHECK(state == "seen young");
 }

@@ -106,7 +106,7 @@ TEST_CASE("A measure of cells or pairs may be of some cells alone, and what sele
       measuring("[age of clones, clone-radius of generation 3]").measures ==
       std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*", "clone_radius of generation 3"});
   for (const auto& [measure, message] :
-       {std::pair{"lumen of AAA*", "'lumen' is of the organism as a whole and takes no 'of'"},
+       {std::pair{"lumen of AAA*", "'lumen' measures the whole organism and takes no 'of'"},
         {"clone-radius of AAA*", "'clone-radius' is the mean over all clones; needs 'of generation N'"},
         {"age of genration 3", "selects no cells; did you mean generation 3?"},
         {"shell-share of A*B", "'A*B' selects no cells; needs a path (AAA"},
