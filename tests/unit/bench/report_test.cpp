@@ -55,8 +55,8 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   const auto ratios = findRatios(rows);
   const std::string threads = "two threads over one, 512 cells";
   for (const auto& [what, value, holds, isJudged] :
-       {std::tuple<std::string, double, bool, bool>{"Bullet B1, both in double precision, 64 cells", 50, true, true},
-        {"Bullet B1, both in single precision, 64 cells", 20, false, true},
+       {std::tuple<std::string, double, bool, bool>{"Morula's, both in double precision, 64 cells", 50, true, true},
+        {"Morula's, both in single precision, 64 cells", 20, false, true},
         {"256 over 128 cells", 1.5, false, true},
         {"multiply–add peak", 0.75, true, true},
         {"root and quotient", 0.9, true, false},
@@ -69,7 +69,7 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
     CHECK(find(ratios, what)->holds() == holds);
     CHECK(find(ratios, what)->notJudged.empty() == isJudged);
   }
-  CHECK_FALSE(find(ratios, "Bullet B1, both in double precision, 128 cells"));
+  CHECK_FALSE(find(ratios, "Morula's, both in double precision, 128 cells"));
   CHECK_FALSE(find(ratios, "2048 over 64"));
   for (BenchRow& r : rows) r.processors = 1.1;
   CHECK_THAT(find(findRatios(rows), threads)->notJudged, ContainsSubstring("only 1.1 processors"));

@@ -90,7 +90,7 @@ TEST_CASE("An accuracy page says first what does not hold") {
   unknown["mesh"]["error"] = nullptr, unknown["mesh"]["unknown"] = "it comes from a file";
   unknown["as_it_is"]["parts"]["mesh"] = nullptr;
   CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.05: 0.05 of the time step, an unknown part"));
-  CHECK_THAT(verdict(unknown), ContainsSubstring("The mesh's error is not known"));
+  CHECK_THAT(verdict(unknown), ContainsSubstring("The mesh&#39;s error is not known"));
   Json untargeted = output();
   untargeted["target"] = {{"error", 1e-9}, {"run_to_the_end", nullptr}};
   CHECK_THAT(verdict(untargeted), ContainsSubstring("None of the settings tried has an error of at most 1e-09"));

@@ -119,7 +119,7 @@ TEST_CASE("a file that was cut or changed is found") {
   CHECK_THAT(wrongAfter("UPDATE run SET state_hash = '00000000000000000000000000000000'"),
              ContainsSubstring("the results in the file were changed"));
   CHECK_THAT(wrongAfter("UPDATE document SET content = x'00'"), ContainsSubstring("document"));
-  CHECK_THAT(wrongAfter("UPDATE task SET status = 'failed'"), ContainsSubstring("its task is failed"));
+  CHECK_THAT(wrongAfter("UPDATE task SET status = 'failed'"), ContainsSubstring("the file's task is failed"));
 }
 
 TEST_CASE("merged, the same tasks make the same bytes, and times and machines stand in timing alone") {
