@@ -84,7 +84,7 @@ CheckResult compareImages(const std::string& file, ItemPairs pairs) {
   });
   CheckResult r = compareExactly(file, "images", pairs);
   if (r.passed && pairs.size() < all)
-    r.actual = undrawn ? "not compared: the run draws no picture" : "not compared: another renderer drew the picture";
+    r.actual = std::string(notCompared) + (undrawn ? "the run draws no picture" : "another renderer drew the picture");
   return r;
 }
 
@@ -137,10 +137,10 @@ CheckResult withoutTables(const Golden& golden) {
                        golden.file + ": the golden holds none of the tables that the run records; " + remedy);
   return {.check = "tables",
           .kind = CheckKind::golden,
-          .actual =
-              "recorded tables (contacts, divisions, measures on demand, …): the golden is of format 1, which "
-              "holds none of them; to have them checked, " +
-              remedy + "; not compared"};
+          .actual = std::string(notCompared) +
+                    "recorded tables (contacts, divisions, measures on demand, …), since the golden is of format 1 and "
+                    "holds none of them; to have them checked, " +
+                    remedy};
 }
 
 /// Sets the class of each failed check. An earlier cause explains later ones: a changed scenario, then the state before
