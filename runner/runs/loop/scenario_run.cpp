@@ -20,8 +20,9 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     std::string what = error.what();
     const auto place = scenario.places.find(error.key);
     if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want, error.key);
-    // "physics.time_step 0.02 is above …"; a place that --set gave ends with the key.
-    if (what.starts_with(error.key)) what.erase(0, what.find_first_not_of(": ", error.key.size()));
+    // "cell A: physics.time_step 0.02 is above …"; a place that --set gave ends with the key.
+    if (const auto at = what.find(error.key); at != what.npos)
+      what.erase(at, what.find_first_not_of(": ", at + error.key.size()) - at);
     throw InputError(place->second + (place->second.ends_with(error.key) ? ": " : ": " + error.key + ": ") + what,
                      error.want, error.key);
   }
