@@ -140,7 +140,7 @@ class StartCellReader {
     }
     if (all.empty()) return {};
     std::ranges::sort(all);
-    if (const auto twice = std::ranges::adjacent_find(all); twice != all.end())
+    if (const auto twice = std::adjacent_find(all.begin(), all.end()); twice != all.end())
       text_.complain(field(substances), "'" + *twice + "' is given twice", "keep one");
     const Place place{1, 1, file_ + ":" + std::to_string(text_.line())};
     for (const std::string& s : all) reading_.substances.push_back({s, place, "cells." + s});
