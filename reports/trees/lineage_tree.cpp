@@ -125,6 +125,20 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
                shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
 }
 
+/// Draws the deeds of experiments.
+void drawMarks(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, const std::vector<TreeMark>& marks) {
+  const double radius = std::clamp(0.3 * sheet.pitch, 2.0, 0.4 * sheet.frame.textSize);
+  for (const TreeMark& mark : marks) {
+    const double y = sheet.y(mark.time);
+    if (!mark.path) {
+      drawing.line({{sheet.frame.left, y}, {sheet.frame.right, y}}, {.width = 1, .colour = ink, .dashed = true});
+      continue;
+    }
+    const auto place = std::ranges::find(layout.places, *mark.path, [](const TreePlace& p) { return p.node->path; });
+    if (place != layout.places.end()) drawMarker(drawing, {sheet.x(place->x), y}, radius, ink, Marker::diamond);
+  }
+}
+
 /// Draws a cell's label beside its line, and its letter A or B at the corner.
 void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
   const double x = sheet.x(place.x), size = 0.9 * sheet.frame.textSize, width = sheet.width(place);
@@ -188,6 +202,7 @@ Drawing drawLineage(const TreePicture& asked) {
   const auto died = [](const LineageNode& node) { return node.fate == Fate::died; };
   if (std::any_of(picture.nodes.begin(), picture.nodes.end(), died))
     words.legend.push_back({ink, "died", Marker::cross});
+  if (!picture.marks.empty()) words.legend.push_back({ink, "experiment", Marker::diamond});
   Drawing drawing(picture.width, picture.height);
   annotate(drawing, words);
   if (layout.places.empty()) return drawing;
@@ -206,6 +221,7 @@ Drawing drawLineage(const TreePicture& asked) {
     if (place.isLeaf() && sheet.label > 0) drawLeafLabel(drawing, sheet, place);
     if (layout.leaves <= maxLabelledTree) drawInnerLabels(drawing, sheet, place);
   }
+  drawMarks(drawing, sheet, layout, picture.marks);
   return drawing;
 }
 

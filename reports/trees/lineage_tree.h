@@ -42,8 +42,15 @@ struct TreeLayout {
 /// Returns the layout of the nodes, which must outlive it. Throws InputError as drawLineage does.
 TreeLayout layoutTree(const std::vector<LineageNode>& nodes);
 
+/// A deed of an experiment: a diamond on a cell's line, or for all cells a dashed line across the tree.
+struct TreeMark {
+  std::optional<std::string> path;  // of a node; absent: all cells
+  double time = 0;                  // [time]
+};
+
 struct TreePicture {
   std::vector<LineageNode> nodes;  // in any order; no path twice
+  std::vector<TreeMark> marks = {};
   std::string title, caption;      // UTF-8
   std::string timeLabel = "time";  // title of the axis, with the unit of the nodes' times
   std::vector<LegendEntry> legend;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "check/remarks.h"
 #include "cli/verbs.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
@@ -158,7 +159,7 @@ Tree stored(const LineageOptions& options) {
 void draw(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
-  TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario);
+  TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario, tree.results.experiments);
   if (options.colour) colourTree(picture, tree.results, *options.colour, scenario);
   picture.labelsAll = options.labels;
   if (options.size) picture.width = options.size->width, picture.height = options.size->height;
@@ -170,7 +171,11 @@ void draw(const Tree& tree, const LineageOptions& options) {
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;
-  if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
+  const auto needsBodies = [](const Experiment& e) {
+    return e.deed == Deed::set || e.deed == Deed::connect || e.deed == Deed::release;
+  };
+  if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize &&
+      std::ranges::none_of(scenario.scene.experiments, needsBodies))
     scenario.scene.mechanics.reset();
   auto run =
       simulate(scenario, Execution{},
@@ -204,14 +209,23 @@ int act(const LineageOptions& options) {
   auto& cells = tree.results.lineage;
   // Paths in order put a mother before her daughters, and a subtree into one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-  const Units units =
-      options.output.json ? Units{} : anyScenario(options.file, options.run, options.input.allowOutside).units;
+  std::vector<std::string> done;
+  Units units;
+  if (!options.output.json || !tree.results.experiments.empty()) {
+    const Scenario scenario = anyScenario(options.file, options.run, options.input.allowOutside);
+    done = experimentLines(scenario, tree.results.experiments);
+    units = scenario.units;
+  }
   Json list = Json::array();
   for (const auto& cell : cells)
     if (options.output.json) list.push_back(cellAsJson(cell, tree));
     else print(line(cell, tree, units));
-  if (!options.output.json) return fine;
+  if (!options.output.json) {
+    for (const std::string& deed : done) print("experiment: " + deed + "\n");
+    return fine;
+  }
   Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}};
+  if (!done.empty()) json["experiments"] = done;
   if (!options.picture.empty()) json["pictures"] = {options.picture};
   printJson(json);
   return fine;

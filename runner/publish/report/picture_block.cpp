@@ -25,7 +25,8 @@ std::string treeKey(const RunFacts& facts) {
 
 Picture treeOf(const RunFacts& facts, const std::string& of) {
   const auto describe = [&](StateId state) { return facts.results.stateTexts.at(state); };
-  TreePicture tree = lineagePictureOf(facts.results.lineage, describe, facts.run.time, facts.scenario);
+  TreePicture tree = lineagePictureOf(facts.results.lineage, describe, facts.run.time, facts.scenario,
+                                      facts.results.experiments);
   const bool few = facts.results.lineage.size() <= fewCells;
   if (few) tree.width = 560, tree.height = 420;
   const Drawing drawing = drawLineage(tree);

@@ -91,7 +91,7 @@ class Store {
   /// Calls `take` with parts of the run's samples, their surfaces' faces, and hashes; they are never in memory as a
   /// whole.
   void eachRecord(const std::string& id, const RecordSink& take);
-  /// Reads only the lineage, state texts and names.
+  /// Reads only the lineage, state texts and what experiments have done.
   RunResults lineage(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);

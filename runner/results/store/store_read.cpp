@@ -128,6 +128,7 @@ RunResults Store::lineage(const std::string& id) {
   RunResults results;
   StateNumbers numberOf(results.stateTexts);
   readLineage(db_, id, results, numberOf);
+  results.experiments = rowsOf<ExperimentRecord>(db_, "", id);
   return results;
 }
 

@@ -109,8 +109,8 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
 }
 
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
-                             const std::function<std::string(StateId)>& describe, double end,
-                             const Scenario& scenario) {
+                             const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario,
+                             const std::vector<ExperimentRecord>& experiments) {
   Palette palette(scenario);
   TreePicture picture;
   const double perTime = shownUnit(scenario.units, "time").factor;
@@ -123,6 +123,12 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
     picture.nodes.push_back({cell.path.text(), perTime * cell.born, perTime * (lives ? end : cell.ended), cell.fate,
                              palette.colourOf(substances), scenario.names.of(cell.path).value_or(substances)});
   }
+  for (const ExperimentRecord& done : experiments) {
+    if (done.to == DoneTo::all) picture.marks.push_back({std::nullopt, perTime * done.time});
+    if (done.to == DoneTo::cell || done.to == DoneTo::pair)
+      picture.marks.push_back({done.path.text(), perTime * done.time});
+    if (done.to == DoneTo::pair) picture.marks.push_back({done.other.text(), perTime * done.time});
+  }
   picture.title = scenario.scene.name;
   picture.caption =
       cells.size() == 1
@@ -134,7 +140,8 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
 
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
   return lineagePictureOf(
-      world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time, scenario);
+      world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time, scenario,
+      world.experiments.value_or(std::vector<ExperimentRecord>()));
 }
 
 ComparisonImages imagesBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes,

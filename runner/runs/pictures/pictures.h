@@ -38,9 +38,10 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario);
 /// does not move when a colour comes or goes.
 void shareLegend(std::vector<OrganismPicture>& frames);
 /// Returns the lineage so far. Cells with a name are labelled with the name, others with their substances. `describe`
-/// returns a state's substances; `end`: present time of the living cells [time].
+/// returns a state's substances; `end`: present time of the living cells [time]. `experiments`: deeds to be marked.
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
-                             const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario);
+                             const std::function<std::string(StateId)>& describe, double end, const Scenario& scenario,
+                             const std::vector<ExperimentRecord>& experiments);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
 /// Draws our cells, Bullet's, and the distance of each of our vertices from Bullet's surface. `shapes`: vertices of
