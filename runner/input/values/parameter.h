@@ -116,8 +116,8 @@ void readRecordMeasures(Scenario& scenario, Reading& reading);
 
 /// Reads the entries of `stop.when` (stop_types.cpp).
 void readStopWhen(Scenario& scenario, Reading& reading);
-/// Returns a condition as a scenario writes it: {"touch": ["path AB", "path BA"]}.
-std::string stopText(const StopWhen& when);
+/// Returns a condition for people, with the names of cells: "{touch: [cell ABa, cell P2]}".
+std::string stopText(const StopWhen& when, const CellNames& names);
 
 /// Reads the entries of `experiments` (experiment_types.cpp).
 void readExperiments(Scenario& scenario, Reading& reading);

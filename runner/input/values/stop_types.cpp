@@ -3,6 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "files/text.h"
 #include "values/cell_words.h"
 #include "values/value_types.h"
@@ -182,6 +183,21 @@ void readStopWhen(Scenario& scenario, Reading& reading) {
   }
 }
 
-std::string stopText(const StopWhen& when) { return writeWhen(when).dump(); }
+std::string stopText(const StopWhen& when, const CellNames& names) {
+  const auto called = [&](const CellSelection& cells) {
+    const bool isOne = cells.kind == CellSelection::Kind::cell;
+    const auto name = isOne || cells.kind == CellSelection::Kind::clone ? names.of(cells.path) : std::nullopt;
+    return name ? (isOne ? "cell " : "clone ") + *name : selectionText(cells);
+  };
+  std::string text = nameOf(when.event) + std::string(": ");
+  if (when.event == StopEvent::cells)
+    text += exactText(when.count) + (when.of.empty() ? "" : ", of: " + called(when.of[0]));
+  else if (when.event == StopEvent::measure)
+    text += when.measure + (when.above ? ", above: " + exactText(*when.above) : "") +
+            (when.below ? ", below: " + exactText(*when.below) : "");
+  else if (when.event == StopEvent::born) text += called(when.of[0]);
+  else text += "[" + called(when.of[0]) + ", " + called(when.of[1]) + "]";
+  return "{" + text + "}";
+}
 
 }  // namespace morula::scenario

@@ -43,7 +43,7 @@ void addRemarks(const Scenario& scenario, const World& world, RunOutcome& outcom
   outcome.ambiguous = ambiguousDivisions(
       world.model, world.lineage.entries, [&](StateId state) { return world.biology->describe(state); },
       world.divisions);
-  if (world.stoppedBy) outcome.stopped = scenario::stopText(scenario.scene.stop.when[*world.stoppedBy]);
+  if (world.stoppedBy) outcome.stopped = scenario::stopText(scenario.scene.stop.when[*world.stoppedBy], scenario.names);
   if (world.experiments) outcome.experiments = experimentLines(scenario, *world.experiments);
   if (world.settlings) outcome.unsettled = unsettledText(world.bodies->parameters.settle, *world.settlings);
   if (outcome.end.status == RunStatus::done) outcome.reference = positionsText(world, scenario);

@@ -96,7 +96,8 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
   const Scenario s = read(withStop("{time: 3, every: 0.5, when: [{born: cell P0a}, {cells: 4, of: a0, after: 1}]}"));
   REQUIRE(s.scene.stop.when.size() == 2);
   CHECK(s.scene.stop.when[0].of[0].path == CellPath::parse("A"));
-  CHECK(morula::scenario::stopText(s.scene.stop.when[1]) == "{\"cells\":4,\"of\":\"substance a0\",\"after\":1.0}");
+  CHECK(morula::scenario::stopText(s.scene.stop.when[1], s.names) == "{cells: 4, of: substance a0}");
+  CHECK(morula::scenario::stopText(s.scene.stop.when[0], s.names) == "{born: cell P0a}");
   CHECK(readScenario(s.resolved, "resolved.yaml", "", {}).meaning == s.meaning);
   CHECK(read(withStop("{time: 3}")).meaning != s.meaning);
   CHECK(read(withStop("{when: [{born: cell P0a}]}")).scene.stop.when.size() == 1);  // it suffices alone
