@@ -125,17 +125,21 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
                shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
 }
 
-/// Draws the deeds of experiments.
+/// Draws the times of deeds that are done to all cells.
+void drawTimes(Drawing& drawing, const Sheet& sheet, const std::vector<TreeMark>& marks) {
+  for (const TreeMark& mark : marks)
+    if (const double y = sheet.y(mark.time); !mark.path)
+      drawing.line({{sheet.frame.left, y}, {sheet.frame.right, y}}, {.width = 1, .colour = quietInk, .dashed = true});
+}
+
+/// Draws a ring for each deed that is done to a cell: the cross of a cell that is killed shows within it.
 void drawMarks(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, const std::vector<TreeMark>& marks) {
-  const double radius = std::clamp(0.3 * sheet.pitch, 2.0, 0.4 * sheet.frame.textSize);
+  const double radius = std::clamp(0.4 * sheet.pitch, 2.5, 0.6 * sheet.frame.textSize);
   for (const TreeMark& mark : marks) {
+    if (!mark.path) continue;
     const double y = sheet.y(mark.time);
-    if (!mark.path) {
-      drawing.line({{sheet.frame.left, y}, {sheet.frame.right, y}}, {.width = 1, .colour = ink, .dashed = true});
-      continue;
-    }
     const auto place = std::ranges::find(layout.places, *mark.path, [](const TreePlace& p) { return p.node->path; });
-    if (place != layout.places.end()) drawMarker(drawing, {sheet.x(place->x), y}, radius, ink, Marker::diamond);
+    if (place != layout.places.end()) drawMarker(drawing, {sheet.x(place->x), y}, radius, ink, Marker::ring);
   }
 }
 
@@ -202,7 +206,7 @@ Drawing drawLineage(const TreePicture& asked) {
   const auto died = [](const LineageNode& node) { return node.fate == Fate::died; };
   if (std::any_of(picture.nodes.begin(), picture.nodes.end(), died))
     words.legend.push_back({ink, "died", Marker::cross});
-  if (!picture.marks.empty()) words.legend.push_back({ink, "experiment", Marker::diamond});
+  if (!picture.marks.empty()) words.legend.push_back({ink, "experiment", Marker::ring});
   Drawing drawing(picture.width, picture.height);
   annotate(drawing, words);
   if (layout.places.empty()) return drawing;
@@ -213,6 +217,7 @@ Drawing drawLineage(const TreePicture& asked) {
         std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);
+  drawTimes(drawing, sheet, picture.marks);
   // Cells are drawn from the leaves up, so that mothers lie on top at divisions.
   for (auto place = layout.places.rbegin(); place != layout.places.rend(); ++place)
     drawCell(drawing, sheet, layout, *place);

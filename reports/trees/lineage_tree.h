@@ -42,7 +42,7 @@ struct TreeLayout {
 /// Returns the layout of the nodes, which must outlive it. Throws InputError as drawLineage does.
 TreeLayout layoutTree(const std::vector<LineageNode>& nodes);
 
-/// A deed of an experiment: a diamond on a cell's line, or for all cells a dashed line across the tree.
+/// A deed of an experiment: a ring on a cell's line, or for all cells a dashed line across the tree.
 struct TreeMark {
   std::optional<std::string> path;  // of a node; absent: all cells
   double time = 0;                  // [time]

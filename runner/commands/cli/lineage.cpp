@@ -213,7 +213,8 @@ int act(const LineageOptions& options) {
   Units units;
   if (!options.output.json || !tree.results.experiments.empty()) {
     const Scenario scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-    done = experimentLines(scenario, tree.results.experiments);
+    for (const std::string& line : experimentLines(scenario, tree.results.experiments))
+      done.push_back(withNames(line, scenario.names.function()));
     units = scenario.units;
   }
   Json list = Json::array();
