@@ -9,10 +9,8 @@
 #include "physics/bodies.h"
 
 namespace morula {
-namespace {
 
-/// True if the world has what a measure needs.
-bool has(const Observation& now, Needs needs) {
+bool canMeasure(const Observation& now, Needs needs) {
   const World& world = now.world;
   switch (needs) {
     case Needs::nothing: return true;
@@ -26,11 +24,13 @@ bool has(const Observation& now, Needs needs) {
   MORULA_CHECK(false, "a need that is not known");
 }
 
+namespace {
+
 template <class Of>
 void take(const Observation& now, const Of& of, Measured<Of>& into) {
   const auto rows = sampledMeasures<Of>();
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (has(now, rows[i].needs)) into.values[i] = rows[i].get(of);
+    if (canMeasure(now, rows[i].needs)) into.values[i] = rows[i].get(of);
 }
 
 }  // namespace
@@ -152,12 +152,12 @@ struct AskedRow {
 template <class Of>
 void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, const CellPath& a, const CellPath& b,
              const Of& of, std::vector<TakenMeasure>& taken) {
-  if (!has(now, asked.row->needs)) return;
+  if (!canMeasure(now, asked.row->needs)) return;
   if (const std::optional<double> value = asked.row->get(of)) taken.push_back({scope, *asked.name, a, b, *value});
 }
 
 void takeOfWorld(const Observation& now, const AskedMeasure& asked, std::vector<TakenMeasure>& taken) {
-  if (!has(now, asked.needs)) return;
+  if (!canMeasure(now, asked.needs)) return;
   std::optional<double> value;
   if (asked.isCount()) value = std::ranges::count(selectedCells(now, asked), 1);
   else if (const WorldMeasure& row = measure<Observation>(asked.row); asked.of)

@@ -24,6 +24,9 @@ struct Touch {
 enum class Needs { nothing, bodies, contact, shell, referenceContacts, referencePositions };
 const char* name(Needs needs);
 
+/// Returns true if the world of the observation has the part, and the observation a reference that is needed.
+bool canMeasure(const Observation& now, Needs needs);
+
 enum class Taken {
   withSamples,  // at every sample
   onDemand,     // where a check or a scenario's record asks for it

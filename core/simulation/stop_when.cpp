@@ -44,6 +44,7 @@ std::vector<double> valuesOf(const Observation& now, const AskedMeasure& asked) 
   };
   const std::vector<int> cells = cellsIn(now, asked.of);
   if (asked.isCount()) return {static_cast<double>(cells.size())};
+  if (!canMeasure(now, asked.needs)) return {};
   if (asked.scope == Scope::world) {
     const WorldMeasure& row = measure<Observation>(asked.row);
     add(asked.ofClones && asked.of ? row.ofClones(now, asked.of->generation) : row.get(now));

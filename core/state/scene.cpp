@@ -1,4 +1,3 @@
-
 #include "state/scene.h"
 
 #include <algorithm>
@@ -19,6 +18,7 @@ std::optional<double> plannedEnd(const Scene& scene) {
 bool usesSeed(const Scene& scene) {
   const VariationParameters& v = scene.variation;
   if (v.cycle > 0 || (scene.mechanics && v.start > 0)) return true;
+  if (std::ranges::any_of(scene.experiments, [](const Experiment& e) { return e.share < 1; })) return true;
   const auto divides = [&](const Gene& gene) { return scene.dna.substances[gene.product] == substance::divide; };
   if (scene.mechanics && (scene.mechanics->physics.motility || v.adhesion > 0)) return true;
   if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;

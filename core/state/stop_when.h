@@ -30,6 +30,10 @@ struct StopWhen {
   std::optional<double> above{}, below{};  // bounds of the measure, in its unit; one of them at least
   double after = 0;                        // [time] it is not looked at before
 };
+/// Returns true for conditions that genes alone cannot decide.
+inline bool needsBodies(const StopWhen& when) {
+  return when.event == StopEvent::touch || when.event == StopEvent::part || when.event == StopEvent::measure;
+}
 MORULA_MEMBERS(StopWhen, event, of, count, measure, above, below, after)
 
 }  // namespace morula

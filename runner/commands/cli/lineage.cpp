@@ -171,11 +171,12 @@ void draw(const Tree& tree, const LineageOptions& options) {
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;
-  const auto needsBodies = [](const Experiment& e) {
+  const auto hasBodies = [](const Experiment& e) {
     return e.deed == Deed::set || e.deed == Deed::connect || e.deed == Deed::release;
   };
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize &&
-      std::ranges::none_of(scenario.scene.experiments, needsBodies))
+      std::ranges::none_of(scenario.scene.experiments, hasBodies) &&
+      std::ranges::none_of(scenario.scene.stop.when, [](const StopWhen& when) { return needsBodies(when); }))
     scenario.scene.mechanics.reset();
   auto run =
       simulate(scenario, Execution{},

@@ -51,7 +51,7 @@ std::vector<std::string> descentWarnings(const Scenario& scenario, const Node& r
   const auto end = plannedEnd(scene);
   if (!end || *end < CellPath::maxDepth * shortestCycle(scene).length) return {};
   // The run alone tells what cells sense, their sizes, their number and the experiments.
-  if (!scene.senses.empty() || scene.cycle.divisionSize || scene.variation.cycle > 0 || scene.stop.cells ||
+  if (!scene.senses.empty() || scene.cycle.divisionSize || scene.variation.cycle > 0 || scene.stop.cells || !scene.stop.when.empty() ||
       !scene.experiments.empty())
     return {};
   const auto biology = makeLogicalDna(scene.dna, scene.cycle);

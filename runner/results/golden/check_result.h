@@ -111,7 +111,7 @@ inline CheckResult judged(CheckResult result, bool passed, const std::string& me
   return result;
 }
 
-/// What `actual` begins with where a golden holds nothing to compare a result with, or the run has not made it.
+/// The beginning of `actual` where a golden holds nothing to compare a result with, or the run has not made it.
 inline constexpr std::string_view notCompared = "not compared: ";
 
 /// Returns false for a picture not drawn, or drawn by another renderer, and for tables that a golden lacks.

@@ -78,3 +78,13 @@ TEST_CASE("Bodies: the run goes as without the condition, and ends at the first 
   CHECK(stopped.clock.time == first);
   CHECK(stateHash(stopped) == stateHash(plain));
 }
+
+TEST_CASE("Without bodies, conditions that need them do not hold, and nothing is measured") {
+  for (const char* measure : {"cell.volume", "sphericity", "sister_contact", "lumen", "outermost", "contact.area"}) {
+    CAPTURE(measure);
+    const Scene scene = scenes::lineageOnly(scenes::uniqueFour, 3);
+    CHECK_FALSE(ranUntil(scene, {.event = StopEvent::measure, .measure = measure, .above = -1e9}).stoppedBy);
+  }
+  const StopWhen touch{.event = StopEvent::touch, .of = {cell("A"), cell("B")}};
+  CHECK_FALSE(ranUntil(scenes::lineageOnly(scenes::uniqueFour, 3), touch).stoppedBy);
+}

@@ -64,3 +64,14 @@ TEST_CASE("a scene whose rules or variation draw uses its seed exactly if anothe
         CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));
       }
 }
+
+TEST_CASE("an experiment on a share of the cells uses the seed, one on all of them does not") {
+  Scene scene = scenes::lineageOnly(scenes::everybodyDivides, 4);
+  const CellSelection all{.kind = CellSelection::Kind::substance, .substance = "*"};
+  scene.experiments = {{.deed = Deed::delay, .of = {all}, .value = 0.5, .atCells = 4}};
+  CHECK_FALSE(usesSeed(scene));
+  CHECK(endOf(scene, 1) == endOf(scene, 2));
+  scene.experiments[0].share = 0.5;
+  CHECK(usesSeed(scene));
+  CHECK(endOf(scene, 1) != endOf(scene, 2));
+}
