@@ -80,7 +80,7 @@ TEST_CASE("Bodies: the run goes as without the condition, and ends at the first 
 }
 
 TEST_CASE("Without bodies, conditions that need them do not hold, and nothing is measured") {
-  for (const char* measure : {"cell.volume", "sphericity", "sister_contact", "lumen", "outermost", "contact.area"}) {
+  for (const char* measure : {"cell.volume", "sphericity", "sister_contact", "lumen", "outermost", "pair.area"}) {
     CAPTURE(measure);
     const Scene scene = scenes::lineageOnly(scenes::uniqueFour, 3);
     CHECK_FALSE(ranUntil(scene, {.event = StopEvent::measure, .measure = measure, .above = -1e9}).stoppedBy);
