@@ -206,7 +206,7 @@ std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const s
   std::vector<AskedRow<Touch>> ofPairs;
   for (const std::string& name : names) {
     const std::optional<AskedMeasure> asked = findMeasure(name);
-    MORULA_CHECK(asked && asked->onDemand, "a measure on demand that no row names");
+    MORULA_CHECK(asked.has_value(), "a measure that no row names");
     if (asked->scope == Scope::world) takeOfWorld(now, *asked, taken);
     else if (asked->scope == Scope::cell)
       ofCells.push_back({&measure<CellContext>(asked->row), &name, selectedCells(now, *asked)});

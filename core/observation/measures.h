@@ -125,7 +125,7 @@ struct TakenMeasure {
   double value;
   friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
 };
-/// Returns the values of the measures on demand with these names [asked_measure.h]: of the world in the order of names,
+/// Returns the values of the measures with these names [asked_measure.h]: of the world in the order of names,
 /// then cell by cell and pair by pair, by path. A measure with nothing to measure has no value.
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 

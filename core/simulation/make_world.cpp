@@ -18,8 +18,8 @@
 #include "simulation/settle.h"
 #include "simulation/simulation.h"
 #include "simulation/start_cells.h"
-#include "simulation/stop_when.h"
 #include "simulation/start_variation.h"
+#include "simulation/stop_when.h"
 #include "simulation/swirls.h"
 #include "simulation/time_step.h"
 #include "state/check_numbers.h"
@@ -50,7 +50,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   refuseEndlessPace(scene);
   createFounders(world);
   if (!scene.mechanics) {
-    lookForStop(world, 0, 0);
+    lookForStop(world);
     return world;
   }
 
@@ -82,7 +82,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     const std::string who = e.cell.empty() ? "" : "cell " + e.cell + ": ";
     throw InputError(who + e.quantity + "; " + e.remedy, {}, e.key);  // no step has been made: the scene is invalid
   }
-  lookForStop(world, 0, 0);
+  lookForStop(world);
   return world;
 }
 

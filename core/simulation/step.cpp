@@ -82,11 +82,10 @@ class LastStep {
 
 void step(World& world) {
   Clock& clock = world.clock;
-  const double before = clock.time;
-  const std::size_t born = world.lineage.entries.size();
+  const BeforeStep before(world);
   if (settles(world)) {
     stepQuasiStatic(world);
-    return lookForStop(world, before, born);
+    return lookForStop(world, before);
   }
   if (world.bodies) {
     const LastStep last(world);
@@ -99,11 +98,11 @@ void step(World& world) {
     releaseConnections(world);
   } else {
     ++clock.step;
-    clock.time = std::min(clock.nextCycle, std::max(before, nextExperiment(world)));
+    clock.time = std::min(clock.nextCycle, std::max(before.time, nextExperiment(world)));
   }
-  runEvents(world, before, dueUntil(world, before));
+  runEvents(world, before.time, dueUntil(world, before.time));
   followContacts(world);
-  lookForStop(world, before, born);
+  lookForStop(world, before);
 }
 
 void takeSteps(World& world, std::uint64_t most) {
@@ -113,16 +112,15 @@ void takeSteps(World& world, std::uint64_t most) {
     steps = std::min({most, stepsUntil(clock, std::min({clock.nextCycle, nextExperiment(world), nextLook(world)})),
                       wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
-  const double before = clock.time;
-  const std::size_t born = world.lineage.entries.size();
+  const BeforeStep before(world);
   if (!moveIsolated(world, steps)) {
     for (; steps > 0; --steps) step(world);  // one of these steps says what is wrong
     return;
   }
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
-  runEvents(world, before, dueUntil(world, before));
-  lookForStop(world, before, born);
+  runEvents(world, before.time, dueUntil(world, before.time));
+  lookForStop(world, before);
 }
 
 }  // namespace morula

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "observation/asked_measure.h"
-#include "observation/observation.h"
+#include "observation/measures.h"
 
 namespace morula {
 namespace {
@@ -36,31 +35,6 @@ bool touch(const Observation& now, const std::vector<int>& ones, const std::vect
   });
 }
 
-/// Returns all values of a measure; of a measure of pairs, those with one of the selected cells at least.
-std::vector<double> valuesOf(const Observation& now, const AskedMeasure& asked) {
-  std::vector<double> values;
-  const auto add = [&](const std::optional<double>& value) {
-    if (value) values.push_back(*value);
-  };
-  const std::vector<int> cells = cellsIn(now, asked.of);
-  if (asked.isCount()) return {static_cast<double>(cells.size())};
-  if (!canMeasure(now, asked.needs)) return {};
-  if (asked.scope == Scope::world) {
-    const WorldMeasure& row = measure<Observation>(asked.row);
-    add(asked.ofClones && asked.of ? row.ofClones(now, asked.of->generation) : row.get(now));
-  } else if (asked.scope == Scope::cell) {
-    for (const int cell : cells) add(measure<CellContext>(asked.row).get(now.cell(cell)));
-  } else {
-    const auto& paths = now.world.cells.path;
-    for (const ContactArea& contact : now.contacts()) {
-      const bool isMeant = std::ranges::binary_search(cells, contact.a) || std::ranges::binary_search(cells, contact.b);
-      if (isMeant && paths[contact.a] < paths[contact.b])
-        add(measure<Touch>(asked.row).get({now.cell(contact.a), now.cell(contact.b), contact.area}));
-    }
-  }
-  return values;
-}
-
 bool isMet(const Observation& now, const StopWhen& when) {
   switch (when.event) {
     case StopEvent::touch: return touch(now, cellsIn(now, when.of[0]), cellsIn(now, when.of[1]));
@@ -73,8 +47,8 @@ bool isMet(const Observation& now, const StopWhen& when) {
       return static_cast<double>(cellsIn(now, when.of.empty() ? std::nullopt : std::optional(when.of[0])).size()) >=
              when.count;
     case StopEvent::measure:
-      return std::ranges::any_of(valuesOf(now, readMeasure(when.measure)), [&](double value) {
-        return (!when.above || value > *when.above) && (!when.below || value < *when.below);
+      return std::ranges::any_of(takeMeasures(now, {&when.measure, 1}), [&](const TakenMeasure& taken) {
+        return (!when.above || taken.value > *when.above) && (!when.below || taken.value < *when.below);
       });
   }
   MORULA_CHECK(false, "every condition can be looked at");
@@ -89,15 +63,20 @@ double nextLook(const World& world) {
   return (std::floor(world.clock.time / every) + 1) * every;
 }
 
-void lookForStop(World& world, double before, std::size_t born) {
-  const StopParameters& stop = world.model.stop;
-  if (stop.when.empty() || world.stoppedBy) return;
-  const double every = interval(stop, world.model.cycle), time = world.clock.time;
-  const bool isDue = std::floor(before / every) != std::floor(time / every);
-  if (world.bodies && !world.settlings && !isDue && world.lineage.entries.size() == born && time > 0) return;
+void lookForStop(World& world, const BeforeStep& before) {
+  if (world.model.stop.when.empty()) return;
+  const double every = interval(world.model.stop, world.model.cycle), time = world.clock.time;
+  const bool isDue = std::floor(before.time / every) != std::floor(time / every),
+             isEvent = before.nextCycle != world.clock.nextCycle || before.cells != world.cells.path.size();
+  if (isDue || isEvent || !world.bodies || world.settlings) lookForStop(world);
+}
+
+void lookForStop(World& world) {
+  const std::vector<StopWhen>& conditions = world.model.stop.when;
+  if (conditions.empty() || world.stoppedBy) return;
   const Observation now(world);
-  for (std::size_t i = 0; i < stop.when.size() && !world.stoppedBy; ++i)
-    if (time >= stop.when[i].after && isMet(now, stop.when[i])) world.stoppedBy = i;
+  for (std::size_t i = 0; i < conditions.size() && !world.stoppedBy; ++i)
+    if (world.clock.time >= conditions[i].after && isMet(now, conditions[i])) world.stoppedBy = i;
 }
 
 }  // namespace morula

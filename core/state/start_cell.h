@@ -1,5 +1,5 @@
 #pragma once
-// One of several cells at time 0, instead of one egg.
+// A scene may begin with several start cells instead of one egg.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// One of the cells that a scene begins with: the egg at another place, of another size or shape.
+/// A start cell is the egg at another place, of another size or shape.
 struct StartCell {
   Point at = {};            // [length] its centre
   Vector velocity = {};     // [length/time] of all its vertices

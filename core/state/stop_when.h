@@ -21,19 +21,20 @@ inline constexpr auto choices<StopEvent> = std::to_array<Choice<StopEvent>>({
     {StopEvent::measure, "measure", "a measure is above or below a bound; of cells, that of any of them"},
 });
 
-/// A condition. It is looked at after each round of cell cycles, and each StopParameters::every.
+/// A condition ends a run. The run looks at it after each event, and each StopParameters::every.
 struct StopWhen {
   StopEvent event = StopEvent::touch;
   std::vector<CellSelection> of{};         // two of touch and part, one of born, one or none (all cells) of cells
   double count = 0;                        // of cells
   std::string measure{};                   // as AskedMeasure::name
   std::optional<double> above{}, below{};  // bounds of the measure, in its unit; one of them at least
-  double after = 0;                        // [time] it is not looked at before
+  double after = 0;                        // [time] the condition does not count before
 };
-/// Returns true for conditions that genes alone cannot decide.
+MORULA_MEMBERS(StopWhen, event, of, count, measure, above, below, after)
+
+/// Returns true for conditions that genes alone may not decide.
 inline bool needsBodies(const StopWhen& when) {
   return when.event == StopEvent::touch || when.event == StopEvent::part || when.event == StopEvent::measure;
 }
-MORULA_MEMBERS(StopWhen, event, of, count, measure, above, below, after)
 
 }  // namespace morula

@@ -8,6 +8,7 @@
 #include "observation/measures.h"
 #include "physics/integrator.h"
 #include "scenario/scenario.h"
+#include "simulation/genes_alone.h"
 #include "simulation/memory.h"
 #include "system/json.h"
 #include "values/measure_list.h"
@@ -34,7 +35,7 @@ Json costOf(const Scenario& of) {
     Execution execution;
     execution.memoryLimit = memoryLimit;
     timeStep = makeWorld(of.scene, execution).clock.timeStep;
-    lineage.mechanics.reset();
+    lineage = genesAlone(std::move(lineage));
     lineage.senses.clear();
   }
   World world = makeWorld(lineage);

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "files/text.h"
 #include "values/cell_words.h"
+#include "values/measure_list.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {
@@ -81,8 +82,11 @@ class WhenReader {
     try {
       const AskedMeasure asked = readMeasure(measureByPaths(*text, scenario_.names, scenario_.scene.dna));
       entry_.measure = asked.name;
-      if (asked.needs != Needs::nothing && !scenario_.scene.mechanics)
-        say(what.place, what.key, asked.name + " would find nothing to measure", "add a physics block");
+      if (asked.needs == Needs::referenceContacts || asked.needs == Needs::referencePositions ||
+          asked.row == "contact_duration")
+        say(what.place, what.key, asked.name + " is known after a run alone", "needs another measure");
+      else if (const std::string lacking = lackingFor(asked.needs, scenario_); !lacking.empty())
+        say(what.place, what.key, asked.name + " would find nothing to measure", "needs " + lacking);
       const std::string unknown = unknownSubstance(asked, scenario_.scene.dna.substances);
       if (!unknown.empty()) addReadError(what.place, path_ + ".measure", InputError(unknown), reading_.problems);
     } catch (const InputError& error) { addReadError(what.place, path_ + ".measure", error, reading_.problems); }

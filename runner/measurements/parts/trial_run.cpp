@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contacts/contacts.h"
+#include "simulation/genes_alone.h"
 #include "simulation/simulation.h"
 #include "simulation/time_step.h"
 #include "system/clock.h"
@@ -25,9 +26,7 @@ std::uint64_t Life::maxCells() const {
 }
 
 Life predictLife(const Scene& scene, std::uint64_t most) {
-  Scene genes = scene;
-  genes.mechanics.reset();
-  World world = makeWorld(genes);
+  World world = makeWorld(genesAlone(scene));
   Life life;
   const int founded = deepest(world.cells);  // start cells have paths, but are no divided parts of an egg
   life.eras.push_back({0, 0, world.cells.path.size(), 0});

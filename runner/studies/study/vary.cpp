@@ -121,6 +121,9 @@ void readRange(StudyAxis& axis, const Node& node, const std::string& path, Probl
                                          : *from + (*to - *from) * share;
     // Six digits make labels short, and the value is what the label says.
     const std::string value = i == 0 || i + 1 == *steps ? exactText(exact) : numberText(exact, 6);
+    if (i > 0 && axis.levels.back().overrides[0].value == value)
+      return problems.add(node.place, path, "two levels are the same in six digits, " + value,
+                          "needs fewer steps, or from and to farther apart");
     axis.levels.push_back({value[0] == '-' ? "minus" + value : value, {{*text, value, place, false}}});
   }
 }

@@ -115,8 +115,9 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
   refused("{when: [{touch: [cell P0a, cell P0p]}]}", "needs cells that can touch; add 'contact: {}' to physics");
   refused("{when: [{touch: cell P0a}]}", "is no pair of cells");
   refused("{when: [{cells: 0}]}", "a whole number from 1 on");
-  refused("{when: [{measure: sphericity, above: 1}]}", "would find nothing to measure; add a physics block");
+  refused("{when: [{measure: sphericity, above: 1}]}", "would find nothing to measure; needs");
   refused("{when: [{measure: nonsense, above: 1}]}", "nonsense");
+  refused("{when: [{measure: position_rmsd, below: 1}]}", "is known after a run alone; needs another measure");
   refused("{when: [{measure: count of a0}]}", "has no bound");
   refused("{when: [{measure: count of a9, above: 1}]}", "a9");
   refused("{when: [{cells: 3, off: a0}]}", "off");

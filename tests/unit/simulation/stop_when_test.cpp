@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "observation/observation.h"
+#include "simulation/genes_alone.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -69,10 +70,10 @@ TEST_CASE("Bodies: the run goes as without the condition, and ends at the first 
   double first = NAN;
   while (!finished(plain) && std::isnan(first)) {
     const double before = plain.clock.time;
-    const std::size_t born = plain.lineage.entries.size();
+    const double next = plain.clock.nextCycle;
     step(plain);
     const bool looks =
-        std::floor(before / every) != std::floor(plain.clock.time / every) || plain.lineage.entries.size() != born;
+        std::floor(before / every) != std::floor(plain.clock.time / every) || plain.clock.nextCycle != next;
     if (looks && areaAt(plain) > 0) first = plain.clock.time;
   }
   CHECK(stopped.clock.time == first);
@@ -87,4 +88,29 @@ TEST_CASE("Without bodies, conditions that need them do not hold, and nothing is
   }
   const StopWhen touch{.event = StopEvent::touch, .of = {cell("A"), cell("B")}};
   CHECK_FALSE(ranUntil(scenes::lineageOnly(scenes::uniqueFour, 3), touch).stoppedBy);
+}
+
+TEST_CASE("Genes alone end where bodies decide, and go on to what genes decide") {
+  Scene scene = scenes::withBodies("START: a0\nk(a0|a0)\n", 1);
+  scene.stop = {};
+  scene.stop.when = {{.event = StopEvent::touch, .of = {cell("A"), cell("B")}}};
+  const Scene rest = genesAlone(scene);
+  CHECK_FALSE(rest.mechanics);
+  const World world = ranToEnd(rest);  // no failure: a run with bodies may end by its condition
+  CHECK(world.clock.time == 1000 * scene.cycle.length);
+
+  Scene lineage = scenes::withBodies(scenes::everybodyDivides, 1);
+  lineage.stop = {.cycles = {}, .time = {}, .cells = 8};
+  lineage.stop.when = {{.event = StopEvent::measure, .measure = "sphericity", .below = 0.1},
+                       {.event = StopEvent::cells, .count = 4}};
+  CHECK(ranToEnd(genesAlone(lineage)).cells.path.size() == 4);
+}
+
+TEST_CASE("A look follows a death and a cycle without a birth") {
+  const Scene scene = scenes::lineageOnly("START: a0\ng1(a1|a0)\ng2(die|a1)\n", 5);
+  CHECK(ranUntil(scene, {.event = StopEvent::cells, .of = {substance("a1")}, .count = 1}, 100).clock.time == 1);
+  Scene bodies = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(a1|a1)\n", 5);
+  const World world = ranUntil(bodies, {.event = StopEvent::cells, .of = {substance("a1")}, .count = 1}, 100);
+  CHECK(world.stoppedBy);
+  CHECK(world.clock.time < 1.1);  // not at the planned end, 5, though no look is due before 100
 }

@@ -225,3 +225,39 @@ TEST_CASE("The schema knows the keys that the reader knows, and requires the sam
   CHECK(schema["required"].size() == 5);
   CHECK(schema["properties"]["keep"]["properties"]["pictures"]["enum"].size() == 3);
 }
+
+TEST_CASE("An axis of numbers has levels from the first to the last, which are their own labels") {
+  const auto axisOf = [](const std::string& range) {
+    return studyOf("morula-study: 1\nname: balls\nbase: balls.yaml\nvary: {drag: " + range +
+                   "}\nseeds: 1\nmeasures: [volume]\n")
+        .axes[0];
+  };
+  const auto labels = [&](const std::string& range) {
+    std::vector<std::string> found;
+    for (const Level& level : axisOf(range).levels) found.push_back(level.label);
+    return found;
+  };
+  using Labels = std::vector<std::string>;
+  CHECK(labels("{key: physics.drag, from: 1, to: 16, steps: 5, log: true}") == Labels{"1", "2", "4", "8", "16"});
+  CHECK(labels("{key: physics.drag, from: 0, to: 1, steps: 3}") == Labels{"0", "0.5", "1"});
+  CHECK(labels("{key: check.x, from: -1, to: 1, steps: 2}") == Labels{"minus-1", "1"});
+  const Level second = axisOf("{key: physics.drag, from: 1, to: 3, steps: 4}").levels[1];
+  REQUIRE(second.overrides.size() == 1);
+  CHECK(second.overrides[0].path == "physics.drag");
+  CHECK(second.overrides[0].value == "1.66667");
+  CHECK(second.label == second.overrides[0].value);  // a level computes what its label says
+
+  const auto refused = [&](const std::string& range, const std::string& why) {
+    CAPTURE(range);
+    CHECK_THROWS_WITH(axisOf(range), Catch::Contains(why));
+  };
+  refused("{key: physics.drag, from: 0, to: 1, steps: 3, log: true}", "> 0");
+  refused("{key: physics.drag, from: 1, to: 2}", "steps: is missing");
+  refused("{key: physics.drag, to: 2, steps: 3}", "from: is missing");
+  refused("{key: physics.drag, from: 1, to: 2, steps: 1}", "2 to 1000");
+  refused("{key: physics.drag, from: 1, to: 1, steps: 3}", "from and to are the same");
+  refused("{key: physics.drag, from: 1, to: 1.000001, steps: 9}", "two levels are the same in six digits");
+  refused("{key: seed, from: 1, to: 2, steps: 2}", "cannot be varied");
+  refused("{key: physics.drag, from: 1, to: 2, steps: 2, step: 1}", "step");
+  refused("{key: physics.drag, from: 1, to: 2, steps: 2, log: maybe}", "needs true or false");
+}
