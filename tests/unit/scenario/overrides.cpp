@@ -67,16 +67,16 @@ TEST_CASE("what is no assignment is refused") {
 TEST_CASE("an entry of a list is called by its name, and only where one entry has it") {
   const std::string scene =
       "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(b0|a0)\n  g3(divide|a0)\nstop: {time: 1}\nphysics: {}\n"
-      "division: {rules: [{of: b0, share: 0.4}, {of: a0, axis: [1, 0, 0]}, {of: [a0, b0], tilt: 5}]}\n";
+      "division: {rules: [{of: [a0, b0], tilt: 5}, {of: b0, share: 0.4}, {of: a0, axis: [1, 0, 0]}]}\n";
   const auto rulesWith = [&](const std::string& change) {
     return read(scene, {parseOverride(change)}).scene.mechanics->division.rules;
   };
   const auto rules = rulesWith("division.rules.a0.share=0.6");
   REQUIRE(rules.size() == 3);
-  CHECK(rules[1].share == 0.6);
-  CHECK(rules[1].plane);  // what the entry says besides stays
-  CHECK(rules[0].share == 0.4);
-  CHECK(rulesWith("division.rules.b0={of: b0, share: 0.7}")[0].share == 0.7);
+  CHECK(rules[2].share == 0.6);
+  CHECK(rules[2].plane);  // what the entry says besides stays
+  CHECK(rules[1].share == 0.4);
+  CHECK(rulesWith("division.rules.b0={of: b0, share: 0.7}")[1].share == 0.7);
   CHECK(rulesWith("division.rules.b0=null").size() == 2);
   CHECK_THAT(complaints(scene, {parseOverride("division.rules.c0.share=0.6")}),
              Catch::StartsWith("--set division.rules.c0.share: the list division.rules has no entry of this name, or "
