@@ -111,7 +111,7 @@ std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
 void addCompare(CLI::App& app, Action& action) {
   Verb verb(app, action, "compare", "Compare the conditions of a study, with confidence intervals");
   auto& command = verb.does<CompareCommand>(act);
-  verb.needs("what", command.what, "FILE",
+  verb.needs("study", command.what, "FILE",
              "The study.db of morula study merge, the folder that it lies in, or the study file");
   verb.takes("--by", command.options.by, "AXIS,...",
              "Axes whose levels are compared, in the mean over the others; default: all");
