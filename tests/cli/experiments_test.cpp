@@ -32,6 +32,7 @@ TEST_CASE("lineage tells what was done to which cell, and marks it in the tree")
     CHECK_THAT(readWhole(folder / "tree.svg"), Contains("stroke-dasharray"));
   }
   CHECK_THAT(succeeds({"lineage", without}).out, !Contains("experiment"));
+  succeeds({"parts", with});  // predicts by genes alone, which have no drag to set
   succeeds({"lineage", without, "-o", folder / "plain.svg", "--quiet"});
   CHECK_THAT(readWhole(folder / "plain.svg"), !Contains("stroke-dasharray"));
 }

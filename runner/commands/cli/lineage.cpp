@@ -14,6 +14,7 @@
 #include "options/options.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
+#include "simulation/genes_alone.h"
 #include "store/records.h"
 #include "store/store.h"
 #include "system/console.h"
@@ -171,11 +172,8 @@ void draw(const Tree& tree, const LineageOptions& options) {
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const bool measured = options.colour && options.colour->by == Colouring::By::measure;
-  const auto hasBodies = [](const Experiment& e) {
-    return e.deed == Deed::set || e.deed == Deed::connect || e.deed == Deed::release;
-  };
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize &&
-      std::ranges::none_of(scenario.scene.experiments, hasBodies) &&
+      std::ranges::none_of(scenario.scene.experiments, [](const Experiment& e) { return needsBodies(e); }) &&
       std::ranges::none_of(scenario.scene.stop.when, [](const StopWhen& when) { return needsBodies(when); }))
     scenario.scene.mechanics.reset();
   auto run =

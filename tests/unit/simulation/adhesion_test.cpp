@@ -165,7 +165,8 @@ TEST_CASE("How far two sticky cells spread on each other depends on W, not on th
   };
   for (const Limit& limit : {Limit{0.5, 1.47, 1.682}, {1, 2.125, 1.497}, {2, 2.815, 1.277}})
     for (const int level : {2, 3, 4}) {
-      if (level == 4 && limit.work != 1) continue;  // one work on the finest mesh: each takes as long as all coarser ones
+      if (level == 4 && limit.work != 1)
+        continue;  // one work on the finest mesh: each takes as long as all coarser ones
       Scene scene = scenes::settling(scenes::withBodies(resting, 1, scaleToRadius(makeIcosphere(level), 1)));
       scene.mechanics->physics.pressure = {800, 166};
       scene.mechanics->physics.settle = {.tolerance = 1e-5, .evaluations = 400'000, .sample = {}};

@@ -39,7 +39,8 @@ TEST_CASE("Genes that are read at birth give a daughter her own substance in the
       CHECK(world.biology->describe(entry.state) == (entry.path.isEgg() ? "P0 divide" : "P1 divide"));
 }
 
-TEST_CASE("Without the key a daughter holds her mother's substances until her first cycle, and hashes stay as they were") {
+TEST_CASE(
+    "Without the key a daughter holds her mother's substances until her first cycle, and hashes stay as they were") {
   Scene scene = wormScene();
   scene.cycle.first = FirstCycle::afterLength;
   World world = makeWorld(scene);

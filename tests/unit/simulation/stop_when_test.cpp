@@ -3,7 +3,6 @@
 
 #include "catch.h"
 #include "observation/observation.h"
-#include "simulation/genes_alone.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -88,22 +87,6 @@ TEST_CASE("Without bodies, conditions that need them do not hold, and nothing is
   }
   const StopWhen touch{.event = StopEvent::touch, .of = {cell("A"), cell("B")}};
   CHECK_FALSE(ranUntil(scenes::lineageOnly(scenes::uniqueFour, 3), touch).stoppedBy);
-}
-
-TEST_CASE("Genes alone end where bodies decide, and go on to what genes decide") {
-  Scene scene = scenes::withBodies("START: a0\nk(a0|a0)\n", 1);
-  scene.stop = {};
-  scene.stop.when = {{.event = StopEvent::touch, .of = {cell("A"), cell("B")}}};
-  const Scene rest = genesAlone(scene);
-  CHECK_FALSE(rest.mechanics);
-  const World world = ranToEnd(rest);  // no failure: a run with bodies may end by its condition
-  CHECK(world.clock.time == 1000 * scene.cycle.length);
-
-  Scene lineage = scenes::withBodies(scenes::everybodyDivides, 1);
-  lineage.stop = {.cycles = {}, .time = {}, .cells = 8};
-  lineage.stop.when = {{.event = StopEvent::measure, .measure = "sphericity", .below = 0.1},
-                       {.event = StopEvent::cells, .count = 4}};
-  CHECK(ranToEnd(genesAlone(lineage)).cells.path.size() == 4);
 }
 
 TEST_CASE("A look follows a death and a cycle without a birth") {
