@@ -132,7 +132,7 @@ void drawTimes(Drawing& drawing, const Sheet& sheet, const std::vector<TreeMark>
       drawing.line({{sheet.frame.left, y}, {sheet.frame.right, y}}, {.width = 1, .colour = quietInk, .dashed = true});
 }
 
-/// Draws a ring for each deed that is done to a cell: the cross of a cell that is killed shows within it.
+/// Draws a ring for each deed that is done to a cell. The cross of a cell that is killed is drawn into it afterwards.
 void drawMarks(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, const std::vector<TreeMark>& marks) {
   const double radius = std::clamp(0.4 * sheet.pitch, 2.5, 0.6 * sheet.frame.textSize);
   for (const TreeMark& mark : marks) {
@@ -221,12 +221,12 @@ Drawing drawLineage(const TreePicture& asked) {
   // Cells are drawn from the leaves up, so that mothers lie on top at divisions.
   for (auto place = layout.places.rbegin(); place != layout.places.rend(); ++place)
     drawCell(drawing, sheet, layout, *place);
+  drawMarks(drawing, sheet, layout, picture.marks);
   for (const TreePlace& place : layout.places) {
     if (place.isLeaf()) drawEnd(drawing, sheet, place);
     if (place.isLeaf() && sheet.label > 0) drawLeafLabel(drawing, sheet, place);
     if (layout.leaves <= maxLabelledTree) drawInnerLabels(drawing, sheet, place);
   }
-  drawMarks(drawing, sheet, layout, picture.marks);
   return drawing;
 }
 
