@@ -98,9 +98,9 @@ void step(World& world) {
     releaseConnections(world);
   } else {
     ++clock.step;
-    clock.time = std::min(clock.nextCycle, std::max(before.time, nextExperiment(world)));
+    clock.time = std::min(clock.nextCycle, std::max(before.clockTime, nextExperiment(world)));
   }
-  runEvents(world, before.time, dueUntil(world, before.time));
+  runEvents(world, before.clockTime, dueUntil(world, before.clockTime));
   followContacts(world);
   lookForStop(world, before);
 }
@@ -119,7 +119,7 @@ void takeSteps(World& world, std::uint64_t most) {
   }
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
-  runEvents(world, before.time, dueUntil(world, before.time));
+  runEvents(world, before.clockTime, dueUntil(world, before.clockTime));
   lookForStop(world, before);
 }
 

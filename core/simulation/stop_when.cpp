@@ -66,7 +66,7 @@ double nextLook(const World& world) {
 void lookForStop(World& world, const BeforeStep& before) {
   if (world.model.stop.when.empty()) return;
   const double every = interval(world.model.stop, world.model.cycle), time = world.clock.time;
-  const bool isDue = std::floor(before.time / every) != std::floor(time / every),
+  const bool isDue = std::floor(before.clockTime / every) != std::floor(time / every),
              isEvent = before.nextCycle != world.clock.nextCycle || before.cells != world.cells.path.size();
   if (isDue || isEvent || !world.bodies || world.settlings) lookForStop(world);
 }

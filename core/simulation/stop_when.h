@@ -10,8 +10,8 @@ double nextLook(const World& world);
 /// The clock and the cells before a step, by which a look knows events.
 struct BeforeStep {
   explicit BeforeStep(const World& world)
-      : time(world.clock.time), nextCycle(world.clock.nextCycle), cells(world.cells.path.size()) {}
-  double time, nextCycle;  // [time]
+      : clockTime(world.clock.time), nextCycle(world.clock.nextCycle), cells(world.cells.path.size()) {}
+  double clockTime, nextCycle;  // [time]
   std::size_t cells;
 };
 
