@@ -129,12 +129,12 @@ void describeRows(Scope scope, std::vector<MeasureOnDemand>& all) {
 /// True for each living cell that is selected, [cell]; empty: all are.
 using Selected = std::vector<char>;
 
-Selected selectedCells(const Observation& now, const AskedMeasure& measure) {
+Selected selectedCells(const Observation& now, const std::optional<AskedCells>& cells) {
   Selected selected;
-  if (!measure.of) return selected;
+  if (!cells) return selected;
   const auto& paths = now.world.cells.path;
   for (int i = 0; i < static_cast<int>(paths.size()); ++i)
-    selected.push_back(measure.of->has(paths[i], now.world.biology->describe(now.world.cells.state[i])));
+    selected.push_back(cells->has(paths[i], now.world.biology->describe(now.world.cells.state[i])));
   return selected;
 }
 
@@ -156,14 +156,42 @@ void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, con
   if (const std::optional<double> value = asked.row->get(of)) taken.push_back({scope, *asked.name, a, b, *value});
 }
 
+/// Returns the mean of all values that a measure has; absent if it has none.
+std::optional<double> meanOf(const Observation& now, const AskedMeasure& asked) {
+  double sum = 0;  // in the order of paths
+  const std::vector<TakenMeasure> taken = takeMeasures(now, {&asked.name, 1});
+  for (const TakenMeasure& one : taken) sum += one.value;
+  return taken.empty() ? std::nullopt : std::optional(sum / static_cast<double>(taken.size()));
+}
+
+/// Returns the mean of the centres [length] of the selected cells; absent if no such cell lives.
+std::optional<Point> centreOf(const Observation& now, const Selected& selected) {
+  Point sum{};
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(selected.size()); ++i)
+    if (selected[i]) sum += now.centreOf(i), ++count;
+  return count > 0 ? std::optional<Point>(sum / static_cast<double>(count)) : std::nullopt;
+}
+
+std::optional<double> valueOf(const Observation& now, const AskedMeasure& asked) {
+  using Form = AskedMeasure::Form;
+  switch (asked.form) {
+    case Form::count: return std::ranges::count(selectedCells(now, asked.of), 1);
+    case Form::distance: {
+      const auto from = centreOf(now, selectedCells(now, asked.of)), to = centreOf(now, selectedCells(now, asked.to));
+      return from && to ? std::optional(norm(*from - *to)) : std::nullopt;
+    }
+    case Form::ratio:
+    case Form::difference: return combined(asked.form, meanOf(now, asked.parts[0]), meanOf(now, asked.parts[1]));
+    case Form::row: break;
+  }
+  const WorldMeasure& row = measure<Observation>(asked.row);
+  return asked.of ? row.ofClones(now, asked.of->generation) : row.get(now);
+}
+
 void takeOfWorld(const Observation& now, const AskedMeasure& asked, std::vector<TakenMeasure>& taken) {
   if (!canMeasure(now, asked.needs)) return;
-  std::optional<double> value;
-  if (asked.isCount()) value = std::ranges::count(selectedCells(now, asked), 1);
-  else if (const WorldMeasure& row = measure<Observation>(asked.row); asked.of)
-    value = row.ofClones(now, asked.of->generation);
-  else value = row.get(now);
-  if (value) taken.push_back({Scope::world, asked.name, {}, {}, *value});
+  if (const auto value = valueOf(now, asked)) taken.push_back({Scope::world, asked.name, {}, {}, *value});
 }
 
 void takeOfCells(const Observation& now, const std::vector<AskedRow<CellContext>>& rows,
@@ -209,8 +237,8 @@ std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const s
     MORULA_CHECK(asked.has_value(), "a measure that no row names");
     if (asked->scope == Scope::world) takeOfWorld(now, *asked, taken);
     else if (asked->scope == Scope::cell)
-      ofCells.push_back({&measure<CellContext>(asked->row), &name, selectedCells(now, *asked)});
-    else ofPairs.push_back({&measure<Touch>(asked->row), &name, selectedCells(now, *asked)});
+      ofCells.push_back({&measure<CellContext>(asked->row), &name, selectedCells(now, asked->of)});
+    else ofPairs.push_back({&measure<Touch>(asked->row), &name, selectedCells(now, asked->of)});
   }
   takeOfCells(now, ofCells, taken);
   takeOfPairs(now, ofPairs, taken);

@@ -65,7 +65,7 @@ void note(World& world, std::uint64_t number, DoneTo to, const CellPath& path = 
   std::string who, lives;
   for (const CellSelection& selection : e.of) {
     const bool one = selection.kind == CellSelection::Kind::cell;
-    who += (who.empty() ? "" : ", ") + (one ? cellName(selection.path.text()) : selection.text());
+    who += (who.empty() ? "" : ", ") + (one ? cellName(selection.path.text()) : AskedCells{selection}.text());
     if (one)
       for (const LineageEntry& entry : world.lineage.entries)
         if (entry.path == selection.path && entry.fate != Fate::alive)

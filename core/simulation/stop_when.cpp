@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "observation/body_measures.h"
 #include "observation/measures.h"
 
 namespace morula {
@@ -35,6 +36,15 @@ bool touch(const Observation& now, const std::vector<int>& ones, const std::vect
   });
 }
 
+/// Returns true if the root mean square speed of every cell's vertices is below the bound [length/time].
+bool rests(const Bodies& bodies, double bound) {
+  for (int i = 0; i < bodies.count; ++i) {
+    const double energy = measureKineticEnergy(bodies, bodies.slots[i]), mass = bodies.mass(bodies.slots[i]);
+    if (!(2 * energy < bound * bound * mass)) return false;
+  }
+  return true;
+}
+
 bool isMet(const Observation& now, const StopWhen& when) {
   switch (when.event) {
     case StopEvent::touch: return touch(now, cellsIn(now, when.of[0]), cellsIn(now, when.of[1]));
@@ -50,6 +60,7 @@ bool isMet(const Observation& now, const StopWhen& when) {
       return std::ranges::any_of(takeMeasures(now, {&when.measure, 1}), [&](const TakenMeasure& taken) {
         return (!when.above || taken.value > *when.above) && (!when.below || taken.value < *when.below);
       });
+    case StopEvent::rest: return now.world.clock.step > 0 && rests(*now.world.bodies, *when.below);
   }
   MORULA_CHECK(false, "every condition can be looked at");
 }

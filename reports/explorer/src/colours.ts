@@ -67,11 +67,12 @@ export class Colouring {
 
   ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];
-    if (by === "substance" || !cell) return rgbOf(run.colours[frame.state[i]]);
+    const own = rgbOf((cell && run.cellColours[cell.path]) ?? run.colours[frame.state[i]]);
+    if (by === "substance" || !cell) return own;
     if (by === "generation") return this.series[cell.path.length % this.series.length];
     if (by === "clone") return this.clone(cell.path);
     const m = run.measures.indexOf(by);
-    if (m < 0) return rgbOf(run.colours[frame.state[i]]);
+    if (m < 0) return own;
     const [low, high] = this.range(by, time),
       value = frame.values[i * run.measures.length + m];
     if (!Number.isFinite(value)) return [0.74, 0.74, 0.74];
@@ -83,6 +84,6 @@ export class Colouring {
     const css = (c: Rgb) => `rgb(${c.map((x) => Math.round(255 * x)).join(",")})`;
     if (by === "generation") return css(this.series[path.length % this.series.length]);
     if (by === "clone") return css(this.clone(path));
-    return run.colours[state];
+    return run.cellColours[path] ?? run.colours[state];
   }
 }

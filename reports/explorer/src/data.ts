@@ -113,6 +113,8 @@ export class Run {
   readonly byPath = new Map<string, Cell>();
   readonly states: string[];
   readonly colours: string[];
+  /** Colours that the scenario gives to cells, by path; they take the place of the colours of their states. */
+  readonly cellColours: Record<string, string>;
   readonly legend: [string, string][];
   readonly measures: string[];
   readonly forces: string[]; // all kinds
@@ -133,6 +135,7 @@ export class Run {
     this.end = json.end;
     this.states = json.states;
     this.colours = json.colours;
+    this.cellColours = json.cellColours ?? {};
     this.legend = json.legend;
     this.measures = json.measures;
     this.forces = json.forces;

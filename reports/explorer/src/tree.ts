@@ -143,7 +143,7 @@ export class Tree {
             d: `M${x2} ${y(cell.daughters[0])}V${y(cell.daughters[cell.daughters.length - 1])}`,
           }),
         );
-      const life = drawn("path", { class: "life", d: `M${x1} ${at}H${x2}`, stroke: this.run.colours[cell.state] });
+      const life = drawn("path", { class: "life", d: `M${x1} ${at}H${x2}`, stroke: this.run.cellColours[cell.path] ?? this.run.colours[cell.state] });
       life.style.strokeWidth = thickness < 3 ? `${thickness}px` : "";
       node.append(life);
       if (cell.fate === "died") node.append(drawn("path", { class: "fork", d: `M${x2 - 3} ${at - 3}l6 6m0 -6l-6 6` }));

@@ -67,7 +67,7 @@ int act(const ChartOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   std::optional<AskedMeasure> measure;
   if (options.what != "contacts" && options.what != "divisions") try {
-      measure = readMeasure(measureByPaths(options.what, scenario.names, scenario.scene.dna), IfSeveral::first);
+      measure = resolved(readMeasure(options.what, IfSeveral::first), scenario.names, scenario.scene.dna);
     } catch (const InputError& error) {
       throw UsageError(std::string("WHAT needs a measure, contacts or divisions: ") + error.what());
     }
@@ -76,7 +76,7 @@ int act(const ChartOptions& options) {
     throw UsageError(
         fmt::format("--time: {} is after the end of the run; needs at most {:.6g}", exactText(*options.time), run.end));
   std::string file = scenario.scene.name + "-" + options.what + ".svg";
-  std::ranges::replace(file, ' ', '-'), std::ranges::replace(file, '*', '+');
+  std::ranges::replace(file, ' ', '-'), std::ranges::replace(file, '*', '+'), std::ranges::replace(file, '/', '.');
   if (!options.picture.empty()) file = options.picture;
   writePicture(draw(run, options, measure, scenario), file);
   printEither(options.output, {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}},
@@ -90,9 +90,10 @@ void addChart(CLI::App& app, Action& action) {
   Verb verb(app, action, "chart", "Draw measures of a stored run, or of a scenario, which is run first");
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
-  verb.needs("what", options.what, "WHAT",
-             "A measure over time, such as cell.volume (scenarios/MEASURES.md), also of some cells, as 'shell_share "
-             "of AAA*'; contacts: areas between cells; divisions: directions of division axes");
+  verb.needs(
+      "what", options.what, "WHAT",
+      "A measure over time, such as cell.volume (scenarios/MEASURES.md), also of some cells, as 'shell_share "
+      "of AAA*', or 'distance cell ABa cell P2'; contacts: areas between cells; divisions: directions of division axes");
   addRunChoice(verb, options.run);
   verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
              "Time of the contacts that are drawn; default: the end");

@@ -98,6 +98,8 @@ MORULA_EXPORT(readScenario) int read() {
     const auto end = plannedEnd(read.scene);
     Json colours = Json::object();
     for (const auto& [substance, colour] : read.colours) colours[substance] = colour;
+    Json cellColours = Json::object();
+    for (const CellColour& one : read.cellColours) cellColours[one.text] = one.colour;
     const Json told{{"name", read.scene.name},
                     {"seed", read.scene.seed},
                     {"summary", read.summary},
@@ -108,6 +110,7 @@ MORULA_EXPORT(readScenario) int read() {
                     {"radius", read.scene.mechanics ? read.scene.mechanics->physics.cell.radius : 1},
                     {"shell", shellOf(read.scene)},
                     {"colours", colours},
+                    {"cellColours", cellColours},
                     {"cost", cost}};
     said = jsonText(told);
     scenario = std::move(read);
@@ -133,9 +136,10 @@ MORULA_EXPORT(snapshot) int snapshot() {
       entriesTold = entries.size();
       for (const LineageEntry& cell : entries) {
         const auto called = scenario->names.of(cell.path);
+        const CellColour* own = cellColourOf(*scenario, cell.path);
         told["lineage"].push_back({cell.path.text(), called.value_or(""), cell.born,
                                    cell.fate == Fate::alive ? world->clock.time : cell.ended, name(cell.fate),
-                                   world->biology->describe(cell.state)});
+                                   world->biology->describe(cell.state), own ? own->colour : ""});
       }
     }
     const auto measured = measureCells(now);

@@ -284,12 +284,13 @@ void checkMeasures(const SceneCheck& check) {
   const RecordParameters& record = check.scenario.record;
   std::set<Needs> asked;
   for (const std::string& name : record.measures) {
-    const AskedMeasure m = *findMeasure(name);
-    asked.insert(m.needs);
-    if (const std::string lacking = lackingFor(m.needs, check.scenario); !lacking.empty())
-      check.refuse("record.measures", m.name + " would find nothing to measure", "needs " + lacking);
+    for (const AskedMeasure& m : findMeasure(name)->terms()) {
+      asked.insert(m.needs);
+      if (const std::string lacking = lackingFor(m.needs, check.scenario); !lacking.empty())
+        check.refuse("record.measures", m.name + " would find nothing to measure", "needs " + lacking);
+    }
   }
-  const auto isDuration = [](const std::string& name) { return name.starts_with("contact_duration"); };
+  const auto isDuration = [](const std::string& name) { return name.find("contact_duration") != name.npos; };
   if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes && record.atCells.empty() &&
       check.scene().cells.empty())
     check.refuse("record.measures",

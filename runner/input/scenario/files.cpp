@@ -158,6 +158,7 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   }
   readReference(reference, scenario, reading);
   readRuleCells(scenario, reading);
+  readCellColours(scenario, reading);
   readRecordMeasures(scenario, reading);
   readExperiments(scenario, reading);
   readStopWhen(scenario, reading);

@@ -54,10 +54,7 @@ std::vector<Parameter> parameters() {
       dna(),
       startCells(),
       experiments(),
-      colourPerSubstance("colours",
-                         "Colours of substances; a cell mixes those of its substances. Longer patterns "
-                         "win",
-                         AT(colours)),
+      colours(),
 
       real("cycle.length", "time", positive, "Time between the cycles of a cell", AT(scene.cycle.length)),
       timePerSubstance("cycle.per-substance",

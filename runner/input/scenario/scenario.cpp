@@ -113,6 +113,17 @@ const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& s
   return found;
 }
 
+const CellColour* cellColourOf(const Scenario& scenario, const CellPath& cell) {
+  const auto rank = [](const CellSelection& cells) {  // the larger, the nearer to the cell
+    if (cells.kind == CellSelection::Kind::cell) return CellPath::maxDepth + 1;
+    return cells.kind == CellSelection::Kind::clone ? cells.path.depth() : -1;
+  };
+  const CellColour* found = nullptr;
+  for (const CellColour& one : scenario.cellColours)
+    if (one.cells.has(cell, "") && (!found || rank(one.cells) > rank(found->cells))) found = &one;
+  return found;
+}
+
 std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance) {
   const auto* entry = colourEntryOf(scenario, substance);
   return entry ? std::optional(entry->second) : std::nullopt;

@@ -49,6 +49,9 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
 /// Returns the entry of the scenario's `colours` for a substance: its own, or else the longest pattern that fits; null
 /// if there is none.
 const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario, const std::string& substance);
+/// Returns the colour of a cell itself, of the smallest clone or of the generation that it belongs to; null if the
+/// scenario has none for it.
+const CellColour* cellColourOf(const Scenario& scenario, const CellPath& cell);
 /// Returns the colour of `colourEntryOf`, if there is one.
 std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance);
 

@@ -76,10 +76,13 @@ NameOf CellNames::function() const {
 
 CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where) {
   const auto isPath = [](std::string_view t) { return t.find_first_not_of("AB") == t.npos; };
-  if (const auto found = names.find(text); !text.empty() && !found.empty()) return found.front();
-  if (text == "egg" || text == "/") return {};
-  const std::string_view path = text.starts_with('/') ? text.substr(1) : text;
-  if (!path.empty() && isPath(path) && path.size() <= CellPath::maxDepth) return CellPath::parse(path);
+  constexpr std::string_view cellWord = "cell ", pathWord = "path ";
+  const bool isNamed = text.starts_with(cellWord), saysPath = text.starts_with(pathWord) || text.starts_with('/');
+  if (isNamed) text.remove_prefix(cellWord.size());
+  if (const auto found = names.find(text); !text.empty() && !found.empty() && !saysPath) return found.front();
+  const std::string_view path = !saysPath ? text : text.substr(text.front() == '/' ? 1 : pathWord.size());
+  if (path == "egg" || text == "/") return {};
+  if (!isNamed && !path.empty() && isPath(path) && path.size() <= CellPath::maxDepth) return CellPath::parse(path);
   std::vector<std::string> known;
   for (const auto& [cell, name] : names.given) known.push_back(name);
   const std::string near = closest(text, known);

@@ -31,8 +31,8 @@ struct CellNames {
   NameOf function() const;
 };
 
-/// Returns the cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and
-/// "/" and "egg" are the egg. Otherwise throws InputError, which begins with `where` ("--cell"; may be empty) and
+/// Returns the cell that a text means: the one with this name, or else with this path. "cell AB" is always the name;
+/// "path AB" and "/AB" are always the path; "/" and "egg" are the egg. Otherwise throws InputError, which begins with `where` ("--cell"; may be empty) and
 /// suggests a name.
 CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where);
 

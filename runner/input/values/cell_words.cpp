@@ -1,13 +1,13 @@
 #include "values/cell_words.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <string_view>
+#include <vector>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "biology/substance_pattern.h"
+#include "files/text.h"
 
 namespace morula {
 namespace {
@@ -43,83 +43,55 @@ CellSelection byName(Kind kind, const std::string& name, const CellNames& names)
                                  : "did you mean " + near + "?"));
 }
 
-CellSelection byPath(std::string text) {
-  const bool clone = text.ends_with('*');
-  if (clone) text.pop_back();
-  if (text == "egg") text.clear();
-  if (text.size() > CellPath::maxDepth || text.find_first_not_of("AB") != text.npos)
-    throw InputError("'" + text + "' is no path; needs letters A and B, as path AAB, or path egg");
-  return {.kind = clone ? Kind::clone : Kind::cell, .path = CellPath::parse(text)};
+void requireSubstance(const std::string& text, const Dna& dna) {
+  if (isSubstance(dna, text)) return;
+  const std::string near = closest(text, dna.substances);
+  throw InputError("the DNA has no substance '" + text + "'; " +
+                   (near.empty() ? "name one that it produces" : "did you mean " + near + "?"));
 }
 
-CellSelection bySubstance(const std::string& text, const Dna& dna) {
-  if (!isSubstance(dna, text)) {
-    const std::string near = closest(text, dna.substances);
-    throw InputError("the DNA has no substance '" + text + "'; " +
-                     (near.empty() ? "name one that it produces" : "did you mean " + near + "?"));
-  }
-  return {.kind = Kind::substance, .substance = text};
+/// What a word alone may mean: a cell's name, a path, a substance.
+AskedCells meaningOf(const std::string& word, const AskedCells& asked, const CellNames& names, const Dna& dna) {
+  const auto named = pathNamed(names, word);
+  const bool isPath = asked.kind != Kind::substance;
+  const bool isOther = named && !(isPath && asked.kind == Kind::cell && *named == asked.path);
+  std::vector<std::string> meanings, remedies;
+  const auto add = [&](bool can, const std::string& meaning, const std::string& remedy) {
+    if (can) meanings.push_back(meaning), remedies.push_back("'" + remedy + " " + word + "'");
+  };
+  add(isOther, "the name of a cell (path " + (named && !named->isEgg() ? named->text() : "egg") + ")", "cell");
+  add(isPath, "a path", "path");
+  add(isSubstance(dna, word), "a substance", "substance");
+  if (meanings.size() > 1)
+    throw InputError("'" + word + "' is " + join(meanings, " and ") + "; write " + join(remedies, " or "));
+  if (named) return {{.kind = Kind::cell, .path = *named}};
+  if (!isPath && meanings.empty()) refuseWord(word, names, dna);
+  return asked;
 }
 
 }  // namespace
 
+AskedCells resolved(const AskedCells& asked, const CellNames& names, const Dna& dna) {
+  if (asked.isNamed()) return {byName(asked.kind, asked.name, names)};
+  if (asked.kind == Kind::generation || asked.kind == Kind::clones) return asked;
+  AskedCells found = asked;
+  if (!asked.isExplicit) found = meaningOf(asked.text(), asked, names, dna);
+  else if (asked.kind == Kind::substance) requireSubstance(asked.substance, dna);
+  found.isExplicit = found.kind == Kind::substance && parseSelection(found.substance).kind != Kind::substance;
+  return found;
+}
+
 CellSelection selectionOf(const std::string& text, const CellNames& names, const Dna& dna) {
-  const auto space = text.find(' ');
-  const std::string first = text.substr(0, space), rest = space == text.npos ? "" : text.substr(space + 1);
-  if (!rest.empty()) {
-    if (first == "cell") return byName(Kind::cell, rest, names);
-    if (first == "clone") return byName(Kind::clone, rest, names);
-    if (first == "path") return byPath(rest);
-    if (first == "substance") return bySubstance(rest, dna);
-    if (first == "generation") return parseSelection(text);
-    const std::string near =
-        closest(first, std::vector<std::string>{"cell", "clone", "path", "substance", "generation"});
-    throw InputError("'" + text + "' selects no cells; " +
-                     (near.empty() ? std::string("needs ") + cellsAllowed : "did you mean " + near + " " + rest + "?"));
-  }
-  const auto named = pathNamed(names, text);
-  const bool substance = isSubstance(dna, text);
-  if (named && substance)
-    throw InputError("'" + text + "' is the name of a cell (path " + (named->isEgg() ? "egg" : named->text()) +
-                     ") and a substance; write 'cell " + text + "', 'clone " + text + "' or 'substance " + text + "'");
-  if (named) return {.kind = Kind::cell, .path = *named};
-  if (substance) return {.kind = Kind::substance, .substance = text};
-  refuseWord(text, names, dna);
+  const AskedCells asked = parseSelection(text);
+  if (asked.kind == Kind::clones)
+    throw InputError("'clones' are several selections of cells; needs " + std::string(cellsAllowed));
+  return resolved(asked, names, dna);
 }
 
-std::string measureByPaths(const std::string& measure, const CellNames& names, const Dna& dna) {
-  constexpr std::string_view before = " of ";
-  const auto at = measure.find(before);
-  if (at == measure.npos) return measure;
-  const std::string head = measure.substr(0, at + before.size()), text = measure.substr(at + before.size());
-  const std::string first = text.substr(0, text.find(' '));
-  const std::array words{"cell", "clone", "path", "substance"};
-  if (first == text) {  // a word alone
-    const auto named = pathNamed(names, text);
-    const bool isPath = text.find_first_not_of("AB") == text.npos;
-    if (!named || (isPath && named->text() == text)) return measure;
-    if (isPath || isSubstance(dna, text))
-      throw InputError("'" + text + "' is the name of a cell (path " + (named->isEgg() ? "egg" : named->text()) +
-                       ") and " + (isPath ? "a path" : "a substance") + "; write 'cell " + text + "' or '" +
-                       (isPath ? "path " : "substance ") + text + "'");
-    return head + named->text();
-  }
-  if (std::ranges::find(words, first) == words.end()) return measure;
-  const CellSelection selection = selectionOf(text, names, dna);
-  if (selection.path.isEgg() && selection.kind == Kind::cell)
-    throw InputError("'" + text + "' is the egg, whose path has no letters; leave 'of " + text +
-                     "' out while she is the only cell");
-  return head + (selection.path.isEgg() && selection.kind == Kind::clone ? "*" : selection.text());
+AskedMeasure resolved(const AskedMeasure& measure, const CellNames& names, const Dna& dna) {
+  return withSelections(measure, [&](const AskedCells& asked) { return resolved(asked, names, dna); });
 }
 
-std::string selectionText(const CellSelection& selection) {
-  const std::string path = selection.path.isEgg() ? "egg" : selection.path.text();
-  switch (selection.kind) {
-    case Kind::cell: return "path " + path;
-    case Kind::clone: return "path " + path + "*";
-    case Kind::substance: return "substance " + selection.substance;
-    default: return selection.text();
-  }
-}
+std::string selectionText(const CellSelection& selection) { return AskedCells{selection, "", true}.text(); }
 
 }  // namespace morula

@@ -47,6 +47,14 @@ struct RuleCells {
   std::string path;  // "division.rules[2].of"
 };
 
+/// A colour of cells that are called by names or paths, which is read once cells have their names.
+struct WrittenColour {
+  std::string cells;  // "clone ABp"
+  std::string colour;
+  Place place;
+  std::string path;  // "colours.clone ABp"
+};
+
 /// The state of reading: all that values need and produce besides the Scenario.
 struct Reading {
   Problems& problems;
@@ -58,6 +66,7 @@ struct Reading {
   std::optional<std::pair<std::string, Place>> namesFile{};
   std::vector<Place> rules{};  // the places of `division.rules`
   std::vector<RuleCells> ruleCells{};
+  std::vector<WrittenColour> cellColours{};
   std::set<std::string> senses{};  // substances that `senses` names, whether or not their conditions could be read
   std::optional<ReferenceSource> reference{};
   std::vector<Node> measures{};         // the entries of `record.measures`, read once cells have their names
@@ -110,6 +119,9 @@ void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
 
 /// Finds the cells that division rules call by names (division_types.cpp).
 void readRuleCells(Scenario& scenario, Reading& reading);
+
+/// Reads the colours of cells that are called by names or paths.
+void readCellColours(Scenario& scenario, Reading& reading);
 
 /// Reads the entries of `record.measures` (record_types.cpp).
 void readRecordMeasures(Scenario& scenario, Reading& reading);

@@ -23,7 +23,7 @@ Json measuresSchema(const std::vector<AskedMeasure>& known) {
     std::ranges::replace(dashed, '_', '-');
     if (dashed != m.name) names.push_back(dashed);
   }
-  const Json ofSome{{"type", "string"}, {"pattern", "^[a-z][a-z._-]* of [^ ]+( [0-9]+)?$"}};
+  const Json ofSome{{"type", "string"}, {"pattern", "^([a-z][a-z._-]* of .+|distance .+ .+|.+ [/-] .+)$"}};
   const Json items{{"anyOf", Json::array({Json{{"enum", names}}, ofSome})}};
   return {{"type", "array"}, {"items", items}, {"minItems", 1}, {"uniqueItems", true}};
 }
@@ -68,7 +68,8 @@ Parameter recordMeasures() {
   p.allowed = "a list of measures on demand, as [sister_contact, shell_share of AAA*]";
   p.meaning =
       "Measures that each sample takes in addition, into table measure: those on demand of scenarios/MEASURES.md, "
-      "and measures of some cells, as in STUDIES.md (count of skin)";
+      "measures of some cells (count of skin), distances (distance cell ABa cell P2), ratios (a / b) and differences "
+      "(a - b)";
   p.absent = "none";
   p.later = true;
   p.schema = measuresSchema(onDemand());
@@ -76,8 +77,10 @@ Parameter recordMeasures() {
     if (!expectEntries(node, path, allowed, reading.problems)) return;
     reading.measures = node.items;
     for (const Node& item : node.items)
-      if (const auto m = findMeasure(item.text); m && m->of && m->of->kind == CellSelection::Kind::substance)
-        reading.measured.push_back(m->of->substance);
+      if (const auto m = findMeasure(item.text))
+        for (const AskedMeasure& term : m->terms())
+          for (const auto& cells : {term.of, term.to})
+            if (cells && cells->kind == CellSelection::Kind::substance) reading.measured.push_back(cells->substance);
   };
   p.write = [](const Scenario& s) { return s.record.measures.empty() ? Json() : Json(s.record.measures); };
   return p;
@@ -90,14 +93,16 @@ void readRecordMeasures(Scenario& scenario, Reading& reading) {
     const auto text = readText(item, path, "a measure's name", reading.problems);
     if (!text) continue;
     try {
-      const AskedMeasure m = readMeasure(measureByPaths(*text, scenario.names, scenario.scene.dna), IfSeveral::first);
+      const AskedMeasure m = resolved(readMeasure(*text, IfSeveral::first), scenario.names, scenario.scene.dna);
       if (!m.onDemand)
         reading.problems.add(item.place, path, "'" + *text + "' is part of every sample already", "remove it");
       else if (std::ranges::find(measures, m.name) != measures.end())
         reading.problems.add(item.place, path, "'" + *text + "' is given twice", "remove it");
       else measures.push_back(m.name);
-      if (m.of && m.of->kind == CellSelection::Kind::substance)
-        reading.substances.push_back({m.of->substance, item.place, path, m.of->substance.ends_with('*')});
+      for (const AskedMeasure& term : m.terms())
+        for (const auto& cells : {term.of, term.to})
+          if (cells && cells->kind == CellSelection::Kind::substance)
+            reading.substances.push_back({cells->substance, item.place, path, cells->substance.ends_with('*')});
     } catch (const InputError& error) { addReadError(item.place, path, error, reading.problems); }
   }
 }

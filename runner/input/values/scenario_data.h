@@ -68,6 +68,12 @@ struct CheckParameters {
   std::optional<Reference> reference;  // the reference of measures that compare the organism
 };
 
+/// The colour '#rrggbb' of a cell, a clone or a generation, and its text in the scenario: "clone ABp".
+struct CellColour {
+  CellSelection cells;
+  std::string text, colour;
+};
+
 /// A file that a scenario names.
 struct NamedFile {
   std::string role;  // "dna", "mesh", "shell", "cells", "names" or "reference"
@@ -82,6 +88,7 @@ struct Scenario {
   EggMesh mesh;
   /// Colours '#rrggbb', in lower case, by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
+  std::vector<CellColour> cellColours;   // colours of cells, before those of substances
   CellNames names;                       // names of cells, by path
   Units units;                           // units that people see
   std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names

@@ -71,6 +71,13 @@ class WhenReader {
           readNatural(node, {1, 1'000'000'000}, path_ + ".cells", "a whole number from 1 on", reading_.problems);
       entry_.count = static_cast<double>(count.value_or(1));
       if (const Member* of = node_.find("of")) addCells(of->value, "of");
+    } else if (entry_.event == StopEvent::rest) {
+      entry_.below =
+          readReal(node, positive, path_ + ".rest", numberAllowed(positive, "length/time"), reading_.problems);
+      const auto& mechanics = scenario_.scene.mechanics;
+      if (!mechanics) say(what.place, what.key, "needs cells with bodies", "add a physics block");
+      else if (mechanics->physics.integrator == Integrator::fire)
+        say(what.place, what.key, "holds after every event, because cells settle", "needs another condition");
     } else {
       readMeasureOf(what);
     }
@@ -80,13 +87,14 @@ class WhenReader {
     const auto text = readText(what.value, path_ + ".measure", "a measure", reading_.problems);
     if (!text) return;
     try {
-      const AskedMeasure asked = readMeasure(measureByPaths(*text, scenario_.names, scenario_.scene.dna));
+      const AskedMeasure asked = resolved(readMeasure(*text), scenario_.names, scenario_.scene.dna);
       entry_.measure = asked.name;
-      if (asked.needs == Needs::referenceContacts || asked.needs == Needs::referencePositions ||
-          asked.row == "contact_duration")
-        say(what.place, what.key, asked.name + " is known after a run alone", "needs another measure");
-      else if (const std::string lacking = lackingFor(asked.needs, scenario_); !lacking.empty())
-        say(what.place, what.key, asked.name + " would find nothing to measure", "needs " + lacking);
+      for (const AskedMeasure& term : asked.terms())
+        if (term.needs == Needs::referenceContacts || term.needs == Needs::referencePositions ||
+            term.row == "contact_duration")
+          say(what.place, what.key, term.name + " is known after a run alone", "needs another measure");
+        else if (const std::string lacking = lackingFor(term.needs, scenario_); !lacking.empty())
+          say(what.place, what.key, term.name + " would find nothing to measure", "needs " + lacking);
       const std::string unknown = unknownSubstance(asked, scenario_.scene.dna.substances);
       if (!unknown.empty()) addReadError(what.place, path_ + ".measure", InputError(unknown), reading_.problems);
     } catch (const InputError& error) { addReadError(what.place, path_ + ".measure", error, reading_.problems); }
@@ -123,6 +131,8 @@ Json writeWhen(const StopWhen& when) {
     map[key] = when.measure;
     if (when.above) map["above"] = *when.above;
     if (when.below) map["below"] = *when.below;
+  } else if (when.event == StopEvent::rest) {
+    map[key] = *when.below;
   } else {
     map[key] = when.event == StopEvent::born ? cells[0] : cells;
   }
@@ -142,6 +152,7 @@ Json whenSchema() {
             {"cells", {{"type", "integer"}, {"minimum", 1}, {"maximum", 1'000'000'000}}},
             {"of", text},
             {"measure", text},
+            {"rest", numberSchema(positive)},
             {"above", numberSchema({})},
             {"below", numberSchema({})},
             {"after", numberSchema({.low = 0})}}},
@@ -156,9 +167,8 @@ Parameter stopWhen() {
   p.path = "stop.when";
   p.allowed = std::string("a list of ") + whenForm;
   p.meaning = "As soon as one of these conditions holds, seen after cell cycles and each stop.every. ";
-  for (const auto& row : choices<StopEvent>)
-    p.meaning += std::string(row.name) + ": " + row.meaning + (row.value == StopEvent::measure ? "" : "; ");
-  p.meaning += ". after: a time before which a condition does not count";
+  for (const auto& row : choices<StopEvent>) p.meaning += std::string(row.name) + ": " + row.meaning + "; ";
+  p.meaning += "after: a time before which a condition does not count";
   p.absent = "no condition";
   p.later = true;
   p.schema = {{"type", "array"}, {"items", whenSchema()}, {"minItems", 1}};
@@ -199,6 +209,7 @@ std::string stopText(const StopWhen& when, const CellNames& names) {
   else if (when.event == StopEvent::measure)
     text += when.measure + (when.above ? ", above: " + exactText(*when.above) : "") +
             (when.below ? ", below: " + exactText(*when.below) : "");
+  else if (when.event == StopEvent::rest) text += exactText(*when.below);
   else if (when.event == StopEvent::born) text += called(when.of[0]);
   else text += "[" + called(when.of[0]) + ", " + called(when.of[1]) + "]";
   return "{" + text + "}";

@@ -44,7 +44,7 @@ Parameter text(std::string path, std::string meaning, Field<std::string> field);
 Parameter name(std::string path, std::string meaning, Field<std::string> field);
 Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field);
 Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map<std::string, double>> field);
-Parameter colourPerSubstance(std::string path, std::string meaning, Field<std::map<std::string, std::string>> field);
+Parameter colours();
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field);
 /// A list of texts; an empty list counts as not given.

@@ -107,10 +107,11 @@ class GltfWriter {
                                       {"type", "SCALAR"}});
   }
 
-  std::size_t materialOf(StateId state) {
-    const std::string& text = run_.results.stateTexts.at(state);
+  std::size_t materialOf(const CellPath& cell, StateId state) {
+    const std::string own = run_.own.contains(cell) ? "cell " + cell.text() : "";
+    const std::string& text = own.empty() ? run_.results.stateTexts.at(state) : own;
     if (const auto found = materials_.find(text); found != materials_.end()) return found->second;
-    const Colour c = run_.colours.at(state);  // glTF's factors are linear light
+    const Colour c = run_.colourOf(cell, state);  // glTF's factors are linear light
     document_["materials"].push_back({{"name", text},
                                       {"pbrMetallicRoughness",
                                        {{"baseColorFactor", {linearLight(c.r), linearLight(c.g), linearLight(c.b), 1}},
@@ -131,7 +132,7 @@ class GltfWriter {
     Json primitives = Json::array();
     primitives.push_back({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
                           {"indices", cornersOf(mesh)},
-                          {"material", materialOf(measures->state)}});
+                          {"material", materialOf(s.path, measures->state)}});
     document_["meshes"].push_back({{"name", name}, {"primitives", primitives}});
     document_["nodes"].push_back({{"name", name},
                                   {"mesh", document_["meshes"].size() - 1},
@@ -155,7 +156,7 @@ class GltfWriter {
   Json document_;
   std::string bytes_;
   std::map<int, std::size_t> corners_;            // accessor of each mesh
-  std::map<std::string, std::size_t> materials_;  // material of each text of substances
+  std::map<std::string, std::size_t> materials_;  // material of each text of substances, or of a cell
 };
 
 }  // namespace

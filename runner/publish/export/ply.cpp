@@ -13,7 +13,7 @@ std::string plyFile(const ExportedRun& run, const Sample& sample) {
   std::size_t faceCount = 0;
   for (const CellSurface& s : sample.surfaces) {
     const CellMeasures* measures = ExportedRun::measuresOf(sample, s.path);
-    const Colour colour = measures ? run.colours.at(measures->state) : neutralGrey;
+    const Colour colour = measures ? run.colourOf(s.path, measures->state) : neutralGrey;
     for (const Point& x : vertexPositions(s)) {
       putFloat(vertices, x.x), putFloat(vertices, x.y), putFloat(vertices, x.z);
       put8(vertices, colour.r), put8(vertices, colour.g), put8(vertices, colour.b);

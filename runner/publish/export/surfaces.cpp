@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "database/store_error.h"
+#include "drawing/palette.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
@@ -106,6 +107,11 @@ void simulateAgain(const Store& store, const StoredRun& run, const Scenario& sce
 
 }  // namespace
 
+Colour ExportedRun::colourOf(const CellPath& cell, StateId state) const {
+  const auto found = own.find(cell);
+  return found == own.end() ? colours.at(state) : found->second;
+}
+
 int ExportedRun::cellNumber(const CellPath& path) const {
   const auto found = std::ranges::lower_bound(results.lineage, path, {}, &LineageEntry::path);
   if (found == results.lineage.end() || found->path != path) return -1;
@@ -168,6 +174,8 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
   std::set<std::string> texts;
   for (const auto& [state, text] : out.results.stateTexts)
     out.colours[state] = palette.colourOf(text), texts.insert(text);
+  for (const LineageEntry& cell : out.results.lineage)
+    if (const CellColour* own = cellColourOf(scenario, cell.path)) out.own[cell.path] = parseColour(own->colour);
   out.states.assign(texts.begin(), texts.end());
   return out;
 }

@@ -30,10 +30,13 @@ struct SurfaceRequest {
 struct ExportedRun {
   StoredRun run;
   RunResults results;                 // lineage by path; samples as wanted
-  std::map<StateId, Colour> colours;  // the scenario's colours
+  std::map<StateId, Colour> colours;  // the scenario's colours of substances
+  std::map<CellPath, Colour> own;     // the scenario's colours of cells, for those that have one
   std::vector<std::string> states;    // the distinct texts of states, in their order
   std::set<std::string> givenNames;   // those in results.names
 
+  /// Returns the colour of a cell in a state.
+  Colour colourOf(const CellPath& cell, StateId state) const;
   /// Returns the index of a cell in results.lineage, or −1 if it never lived. O(log cells)
   int cellNumber(const CellPath& path) const;
   /// Returns a cell's name, or else its path, or "egg"; a path that is also another cell's name is preceded by '/'.

@@ -67,7 +67,7 @@ std::string cellData(const ExportedRun& run, const Sample& sample, Appended& dat
       array("Int32", "state", 1,
             each([&](std::string& b, const CellSurface& s) { put32(b, std::int32_t{run.stateNumber(stateOf(s))}); }));
   text += array("UInt8", "colour", 3, each([&](std::string& b, const CellSurface& s) {
-                  const Colour c = run.colours.at(stateOf(s));
+                  const Colour c = run.colourOf(s.path, stateOf(s));
                   put8(b, c.r), put8(b, c.g), put8(b, c.b);
                 }));
   for (const auto& measure : sampledMeasures<CellContext>())

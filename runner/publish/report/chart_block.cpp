@@ -100,7 +100,7 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
       charts.add(
           svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
       const std::string quoted = what.find(' ') == what.npos ? what : "'" + what + "'";
-      commands.push_back(commandFor(run, "chart", quoted + " -o " + what + ".svg"));
+      commands.push_back(commandFor(run, "chart", quoted));
     } catch (const InputError&) {  // the run has no data for this chart
     }
   };

@@ -53,6 +53,10 @@ class States {
     colours_.push_back(hex(palette_.colourOf(substances)));
     return entry->second;
   }
+  /// Returns the colour that the scenario gives this cell; "" if it gives none.
+  std::string ownColour(const LineageEntry& cell) {
+    return cellColourOf(*run_.scenario, cell.path) ? hex(palette_.colourOf(cell.path, run_.describe(cell.state))) : "";
+  }
   void addTo(Json& json) const {
     json["states"] = texts_, json["colours"] = colours_;
     json["legend"] = Json::array();
@@ -73,14 +77,16 @@ Json dataOf(const ExplorerRun& run) {
   Json json{
       {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
   States states(run);
-  Json cells = Json::array();
+  Json cells = Json::array(), own = Json::object();
   for (std::size_t i = 0; i < std::min(run.lineage->size(), maxTreeCells); ++i) {
     const LineageEntry& cell = (*run.lineage)[i];
     const auto called = run.scenario->names.of(cell.path);
     cells.push_back({cell.path.text(), called ? printableLine(*called) : "", cell.born,
                      cell.fate == Fate::alive ? run.end : cell.ended, name(cell.fate), states.number(cell.state)});
+    if (const std::string colour = states.ownColour(cell); !colour.empty()) own[cell.path.text()] = colour;
   }
   json["cells"] = std::move(cells);
+  json["cellColours"] = std::move(own);
   states.addTo(json);
   json["shell"] = shellOf(*run.scenario);
   json["radius"] = run.scenario->scene.mechanics ? run.scenario->scene.mechanics->physics.cell.radius : 1;

@@ -20,4 +20,8 @@ struct MeasuredThing {
 std::map<MeasuredThing, double> valuesIn(const Sample& sample, const AskedMeasure& measure,
                                          const std::map<StateId, std::string>& states);
 
+/// Returns the mean of valuesIn over cells or pairs; absent if there are none.
+std::optional<double> meanIn(const Sample& sample, const AskedMeasure& measure,
+                             const std::map<StateId, std::string>& states);
+
 }  // namespace morula

@@ -56,7 +56,7 @@ OrganismPicture spheresOf(const Golden& golden, const Scenario& scenario) {
     const auto& of = values[cell->path];
     if (!of.contains("volume") || !of.contains("x") || !of.contains("y") || !of.contains("z")) continue;
     const double radius = std::cbrt(of.at("volume") / measureVolume(ball.vertices, ball.faces));
-    CellShape shape{cell->path.text(), {}, palette.colourOf(cell->state.text)};
+    CellShape shape{cell->path.text(), {}, palette.colourOf(cell->path, cell->state.text)};
     for (const Point& p : ball.vertices)
       shape.vertices.push_back(Point{of.at("x"), of.at("y"), of.at("z")} + radius * p);
     picture.cells.push_back(std::move(shape));

@@ -24,6 +24,14 @@ constexpr int sequenceSize = 600;  // [pixel] smaller than the picture of the en
 
 }  // namespace
 
+Colour Palette::colourOf(const CellPath& cell, const std::string& substances) {
+  const CellColour* own = cellColourOf(scenario_, cell);
+  if (!own) return colourOf(substances);
+  const Colour colour = parseColour(own->colour);
+  used_.emplace(own->text, colour);
+  return colour;
+}
+
 Colour Palette::colourOf(const std::string& substances) {
   std::vector<Colour> colours;
   std::set<std::string> names;
@@ -95,7 +103,7 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
     Mesh mesh = cellMesh(world, world.cells.path[i]);
     if (mesh.faces == picture.faces) mesh.faces.clear();
     picture.cells.push_back({world.cells.path[i].text(), std::move(mesh.vertices),
-                             palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
+                             palette.colourOf(world.cells.path[i], world.biology->describe(world.cells.state[i])), 1,
                              std::move(mesh.faces)});
   }
   if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh) {
@@ -121,7 +129,8 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
     const bool lives = cell.fate == Fate::alive;
     alive += lives;
     picture.nodes.push_back({cell.path.text(), perTime * cell.born, perTime * (lives ? end : cell.ended), cell.fate,
-                             palette.colourOf(substances), scenario.names.of(cell.path).value_or(substances)});
+                             palette.colourOf(cell.path, substances),
+                             scenario.names.of(cell.path).value_or(substances)});
   }
   for (const ExperimentRecord& done : experiments) {
     if (done.to == DoneTo::all) picture.marks.push_back({std::nullopt, perTime * done.time});

@@ -17,12 +17,15 @@
 
 namespace morula {
 
-/// The colours of cells by their substances, as the scenario wants them.
+/// The colours of cells, as the scenario wants them.
 class Palette {
  public:
   explicit Palette(const Scenario& scenario) : scenario_(scenario) {}
 
-  /// Returns the mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
+  /// Returns the colour that the scenario gives the cell, or else the mixture of the colours of all its coloured
+  /// substances in "a0 a1 divide"; grey without any.
+  Colour colourOf(const CellPath& cell, const std::string& substances);
+  /// Returns the colour of a cell with these substances that has none of its own.
   Colour colourOf(const std::string& substances);
   /// Returns the colours used so far, with their names or patterns: "a + b" for a mixture.
   std::vector<LegendEntry> legend() const;

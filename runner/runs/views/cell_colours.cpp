@@ -9,6 +9,7 @@
 #include "observation/asked_measure.h"
 #include "pictures/pictures.h"
 #include "store/sample_values.h"
+#include "values/cell_words.h"
 
 namespace morula {
 namespace {
@@ -140,9 +141,7 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
   if (colouring.by != Colouring::By::measure) return values;
   Observation now(world);
   if (scenario.check.reference) now.reference = &*scenario.check.reference;
-  const AskedMeasure asked = *findMeasure(colouring.measure);
-  if (const auto unknown = unknownSubstance(asked, scenario.scene.dna.substances); !unknown.empty())
-    throw InputError(asked.name + ": " + unknown);
+  const AskedMeasure asked = resolved(*findMeasure(colouring.measure), scenario.names, scenario.scene.dna);
   if (asked.needs == Needs::bodies && !world.bodies) return values;
   Sample sample;
   std::map<StateId, std::string> states;

@@ -37,7 +37,8 @@ void setOpacities(OrganismPicture& picture, const World& world, const std::vecto
 std::vector<LegendEntry> legendOf(const OrganismPicture& picture, const World& world, const Scenario& scenario) {
   Palette palette(scenario);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    if (picture.cells[i].opacity > 0) palette.colourOf(world.biology->describe(world.cells.state[i]));
+    if (picture.cells[i].opacity > 0)
+      palette.colourOf(world.cells.path[i], world.biology->describe(world.cells.state[i]));
   return palette.legend();
 }
 

@@ -41,8 +41,11 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
   const std::string row = rowOf(measure);
-  for (const KnownWords& w : known)
-    if (row == w.measure) return {plain, w.more, w.less};
+  const auto asked = findMeasure(measure);
+  if (asked && asked->form == AskedMeasure::Form::distance) return {plain, "larger", "smaller"};
+  if (!asked || asked->parts.empty())
+    for (const KnownWords& w : known)
+      if (row == w.measure) return {plain, w.more, w.less};
   return {plain, "higher", "lower"};
 }
 
@@ -60,7 +63,8 @@ std::string titleOfMeasure(const std::string& measure, const Units& units) {
 
 std::size_t placeOfMeasure(const std::string& measure) {
   const auto& all = allMeasures();
-  const auto known = findMeasure(rowOf(measure));
+  const auto asked = findMeasure(measure);
+  const auto known = findMeasure(rowOf(asked && !asked->parts.empty() ? asked->parts[0].name : measure));
   return std::ranges::find(all, known ? known->name : "", &AskedMeasure::name) - all.begin();
 }
 

@@ -4,6 +4,7 @@
 #include "base/did_you_mean.h"
 #include "files/text.h"
 #include "observation/asked_measure.h"
+#include "study/conditions.h"
 #include "study/study_table.h"
 #include "values/value_types.h"
 
@@ -76,24 +77,9 @@ class ClaimReader {
     Levels levels(study_.axes.size());
     if (node.kind != Node::Kind::map)
       return scenario::refuse(node, path, "a map of axes and labels, as {division: longest}", problems_), levels;
-    std::vector<std::string> axes;
-    for (const StudyAxis& axis : study_.axes) axes.push_back(axis.name);
-    for (const auto& member : node.members) {
-      const auto axis = std::ranges::find(axes, member.key) - axes.begin();
-      if (std::size_t(axis) == axes.size()) {
-        problems_.add(member.place, path + "." + member.key, "the study has no axis of this name",
-                      nearOf(member.key, axes));
-        continue;
-      }
-      std::vector<std::string> labels;
-      for (const Level& level : study_.axes[std::size_t(axis)].levels) labels.push_back(level.label);
-      const auto text = scenario::readText(member.value, path + "." + member.key, "a label", problems_);
-      const auto level = std::size_t(std::ranges::find(labels, text.value_or("")) - labels.begin());
-      if (text && level == labels.size())
-        problems_.add(member.value.place, path + "." + member.key, "there is no label '" + *text + "'",
-                      nearOf(*text, labels));
-      else levels[std::size_t(axis)] = level;
-    }
+    for (const auto& member : node.members)
+      if (const auto axis = axisNamed(study_, member, path, problems_))
+        levels[*axis] = levelNamed(study_.axes[*axis], member.value, path + "." + member.key, problems_);
     return levels;
   }
 
@@ -103,6 +89,18 @@ class ClaimReader {
     for (std::size_t a = 0; a < levels.size(); ++a)
       if (!levels[a] && study_.axes[a].levels.size() > 1) open.push_back(study_.axes[a].name);
     return open;
+  }
+
+  /// Adds a problem if no condition with these levels is run.
+  void requireRun(const Levels& levels, const char* key) {
+    const auto fits = [&](const Condition& condition) {
+      for (std::size_t a = 0; a < levels.size(); ++a)
+        if (levels[a] && *levels[a] != condition.levels[a]) return false;
+      return true;
+    };
+    if (!study_.leftOut.empty() && std::ranges::none_of(conditionsOf(study_), fits))
+      problems_.add(node_.place, path_ + "." + key, "names a combination that leave-out leaves out",
+                    "needs one that is run");
   }
 
   void readMargin() {
@@ -124,6 +122,7 @@ class ClaimReader {
     if (const auto open = openAxes(claim_.a); !open.empty())
       problems_.add(node_.place, path_ + ".at", "does not select a single condition",
                     "needs a label of " + join(open, " and ") + ", too");
+    else requireRun(claim_.a, "at");
     if (const Node* node = needed("mean", "a number"))
       claim_.mean = scenario::readReal(*node, scenario::Range{}, path_ + ".mean", "a number", problems_).value_or(0);
     readMargin();
@@ -142,6 +141,7 @@ class ClaimReader {
     const std::size_t before = problems_.size();
     claim_.a = readLevels("a", *a), claim_.b = readLevels("b", *b);
     if (problems_.size() > before) return;
+    requireRun(claim_.a, "a"), requireRun(claim_.b, "b");
     std::size_t differing = 0, named = 0;
     for (std::size_t x = 0; x < claim_.a.size(); ++x)
       differing += claim_.a[x] != claim_.b[x], named += claim_.a[x].has_value() == claim_.b[x].has_value();

@@ -13,6 +13,7 @@
 #include "observation/asked_measure.h"
 #include "scenario/loading.h"
 #include "study/study_table.h"
+#include "values/cell_words.h"
 #include "values/measure_list.h"
 
 namespace morula::study {
@@ -92,15 +93,25 @@ std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
   return files;
 }
 
+bool leavesOut(const LeftOut& out, const std::vector<std::size_t>& levels) {
+  for (std::size_t axis = 0; axis < levels.size(); ++axis) {
+    const auto& named = out.levels[axis];
+    if (!named.empty() && std::ranges::find(named, levels[axis]) == named.end()) return false;
+  }
+  return true;
+}
+
 /// Replaces the scenario's measures and moments by the study's.
 void takeOver(Scenario& scenario, const Study& study) {
   scenario.record = {};
   if (study.when.moments == Moments::every) scenario.record.every = study.when.every;
   bool comparesContacts = false, comparesPositions = false;
   for (const std::string& name : study.measures) {
-    const AskedMeasure m = *findMeasure(name);
-    comparesContacts |= m.needs == Needs::referenceContacts;
-    comparesPositions |= m.needs == Needs::referencePositions;
+    const AskedMeasure m = resolved(*findMeasure(name), scenario.names, scenario.scene.dna);
+    for (const AskedMeasure& term : m.terms()) {
+      comparesContacts |= term.needs == Needs::referenceContacts;
+      comparesPositions |= term.needs == Needs::referencePositions;
+    }
     if (m.onDemand) scenario.record.measures.push_back(m.name);
   }
   auto reference = std::move(scenario.check.reference);
@@ -113,13 +124,17 @@ void takeOver(Scenario& scenario, const Study& study) {
 void checkMeasures(const Study& study, const Condition& condition, ConditionMistakes& mistakes) {
   for (std::size_t i = 0; i < study.measures.size(); ++i) {
     const auto place = [&] { return scenario::placeText(study.file, study.measurePlaces[i]) + ": measures: "; };
-    const AskedMeasure m = *findMeasure(study.measures[i]);
-    if (const auto unknown = unknownSubstance(m, condition.scenario.scene.dna.substances); !unknown.empty())
-      mistakes.add(condition.number, place() + m.name + ": " + unknown);
-    if (const std::string lacking = lackingFor(m.needs, condition.scenario); !lacking.empty())
-      mistakes.add(condition.number, place() + m.name + " would find nothing to measure; needs " + lacking);
-    if (m.row == "contact_duration" && study.when.moments != Moments::every)
-      mistakes.add(condition.number, place() + m.name + " counts from sample to sample; needs when: {every: T}");
+    const Scenario& scenario = condition.scenario;
+    const AskedMeasure asked = *findMeasure(study.measures[i]);
+    try {
+      resolved(asked, scenario.names, scenario.scene.dna);
+    } catch (const InputError& error) { mistakes.add(condition.number, place() + asked.name + ": " + error.what()); }
+    for (const AskedMeasure& m : asked.terms()) {
+      if (const std::string lacking = lackingFor(m.needs, scenario); !lacking.empty())
+        mistakes.add(condition.number, place() + m.name + " would find nothing to measure; needs " + lacking);
+      if (m.row == "contact_duration" && study.when.moments != Moments::every)
+        mistakes.add(condition.number, place() + m.name + " counts from sample to sample; needs when: {every: T}");
+    }
   }
 }
 
@@ -134,24 +149,36 @@ std::string conditionName(const Study& study, const std::vector<std::string>& la
 
 std::size_t countConditions(const Study& study) {
   std::size_t count = 1;
+  const std::size_t most = study.leftOut.empty() ? maxConditions : 100 * maxConditions;
   for (const StudyAxis& axis : study.axes)
-    count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), maxConditions + 1);
-  return count;
+    count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), most + 1);
+  if (count > most) return maxConditions + 1;
+  return study.leftOut.empty() ? count : conditionsOf(study, maxConditions + 1).size();
 }
 
-Condition conditionOf(const Study& study, std::size_t number) {
-  Condition condition;
-  condition.number = number;
-  condition.levels.resize(study.axes.size());
-  for (std::size_t axis = study.axes.size(); axis-- > 0;) {
-    const auto& levels = study.axes[axis].levels;
-    condition.levels[axis] = number % levels.size();
-    number /= levels.size();
-  }
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-    condition.labels.push_back(study.axes[axis].levels[condition.levels[axis]].label);
-  if (study.bases.size() > 1) condition.base = condition.levels[0];
-  return condition;
+std::vector<Condition> conditionsOf(const Study& study, std::size_t most) {
+  std::vector<Condition> conditions;
+  std::vector<std::size_t> levels(study.axes.size());
+  const auto isRun = [&] {
+    return std::ranges::none_of(study.leftOut, [&](const LeftOut& out) { return leavesOut(out, levels); });
+  };
+  const auto advance = [&] {
+    for (std::size_t axis = levels.size(); axis-- > 0;) {
+      if (++levels[axis] < study.axes[axis].levels.size()) return true;
+      levels[axis] = 0;
+    }
+    return false;
+  };
+  do {
+    if (!isRun()) continue;
+    Condition& condition = conditions.emplace_back();
+    condition.number = conditions.size() - 1;
+    condition.levels = levels;
+    for (std::size_t axis = 0; axis < levels.size(); ++axis)
+      condition.labels.push_back(study.axes[axis].levels[levels[axis]].label);
+    if (study.bases.size() > 1) condition.base = levels[0];
+  } while (conditions.size() < most && advance());
+  return conditions;
 }
 
 Scenario readConditionScenario(const Study& study, const Condition& condition, const std::string& bytes,
@@ -178,6 +205,7 @@ void finish(Condition& condition, const Study& study) {
   if (study.keep.pictures != PicturesKept::none) {
     hasher.field("colours");
     for (const auto& [substance, colour] : s.colours) hasher.add(substance).add(colour);
+    for (const CellColour& one : s.cellColours) hasher.add(one.text).add(one.colour);
   }
   condition.meaning = hasher.digest();
 }
@@ -185,10 +213,9 @@ void finish(Condition& condition, const Study& study) {
 std::vector<Condition> loadConditions(const Study& study, Problems& problems, std::vector<std::string>& warnings,
                                       const Execution& execution, std::size_t most) {
   const auto bases = readBases(study, problems);
-  std::vector<Condition> conditions;
+  std::vector<Condition> conditions = conditionsOf(study, most);
   ConditionMistakes mistakes;
-  for (std::size_t number = 0; number < std::min(countConditions(study), most); ++number) {
-    Condition& condition = conditions.emplace_back(conditionOf(study, number));
+  for (Condition& condition : conditions) {
     const BaseFile& base = bases[condition.base];
     if (!base.bytes) continue;
     try {
@@ -198,7 +225,7 @@ std::vector<Condition> loadConditions(const Study& study, Problems& problems, st
       makeScenarioWorld(condition.scenario, execution);  // throws for a time step above the stability limit
       for (const std::string& warning : condition.scenario.warnings)
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
-    } catch (const InputError& error) { mistakes.add(number, error.what()); }
+    } catch (const InputError& error) { mistakes.add(condition.number, error.what()); }
   }
   mistakes.tell(study, conditions, problems);
   return conditions;

@@ -6,6 +6,7 @@
 
 #include "simulation/simulation.h"
 #include "study/plan.h"
+#include "study/study_table.h"
 #include "yaml/problems.h"
 
 namespace morula::study {
@@ -13,7 +14,8 @@ namespace morula::study {
 /// Returns "division: longest, connections: none"; "the scenario as it is" without axes.
 std::string conditionName(const Study& study, const std::vector<std::string>& labels);
 
-/// Returns the number of combinations of levels; counting ends at one more than `maxConditions`.
+/// Returns the number of combinations of levels that are run; counting ends at one more than `maxConditions`. Of more
+/// than 100 times as many combinations none can be left out.
 std::size_t countConditions(const Study& study);
 
 /// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: content of `file`. Files that the
@@ -30,8 +32,9 @@ void finish(Condition& condition, const Study& study);
 std::vector<Condition> loadConditions(const Study& study, scenario::Problems& problems,
                                       std::vector<std::string>& warnings, const Execution& execution, std::size_t most);
 
-/// Returns the condition of this number, with labels, levels and base.
-Condition conditionOf(const Study& study, std::size_t number);
+/// Returns the conditions of all combinations that are run, or of the first `most`, with number, labels, levels and
+/// base. The levels of the last axis change fastest.
+std::vector<Condition> conditionsOf(const Study& study, std::size_t most = maxConditions);
 
 /// Makes tasks and replicates from the conditions.
 void addTasks(Plan& plan);

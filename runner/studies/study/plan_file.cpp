@@ -57,11 +57,12 @@ void listFields(T& limits, auto&& field) {
   field({"memory_per_run"}, memory);
 }
 
-/// `measurePlaces`, `allowOutside` and `claims` are known of a study file alone; `allowed` is read from its text.
+/// `measurePlaces`, `allowOutside` and `claims` are known of a study file alone; `allowed` and `leftOut` are read from
+/// its text.
 template <IsA<Study> T>
 void listFields(T& study, auto&& field) {
   auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, allowed, measurePlaces,
-         allowOutside, claims] = study;
+         allowOutside, leftOut, claims] = study;
   field({"file"}, file);
   field({"name"}, name);
   field({"summary"}, summary);
@@ -160,6 +161,7 @@ Study studyOf(const Json& json) {
     if (!findMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
   if (s.seeds.empty() || s.bases.empty()) throw FileError("there are no seeds or no scenarios");
   s.allowed = allowedIn(s.bytes);
+  addLeftOut(s);
   return s;
 }
 
@@ -172,9 +174,10 @@ Plan planOf(const Json& json) {
   Plan plan;
   plan.study = studyOf(json.at("study"));
   const Json &conditions = json.at("conditions"), &files = json.at("files");
-  if (conditions.size() != study::countConditions(plan.study)) throw FileError("the plan lacks conditions");
-  for (const Json& c : conditions) {
-    Condition& condition = plan.conditions.emplace_back(study::conditionOf(plan.study, plan.conditions.size()));
+  plan.conditions = study::conditionsOf(plan.study);
+  if (conditions.size() != plan.conditions.size()) throw FileError("the plan lacks conditions");
+  for (Condition& condition : plan.conditions) {
+    const Json& c = conditions[condition.number];
     const NamedFile base = fileOf(files, c.at("scenario"));
     std::vector<NamedFile> named;
     for (const Json& number : c.at("files")) named.push_back(fileOf(files, number));

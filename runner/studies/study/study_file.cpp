@@ -33,7 +33,9 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
   const std::size_t conditions = study::countConditions(study);
   const auto* vary = root.find("vary");
   const scenario::Place place = vary ? vary->place : root.place;
-  if (conditions > study::maxConditions)
+  if (conditions == 0)
+    problems.add(root.find("leave-out")->place, "leave-out", "leaves no combination to run", "leave out fewer");
+  else if (conditions > study::maxConditions)
     problems.add(place, "vary", "makes more than " + std::to_string(study::maxConditions) + " conditions",
                  "vary fewer axes at a time, or fewer levels");
   else if (conditions * study.seeds.size() > study::maxReplicates)
@@ -47,6 +49,7 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
 void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problems& problems) {
   constexpr std::size_t enough = 200;  // max conditions
   if (study.bases.empty()) return;
+  study.leftOut.clear();  // its axes may be gone
   std::erase_if(study.axes, [&](const StudyAxis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
   if (study.seeds.empty()) study.seeds = {1};
   std::vector<std::string> warnings;
@@ -72,6 +75,7 @@ Study readStudy(std::string bytes, const std::filesystem::path& file, bool allow
   refuseScenario(root, problems);
   study::readKeys(root, study, problems);
   addBaseAxis(study);
+  study::readLeftOut(root, study, problems);
   study::readClaims(root, study, problems);
   const auto clashing = study::checkAxes(study, problems);
   checkSize(study, root, problems);
@@ -91,6 +95,13 @@ AllowedRuns allowedIn(const std::string& bytes) {
       if (const auto* limits = root.find("limits"))
         if (const auto* value = limits->value.find(key.path.substr(7))) key.read(study, value->value, problems);
   return problems.empty() ? study.allowed : AllowedRuns{};
+}
+
+void addLeftOut(Study& study) {
+  Problems problems("");
+  const scenario::SourceText source(study.bytes, problems);
+  const Node root = readYaml(source, problems);
+  study::readLeftOut(root, study, problems);
 }
 
 bool isStudy(const std::filesystem::path& file) {

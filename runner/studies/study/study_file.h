@@ -26,6 +26,12 @@ struct StudyAxis {
   std::vector<Level> levels;  // one or more, in the order of the file
 };
 
+/// Combinations of levels that are not run: those with one of these levels in each axis that names some.
+struct LeftOut {
+  std::vector<std::vector<std::size_t>> levels;  // [axis]; empty: any level
+  scenario::Place place;
+};
+
 /// A scenario that the study varies.
 struct Base {
   std::string label;      // in the axis `base`, if there are several: given, or the file's name without ".yaml"
@@ -114,6 +120,7 @@ struct Study {
   AllowedRuns allowed;                         // decides nothing that is run
   std::vector<scenario::Place> measurePlaces;  // the places of the measures in the file
   bool allowOutside = false;                   // scenarios and their files may lie anywhere
+  std::vector<LeftOut> leftOut = {};           // from the file's text
   std::vector<Claim> claims = {};              // decide nothing that is run; only from a study file, not from a plan
 };
 
@@ -127,6 +134,9 @@ Study readStudy(std::string bytes, const std::filesystem::path& file, bool allow
 
 /// Returns how many failed and insane runs the text of a study file allows; none if it cannot be read.
 AllowedRuns allowedIn(const std::string& bytes);
+
+/// Fills `leftOut` from the text of the study, whose axes are known.
+void addLeftOut(Study& study);
 
 /// Returns true if the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or
 /// its name ends in .study.yaml.

@@ -194,6 +194,7 @@ const std::vector<Key>& keys() {
       summary(),
       baseKey(),
       varyKey(),
+      leaveOutKey(),
       seedsKey(),
       measuresKey(),
       section("keep", "Data that are stored of each run besides the values of the measures", "the defaults"),

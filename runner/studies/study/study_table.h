@@ -1,6 +1,7 @@
 #pragma once
 // One description of each key of a study file, for the reader, the schema for editors and the list for people.
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ Key baseKey();
 Key varyKey();
 Key seedsKey();
 Key measuresKey();
+Key leaveOutKey();
 Key checkKey();
 
 /// Adds the problem that a text is none of these names, and suggests one.
@@ -39,6 +41,16 @@ void refuseWord(const scenario::Node& node, const std::string& path, const std::
 
 /// Returns the schema of a map with these keys alone.
 Json objectSchema(Json properties, Json required);
+
+/// Returns the axis that a member of a map {AXIS: LABEL} names. Adds a problem if there is none.
+std::optional<std::size_t> axisNamed(const Study& study, const scenario::Member& member, const std::string& path,
+                                     scenario::Problems& problems);
+/// Returns the level that a label names. Adds a problem if there is none.
+std::optional<std::size_t> levelNamed(const StudyAxis& axis, const scenario::Node& label, const std::string& path,
+                                      scenario::Problems& problems);
+
+/// Fills the study's combinations that are left out from `leave-out`; its axes must have been read.
+void readLeftOut(const scenario::Node& root, Study& study, scenario::Problems& problems);
 
 /// Fills the study's claims from `check`; its axes and measures must have been read.
 void readClaims(const scenario::Node& root, Study& study, scenario::Problems& problems);

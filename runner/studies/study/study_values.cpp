@@ -188,9 +188,11 @@ Key measuresKey() {
       measuresAllowed,
       "Measures [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over living cells; of pairs, in "
       "the mean over pairs that touch. `of` after a measure selects cells: shell-share of AAA* (a path of daughters "
-      "from the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* for "
-      "all that begin so), elongation of generation 3; `count of skin` counts these cells; shell-share of clones "
-      "gives one measure for each clone, AA* to BB*; clone-radius of generation 3 takes the organism's clones at "
+      "from the egg on; with `*` all that descend from it), volume of cell ABp or of clone ABp (by name, with all that "
+      "descend from her), neighbours of skin (cells that hold a substance; s* for all that begin so), elongation of "
+      "generation 3; `count of skin` counts these cells; shell-share of clones gives one measure for each clone, AA* to "
+      "BB*; `distance cell ABa cell P2` is between centres; `a / b` and `a - b` are of two measures; clone-radius of "
+      "generation 3 takes the organism's clones at "
       "another depth. when: end, the default: measures of the last state; each-division: also of the first state, "
       "and after each step in which cells divided; {every: T}: also of the first state, and every T units of time. "
       "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",

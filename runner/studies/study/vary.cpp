@@ -181,14 +181,15 @@ Key varyKey() {
                                           {"log", {{"type", "boolean"}}}},
                                          {"key", "from", "to", "steps"});
   const Json axis{{"anyOf", Json::array({labels, range})}};
-  return {"vary",
-          varyAllowed,
-          "Axes of the design: each condition has one level of each axis, and all combinations are run. A level "
-          "sets any keys of a scenario, as --set does; null removes a part, {} leaves the scenario unchanged. An axis "
-          "of numbers: {key: physics.drag, from: 1, to: 16, steps: 5, log: true}",
-          "one condition: the scenario as it is",
-          {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
-          readVary};
+  return {
+      "vary",
+      varyAllowed,
+      "Axes of the design: each condition has one level of each axis, and all combinations are run that leave-out does not name. A level "
+      "sets any keys of a scenario, as --set does; null removes a part, {} leaves the scenario unchanged. An axis "
+      "of numbers: {key: physics.drag, from: 1, to: 16, steps: 5, log: true}",
+      "one condition: the scenario as it is",
+      {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
+      readVary};
 }
 
 std::set<std::string> checkAxes(const Study& study, Problems& problems) {

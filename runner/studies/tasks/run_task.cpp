@@ -14,6 +14,7 @@
 #include "store/sample_values.h"
 #include "system/clock.h"
 #include "system/usable_memory.h"
+#include "values/cell_words.h"
 
 namespace morula {
 namespace {
@@ -93,7 +94,7 @@ void compute(const Plan& plan, std::size_t task, const Scenario& scenario, const
              const TaskSettings& settings, TaskOutcome& outcome, std::string& notDrawn) {
   const Study& study = plan.study;
   const auto measure = [&](const std::vector<Sample>& samples, const std::map<StateId, std::string>& states) {
-    const auto values = valuesOf(samples, states, study.measures);
+    const auto values = valuesOf(samples, states, study.measures, scenario);
     outcome.values.insert(outcome.values.end(), values.begin(), values.end());
   };
   // Samples that are not kept are measured and dropped.
@@ -192,17 +193,12 @@ bool keepsPicture(const Plan& plan, std::size_t task) {
 }
 
 std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::map<StateId, std::string>& states,
-                                const std::vector<std::string>& measures) {
+                                const std::vector<std::string>& measures, const Scenario& scenario) {
   std::vector<ResultRow> rows;
   for (const std::string& name : measures) {
-    const std::optional<AskedMeasure> measure = findMeasure(name);
-    MORULA_CHECK(measure, "a study's measures are known");
-    for (const Sample& sample : samples) {
-      const auto values = valuesIn(sample, *measure, states);
-      double sum = 0;  // in the order of paths, so that the last bit is equal on every machine
-      for (const auto& [thing, value] : values) sum += value;
-      if (!values.empty()) rows.push_back({measure->name, sample.world.time, sum / static_cast<double>(values.size())});
-    }
+    const AskedMeasure measure = resolved(readMeasure(name), scenario.names, scenario.scene.dna);
+    for (const Sample& sample : samples)
+      if (const auto value = meanIn(sample, measure, states)) rows.push_back({name, sample.world.time, *value});
   }
   return rows;
 }

@@ -36,8 +36,8 @@ bool keepsPicture(const Plan& plan, std::size_t task);
 /// Returns the measures' values in each sample: a measure of the world as it is; of cells, the mean over living cells
 /// that have it; of pairs, the mean over pairs that touch; each limited to some cells if a measure says so. Values that
 /// could not be measured have no row. `states`: the substances of each state in the samples. `measures`: names that
-/// findMeasure knows.
+/// findMeasure knows; `scenario` says which cells they name.
 std::vector<ResultRow> valuesOf(const std::vector<Sample>& samples, const std::map<StateId, std::string>& states,
-                                const std::vector<std::string>& measures);
+                                const std::vector<std::string>& measures, const Scenario& scenario);
 
 }  // namespace morula

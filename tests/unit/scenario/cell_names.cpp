@@ -61,6 +61,10 @@ TEST_CASE("a cell is meant by her name, then by her path") {
   const auto meant = [&](const char* text) { return cellCalled(names, text, "--cell").text(); };
   CHECK(meant("AB") == "A");    // her name
   CHECK(meant("/AB") == "AB");  // always the path
+  CHECK(meant("path AB") == "AB");
+  CHECK(meant("cell AB") == "A");
+  CHECK(meant("path egg").empty());
+  CHECK_THROWS_AS(meant("cell BBA"), InputError);  // a path, and no name
   CHECK(meant("BBA") == "BBA");
   CHECK(meant("ABpa") == "ABA");
   CHECK(meant("P0").empty());

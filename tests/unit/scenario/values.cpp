@@ -182,3 +182,27 @@ TEST_CASE("colours: a name before patterns, a longer pattern before a shorter on
   s.colours.erase("*");
   CHECK(!colourOf(s, "P0"));
 }
+
+TEST_CASE("colours of cells: her own, else that of the smallest clone, else that of her generation") {
+  const std::string text = "morula: 1\nname: x\ndna: \"START: a0\\ng1(a1|a0)\"\nstop: {cells: 1}\n"
+                           "names: {daughters: [a, p], cells: {A: AB, B: P1}}\n"
+                           "colours: {a0: '#000001', 'cell ABa': '#000002', clone AB: '#000003', 'path ABB*': '#000004', "
+                           "generation 1: '#000005', substance a1: '#000006'}\n";
+  const Scenario s = read(text);
+  const auto colour = [&](const char* path) {
+    const CellColour* found = cellColourOf(s, CellPath::parse(path));
+    return found ? found->colour : "none";
+  };
+  CHECK(colour("AA") == "#000002");
+  CHECK(colour("AAB") == "#000003");
+  CHECK(colour("ABBA") == "#000004");  // of the smaller clone, which is ABp's daughter
+  CHECK(colour("A") == "#000003");     // a clone before a generation
+  CHECK(colour("B") == "#000005");
+  CHECK(colour("BA") == "none");
+  CHECK(s.colours == std::map<std::string, std::string>{{"a0", "#000001"}, {"a1", "#000006"}});
+  const Scenario again = read(s.resolved);
+  CHECK(again.cellColours.size() == s.cellColours.size());
+  CHECK(again.meaning == s.meaning);
+  CHECK_THAT(complaints(replaced(text, "clone AB:", "clone ABx:")), Catch::Contains("no cell is called 'ABx'"));
+  CHECK_THAT(complaints(replaced(text, "generation 1", "genration 1")), Catch::Contains("did you mean generation 1?"));
+}

@@ -97,3 +97,36 @@ TEST_CASE("A look follows a death and a cycle without a birth") {
   CHECK(world.stoppedBy);
   CHECK(world.clock.time < 1.1);  // not at the planned end, 5, though no look is due before 100
 }
+
+TEST_CASE("Cells rest at the first look at which every one is slow enough") {
+  Scene scene = scenes::withBodies("START: a0\ng1(divide|a0)\n", 8);
+  scene.mechanics->contact.emplace();
+  const double bound = 0.05, every = 0.125;
+  World plain = makeWorld(scene);
+  const auto isSlow = [&] {  // by vertices, one by one
+    bool slow = true;
+    const Bodies& bodies = *plain.bodies;
+    for (int i = 0; i < bodies.count; ++i) {
+      const int slot = bodies.slots[i];
+      double sum = 0;
+      for (int v = 0; v < bodies.vertexCount(slot); ++v) {
+        const Vector u = bodies.read(bodies.velocity, slot, v);
+        sum += u.x * u.x + u.y * u.y + u.z * u.z;
+      }
+      slow = slow && std::sqrt(sum / bodies.vertexCount(slot)) < bound;
+    }
+    return slow;
+  };
+  const StopWhen rest{.event = StopEvent::rest, .below = bound, .after = 1.5};
+  const World stopped = ranUntil(scene, rest, every);
+  REQUIRE(stopped.stoppedBy);
+  double first = NAN;
+  while (!finished(plain) && std::isnan(first)) {
+    const double before = plain.clock.time;
+    step(plain);
+    const bool looks = std::floor(before / every) != std::floor(plain.clock.time / every);
+    if (looks && plain.clock.time >= rest.after && isSlow()) first = plain.clock.time;
+  }
+  CHECK(stopped.clock.time == first);
+  CHECK(ranUntil(scene, {.event = StopEvent::rest, .below = 1e9}, every).clock.step > 0);  // not at the start
+}

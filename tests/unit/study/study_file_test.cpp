@@ -7,6 +7,7 @@
 #include "observation/asked_measure.h"
 #include "scenario/schema.h"
 #include "studies.h"
+#include "study/conditions.h"
 #include "study/study_schema.h"
 #include "study/study_table.h"
 #include "yaml/source_text.h"
@@ -259,4 +260,51 @@ TEST_CASE("An axis of numbers has levels from the first to the last, which are t
   refused("{key: seed, from: 1, to: 2, steps: 2}", "cannot be varied");
   refused("{key: physics.drag, from: 1, to: 2, steps: 2, step: 1}", "step");
   refused("{key: physics.drag, from: 1, to: 2, steps: 2, log: maybe}", "needs true or false");
+}
+
+TEST_CASE("Combinations that are left out have no condition, and numbers of the others follow each other") {
+  const std::string head =
+      "morula-study: 1\nname: balls\nbase: balls.yaml\nvary:\n"
+      "  drag: {low: {physics.drag: 1}, high: {physics.drag: 2}, max: {physics.drag: 3}}\n"
+      "  step: {auto: {}, short: {physics.time_step: 0.0009765625}}\n"
+      "seeds: 1\nmeasures: [world.volume]\n";
+  const auto names = [&](const std::string& out) {
+    const Study study = studyOf(head + "leave-out: " + out + "\n");
+    std::vector<std::string> found;
+    for (const Condition& condition : study::conditionsOf(study)) {
+      CHECK(condition.number == found.size());
+      found.push_back(condition.labels[0] + " " + condition.labels[1]);
+    }
+    CHECK(study::countConditions(study) == found.size());
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(names("[{drag: high, step: short}]") == Names{"low auto", "low short", "high auto", "max auto", "max short"});
+  CHECK(names("[{drag: [high, max], step: short}]") == Names{"low auto", "low short", "high auto", "max auto"});
+  CHECK(names("[{drag: high}, {step: auto}]") == Names{"low short", "max short"});
+  const auto refused = [&](const std::string& rest, const std::string& why) {
+    CHECK_THROWS_WITH(studyOf(head + rest + "\n"), Catch::Contains(why));
+  };
+  refused("leave-out: [{drga: high}]", "did you mean drag?");
+  refused("leave-out: [{drag: hihg}]", "did you mean high?");
+  refused("leave-out: [{}]", "is no combination");
+  refused("leave-out: [{drag: [low, high, max]}]", "leaves no combination to run");
+  refused("leave-out: [{drag: max}]\ncheck: [{measure: world.volume, at: {drag: max, step: auto}, mean: 1, within: 1}]",
+          "names a combination that leave-out leaves out");
+}
+
+TEST_CASE("A study that leaves combinations out is planned, and its plan is read again as it was") {
+  const TemporaryFolder folder;
+  const Plan plan = makePlan(studyIn(folder,
+                                     "morula-study: 1\nname: balls\nbase: balls.yaml\nvary:\n"
+                                     "  drag: {low: {physics.drag: 1}, high: {physics.drag: 2}}\n"
+                                     "  step: {auto: {}, short: {physics.time_step: 0.0009765625}}\n"
+                                     "leave-out: [{drag: low, step: short}]\n"
+                                     "seeds: 1..2\nmeasures: [world.volume]\n"),
+                             {.predict = false});
+  CHECK(plan.conditions.size() == 3);
+  CHECK(plan.replicates.size() == 6);
+  const Plan again = readPlan(writePlan(plan), "plan.json");
+  CHECK(again.id == plan.id);
+  CHECK(again.conditions[1].labels == std::vector<std::string>{"high", "auto"});
 }

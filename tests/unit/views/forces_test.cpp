@@ -236,6 +236,11 @@ TEST_CASE("a film shows in each picture what is in it, and keeps room for the re
   CHECK(palette.legend()[0].colour == mauve);
   palette.colourOf("a");
   CHECK(palette.legend().size() == 2);
+  s.cellColours = {{{.kind = CellSelection::Kind::clone, .path = CellPath::parse("A")}, "clone AB", "#00ff00"}};
+  CHECK(palette.colourOf(CellPath::parse("AB"), "a") == parseColour("#00ff00"));
+  CHECK(palette.colourOf(CellPath::parse("B"), "a") == parseColour("#ff0000"));
+  REQUIRE(palette.legend().size() == 3);
+  CHECK(palette.legend()[2].label == "clone AB");
 }
 
 }  // namespace morula

@@ -32,7 +32,7 @@ export class LiveRun extends Run {
         end: read.end ?? 0,
         states: [],
         colours: [],
-        legend: Object.entries(read.colours),
+        legend: Object.entries({ ...read.cellColours, ...read.colours }),
         measures: measures.cell,
         forces: [],
         netForces: [],
@@ -66,6 +66,7 @@ export class LiveRun extends Run {
   }
 
   add({ time, step, lineage, cells = [], contacts = [], vertices, meshes }: Snapshot): void {
+    for (const [path, , , , , , colour] of lineage ?? []) if (colour) this.cellColours[path] = colour;
     if (lineage)
       this.takeCells(
         lineage.map(([path, name, born, ended, fate, substances]) => [

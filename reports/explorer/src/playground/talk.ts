@@ -27,13 +27,14 @@ export interface Read {
   radius: number;
   shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   colours: Record<string, string>;
+  cellColours: Record<string, string>; // by the text of their cells: "clone ABp"
   cost: { cells: number; isMore: boolean; vertexSteps: number; steps: number; memory: number };
 }
 
 export interface Snapshot {
   time: number;
   step: number;
-  lineage?: [string, string, number, number, "alive" | "divided" | "died", string][];
+  lineage?: [string, string, number, number, "alive" | "divided" | "died", string, string][]; // substances, own colour or ""
   cells?: [number, string, (number | null)[], number][]; // number in the lineage, substances, measures, vertices
   contacts?: [number, number, number][];
   world?: (number | null)[];
