@@ -1,7 +1,6 @@
 // Claims on the results that must stay true: `check` of a study file.
 #include <algorithm>
 
-#include "base/did_you_mean.h"
 #include "files/text.h"
 #include "observation/asked_measure.h"
 #include "study/conditions.h"
@@ -21,11 +20,6 @@ const std::string claimAllowed =
     "{measure: NAME, a: {AXIS: LABEL}, b: {AXIS: LABEL}, says: lower} or {measure: NAME, at: {AXIS: LABEL}, mean: 1.2, "
     "within: 0.1}";
 const std::string marginAllowed = "a number above 0 as 0.01, or a share of the mean as 5%";
-
-std::string nearOf(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = closest(word, known);
-  return near.empty() ? "it has " + join(known) : "did you mean " + near + "?";
-}
 
 /// Reads one entry of `check`.
 class ClaimReader {

@@ -16,11 +16,6 @@ namespace {
 
 const std::string leaveOutAllowed = "a list of combinations, as [{division: random, drag: [8, 16]}]";
 
-std::string nearOf(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = closest(word, known);
-  return near.empty() ? "it has " + join(known) : "did you mean " + near + "?";
-}
-
 void readCombination(const Node& node, const std::string& path, Study& study, Problems& problems) {
   if (node.kind != Node::Kind::map || node.members.empty())
     return problems.add(node.place, path, "is no combination",
@@ -39,6 +34,11 @@ void readCombination(const Node& node, const std::string& path, Study& study, Pr
 }
 
 }  // namespace
+
+std::string nearOf(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = closest(word, known);
+  return near.empty() ? "it has " + join(known) : "did you mean " + near + "?";
+}
 
 std::optional<std::size_t> axisNamed(const Study& study, const Member& member, const std::string& path,
                                      Problems& problems) {

@@ -42,6 +42,9 @@ void refuseWord(const scenario::Node& node, const std::string& path, const std::
 /// Returns the schema of a map with these keys alone.
 Json objectSchema(Json properties, Json required);
 
+/// Returns the remedy for a word that is none of `known`: the nearest of them, or all.
+std::string nearOf(const std::string& word, const std::vector<std::string>& known);
+
 /// Returns the axis that a member of a map {AXIS: LABEL} names. Adds a problem if there is none.
 std::optional<std::size_t> axisNamed(const Study& study, const scenario::Member& member, const std::string& path,
                                      scenario::Problems& problems);
