@@ -7,6 +7,7 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "biology/substance_pattern.h"
+#include "biology/substances.h"
 #include "files/text.h"
 
 namespace morula {
@@ -61,7 +62,7 @@ AskedCells meaningOf(const std::string& word, const AskedCells& asked, const Cel
   };
   add(isOther, "the name of a cell (path " + (named && !named->isEgg() ? named->text() : "egg") + ")", "cell");
   add(isPath, "a path", "path");
-  add(isSubstance(dna, word), "a substance", "substance");
+  add(isSubstance(dna, word) && !isReserved(word), "a substance", "substance");
   if (meanings.size() > 1)
     throw InputError("'" + word + "' is " + join(meanings, " and ") + "; write " + join(remedies, " or "));
   if (named) return {{.kind = Kind::cell, .path = *named}};

@@ -140,7 +140,7 @@ int ExportedRun::stateNumber(StateId state) const {
 }
 
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request) {
-  ExportedRun out{run, {}, {}, {}, {}};
+  ExportedRun out{.run = run};
   const bool tree = request.wanted == Wanted::tree;
   out.results = tree ? store.lineage(run.id) : store.results(run.id);
   const Scenario scenario = storedScenario(store.file().string(), run.id);

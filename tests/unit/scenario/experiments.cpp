@@ -109,7 +109,7 @@ TEST_CASE("Conditions of stop.when are read with names, come back as text, and l
   refused("{every: 1}", "needs at least one of");
   refused("{time: 1, every: 1}", "has no effect without when");
   refused("{when: []}", "stop.when");
-  refused("{when: [{}]}", "says no condition; needs one of touch, part, born, cells or measure");
+  refused("{when: [{}]}", "says no condition; needs one of touch, part, born, cells, measure or rest");
   refused("{when: [{born: cell P0a, cells: 3}]}", "stands beside born");
   refused("{when: [{born: cell P0x}]}", "no cell is called 'P0x'");
   refused("{when: [{touch: [cell P0a, cell P0p]}]}", "needs cells that can touch; add 'contact: {}' to physics");

@@ -87,7 +87,7 @@ TEST_CASE("ratios, differences and distances are of the means of their cells, an
   const std::map<StateId, std::string> states{{0, "skin"}};
   const auto values = [&](const char* measure) { return valuesOf({sample}, states, {measure}, scenario); };
   CHECK(values("cell.volume of cell P1 / cell.volume of path AA").at(0).value == 3);
-  CHECK(values("cell.volume of P1 / cell.volume of A*").at(0).value == 2);
+  CHECK(values("cell.volume of P1 / cell.volume of path A*").at(0).value == 2);
   CHECK(values("cell.volume of clone P1 - cell.volume of path A*").at(0).value == 1.5);
   CHECK(values("world.volume / count of generation 2").at(0).value == 5);
   CHECK(values("distance path AA P1").at(0).value == 10);
