@@ -11,7 +11,7 @@ using namespace morula::test;
 
 namespace {
 
-const Words quick{"--no-pictures", "--no-check", "--quiet"};
+const Words withoutPictures{"--no-pictures", "--no-check", "--quiet"};
 
 }  // namespace
 
@@ -19,10 +19,10 @@ TEST_CASE("a run's own samples as a table of times lie at distance 0 of it, and 
   const TemporaryFolder folder;
   const std::string first = folder / "first.db", again = folder / "again.db";
   const Words scene{uniqueFour, "--set", "record.every=0.5"};
-  succeeds(joined(joined({"run"}, scene), joined(quick, {"--db", first})));
+  succeeds(joined(joined({"run"}, scene), joined(withoutPictures, {"--db", first})));
   succeeds({"export", first, "--format", "csv", "-o", folder / "tables"});
   const Words against{"--against", folder / "tables/cell_samples.csv", "--against-units", "scene", "--db", again};
-  const auto said = jsonOf(joined(joined({"run"}, scene), joined(quick, against)));
+  const auto said = jsonOf(joined(joined({"run"}, scene), joined(withoutPictures, against)));
   const auto& stages = said.at("against").at("stages");
   REQUIRE(stages.size() > 3);
   CHECK(said.at("against").at("remarks").empty());
@@ -31,8 +31,12 @@ TEST_CASE("a run's own samples as a table of times lie at distance 0 of it, and 
     CHECK(stage.at("time") == stage.at("of_time"));
     CHECK(stage.at("not_in_run").empty());
     CHECK(stage.at("not_in_table").empty());
-    if (stage.at("cells").get<int>() < 3) CHECK(stage.at("why") == "fewer than three cells are in both");
-    else ++compared, CHECK(stage.at("rmsd").get<double>() < 1e-12);
+    if (stage.at("cells").get<int>() < 3) {
+      CHECK(stage.at("why") == "fewer than three cells are in both");
+    } else {
+      ++compared;
+      CHECK(stage.at("rmsd").get<double>() < 1e-12);
+    }
   }
   CHECK(compared > 0);
   CHECK(integerIn(again, "SELECT count(*) FROM against_stage WHERE rmsd < 1e-12") == static_cast<int>(compared));
@@ -51,7 +55,7 @@ TEST_CASE("a stage of a number of cells is compared in its middle") {
   const TemporaryFolder folder;
   const std::string first = folder / "first.db";
   const Words scene{uniqueFour, "--set", "record.every=0.01"};
-  succeeds(joined(joined({"run"}, scene), joined(quick, {"--db", first})));
+  succeeds(joined(joined({"run"}, scene), joined(withoutPictures, {"--db", first})));
   const double middle = realIn(first, "SELECT 0.5 * (min(time) + max(time)) FROM sample WHERE cells = 4");
   std::string table = "cells,path,x,y,z\n";
   {
@@ -66,14 +70,15 @@ TEST_CASE("a stage of a number of cells is compared in its middle") {
                std::to_string(row.real(3)) + "\n";
   }
   writeWhole(folder / "table.csv", table);
-  const auto said = jsonOf(joined(
-      joined({"run"}, scene),
-      joined(quick, {"--against", folder / "table.csv", "--against-units", "scene", "--db", folder / "again.db"})));
+  const auto said = jsonOf(
+      joined(joined({"run"}, scene), joined(withoutPictures, {"--against", folder / "table.csv", "--against-units",
+                                                              "scene", "--db", folder / "again.db"})));
   const auto& stage = said.at("against").at("stages").at(0);
   const double length = realIn(first, "SELECT max(time) - min(time) FROM sample WHERE cells = 4");
   CHECK(std::abs(stage.at("time").get<double>() - middle) < 0.01 * length + 0.01);
   CHECK(stage.at("rmsd").get<double>() < 0.01);
-  const auto text = succeeds(
-      joined(joined({"run"}, scene), joined(quick, {"--against", folder / "table.csv", "--db", folder / "text.db"})));
+  const auto text =
+      succeeds(joined(joined({"run"}, scene),
+                      joined(withoutPictures, {"--against", folder / "table.csv", "--db", folder / "text.db"})));
   CHECK_THAT(text.out, ContainsSubstring("4 cells") && ContainsSubstring("F1"));
 }

@@ -1,19 +1,21 @@
 // The worm's embryo compared with tables of its real cells: the distances of check.reference, to the bit or to rounding.
+#include "check/against.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "catch.h"
-#include "check/against.h"
 #include "files/read_file.h"
 #include "observation/organism_measures.h"
+#include "simulation/simulation.h"
 
 using namespace morula;
 
 namespace {
 
-Scenario embryo(const std::string& reference = "real/15.txt") {
+Scenario wormWith(const std::string& reference = "real/15.txt") {
   return loadScenario(MORULA_SOURCE_DIR "/scenarios/worm/embryo.yaml",
                       {parseOverride("check.reference.file=" + reference)});
 }
@@ -29,9 +31,9 @@ struct RealStage {
 TEST_CASE("stages of 4, 8, 12 and 15 cells lie as far from tables as from check.reference") {
   std::vector<RealStage> stages;
   for (const auto& [cells, middle] : {std::pair(4, 7.6), std::pair(8, 12.0), std::pair(12, 13.8), std::pair(15, 16.7)})
-    stages.push_back({cells, middle, *embryo(fmt::format("real/{}.txt", cells)).check.reference});
-  const Scenario scenario = embryo();
-  // The same places at the same times, in micrometres and minutes.
+    stages.push_back({cells, middle, *wormWith(fmt::format("real/{}.txt", cells)).check.reference});
+  const Scenario scenario = wormWith();
+  // The table holds these places and times, in micrometres and minutes.
   std::string table = "time,name,x,y,z\n";
   const Units& u = scenario.units;
   for (const RealStage& stage : stages)
@@ -40,7 +42,7 @@ TEST_CASE("stages of 4, 8, 12 and 15 cells lie as far from tables as from check.
                            p.x * u.perLength, p.y * u.perLength, p.z * u.perLength);
   const auto byTime = tracks::readMeasured(table, "real.csv", scenario.names, u, {});
   REQUIRE(byTime.stages.size() == stages.size());
-  // The mean places from which real/N.txt was written: posterior, ventral and the third axis, in micrometres, rounded.
+  // positions.csv holds the mean places from which real/N.txt was written: posterior, ventral and a third axis [µm].
   const std::string shared = MORULA_SOURCE_DIR "/../shared/celegans/positions.csv";
   const bool isThere = std::filesystem::exists(shared);
   if (!isThere) WARN("skipped: ../shared/celegans is not here");
@@ -71,7 +73,7 @@ TEST_CASE("stages of 4, 8, 12 and 15 cells lie as far from tables as from check.
     CHECK(found[i].rmsd.value() == Approx(expected[i].distance).epsilon(1e-12));
     CHECK(found[i].scale.value() == Approx(expected[i].scale).epsilon(1e-12));
   }
-  // By numbers of cells: places to 0.001 radii, an egg of 17.02 instead of 17.05 µm, and the middle of the run's stage.
+  // The bound allows for places to 0.001 radii, an egg of 17.02 instead of 17.05 µm, and the middle of the run's stage.
   for (const AgainstStage& stage : foundByNumber)
     for (std::size_t i = 0; i < stages.size(); ++i)
       if (stage.ofCells == static_cast<std::uint64_t>(stages[i].cells)) {

@@ -160,6 +160,7 @@ class TableReader {
                      "there is " + inQuotes(field(column_[stage])) + ", a number of cells, and " +
                          inQuotes(field(column_[time])) + ", a time",
                      "remove one of the two: it says when the rows are compared");
+    if (column_[time] < 0) require(stage, "cells or time, which says when the rows are compared");
     table_.arePaths = column_[path] >= 0;
     if (column_[path] < 0) column_[path] = column_[name] >= 0 ? column_[name] : column_[cell];
     require(path, "name, cell or path");
@@ -169,9 +170,8 @@ class TableReader {
   }
 
   bool requireColumns() {
-    if (options_.mayBeStages && (column_[stage] >= 0 || (column_[time] >= 0 && column_[parent] < 0)))
-      return requireStages();
     const bool hasTimes = column_[birth] >= 0 || column_[end] >= 0;
+    if (options_.mayBeStages && (column_[stage] >= 0 || (column_[parent] < 0 && !hasTimes))) return requireStages();
     if (column_[time] >= 0 && hasTimes)
       text_.complain({},
                      "there is " + inQuotes(field(column_[time])) + " as in a table with a row per frame, and " +

@@ -26,7 +26,7 @@ double factorOf(const std::string& given, const std::string& scene, const char* 
     throw InputError(rule + ", and the scenario's `units` give no " + what +
                      "; add them to the scenario, or say that the table has the scene's own, as --against-units scene");
   throw InputError(rule + ", and the scenario's `units` are in " + inQuotes(scene) +
-                   "; give the table's in these, with a factor if needed, as 0.001" + scene);
+                   "; give the table's in these, with a factor if needed, as 0.5" + scene);
 }
 
 Factors factorsOf(const std::optional<Units>& given, const Units& scene) {
@@ -63,7 +63,7 @@ class MeasuredReader {
   /// Returns the cell, or nothing for one that the scenario does not know.
   std::optional<CellPath> cellOf(const std::string& text, bool isPath) {
     try {
-      return cellCalled(names_, isPath ? "/" + text : text, "");
+      return cellCalled(names_, isPath && text != "egg" ? "/" + text : text, "");
     } catch (const InputError&) { unknown_.insert(inQuotes(text)); }
     return {};
   }

@@ -12,9 +12,9 @@
 
 namespace morula {
 
-/// Observes the places of cells at the stages of a table. A stage at a time is compared with the first state at or after
-/// it, as a sample is; where cells settle, with the state that holds at that time. A stage of n cells is compared with
-/// the middle of the longest time in which exactly n cells live, to a hundredth of this time.
+/// Observes the places of cells at the stages of a table. A stage at a time is compared with the first state at or
+/// after this time, as samples are taken; where cells settle, with the state that holds then. A stage of n cells is
+/// compared with the middle of the longest time in which exactly n cells live, to a hundredth of that.
 class Against final : public Observer {
  public:
   /// `measured` must outlive the observer.

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "check/against.h"
 #include "check/remarks.h"
@@ -27,9 +29,10 @@ std::string stageWords(const AgainstStage& stage, const Units& units) {
 
 Table againstTable(const std::vector<AgainstStage>& stages, const Scenario& scenario, std::size_t most) {
   const ShownUnit length = shownUnit(scenario.units, "length");
-  Table table{"Measured places",
-              {"Stage", timeLabel(scenario.units), "Compared", length.after("Distance"), "Contacts (F1)",
-               length.after("Cells, the farthest first"), "Not compared"}};
+  const bool hasContacts = std::ranges::any_of(stages, [](const AgainstStage& s) { return s.contactF1.has_value(); });
+  Table table{"Measured places", {"Stage", timeLabel(scenario.units), "Compared", length.after("Distance")}};
+  if (hasContacts) table.columns.push_back("Contacts (F1)");
+  table.columns.insert(table.columns.end(), {length.after("Farthest cells"), "Not compared"});
   for (const AgainstStage& stage : stages) {
     if (table.rows.size() == most) break;
     std::vector<std::string> far, left;
@@ -43,8 +46,9 @@ Table againstTable(const std::vector<AgainstStage>& stages, const Scenario& scen
       left.push_back("not in the run: " + listed(there));
     const auto scaled = [](std::optional<double> a, double factor) { return a ? std::optional(*a * factor) : a; };
     table.rows.push_back({stageWords(stage, scenario.units), number(scaled(stage.time, scenario.units.perTime)),
-                          number(static_cast<double>(stage.compared)), number(scaled(stage.rmsd, length.factor), 3),
-                          number(stage.contactF1, 3), listed(far, 4), join(left, "; ")});
+                          stage.compared, number(scaled(stage.rmsd, length.factor), 3)});
+    if (hasContacts) table.rows.back().push_back(number(stage.contactF1, 3));
+    table.rows.back().insert(table.rows.back().end(), {listed(far, 4), join(left, "; ")});
   }
   return table;
 }
@@ -54,14 +58,14 @@ std::vector<std::string> againstRemarks(const std::vector<AgainstStage>& stages,
   std::string firstScale, firstShapes;
   for (const AgainstStage& stage : stages) {
     if (!stage.rmsd) continue;
-    if (isOtherScale(*stage.scale)) {
-      if (scaled.empty()) firstScale = numberText(*stage.scale, 3);
-      scaled.push_back(stageWords(stage, units));
-    }
+    // Shapes that do not fit have no scale.
     if (stage.mirroredShapeRmsd && fitsMirrored(stage.compared, *stage.shapeRmsd, *stage.mirroredShapeRmsd)) {
       if (mirrored.empty())
         firstShapes = fmt::format("{:.2g} instead of {:.2g} of the extent", *stage.mirroredShapeRmsd, *stage.shapeRmsd);
       mirrored.push_back(stageWords(stage, units));
+    } else if (isOtherScale(*stage.scale)) {
+      if (scaled.empty()) firstScale = numberText(*stage.scale, 3);
+      scaled.push_back(stageWords(stage, units));
     }
   }
   std::vector<std::string> sentences;
