@@ -1,4 +1,4 @@
-// The worm's embryo compared with tables of its real cells: the distances of check.reference, to the bit or to rounding.
+// The worm's embryo compared with tables of its real cells: the distances are those of check.reference.
 #include "check/against.h"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ TEST_CASE("stages of 4, 8, 12 and 15 cells lie as far from tables as from check.
     CHECK(found[i].rmsd.value() == Approx(expected[i].distance).epsilon(1e-12));
     CHECK(found[i].scale.value() == Approx(expected[i].scale).epsilon(1e-12));
   }
-  // The bound allows for places to 0.001 radii, an egg of 17.02 instead of 17.05 µm, and the middle of the run's stage.
+  // The bound allows for places to 0.001 radii, an egg of 17.02 instead of 17.05 µm, and another middle of the stage.
   for (const AgainstStage& stage : foundByNumber)
     for (std::size_t i = 0; i < stages.size(); ++i)
       if (stage.ofCells == static_cast<std::uint64_t>(stages[i].cells)) {

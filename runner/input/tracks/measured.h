@@ -30,8 +30,8 @@ struct MeasuredOptions {
 };
 
 /// Reads a table, named `file` in messages: rows by cell and stage, or tracks, whose stages are those of which
-/// `init --from` writes references. `scene`: the scenario's units. Throws InputError with all mistakes of the table, each
-/// with its place, and for units of the table that are not the scenario's.
+/// `init --from` writes references. `scene`: the scenario's units. Throws InputError with all mistakes of the table,
+/// each with its place, and for units of the table that are not the scenario's.
 MeasuredCells readMeasured(std::string_view text, const std::string& file, const CellNames& names, const Units& scene,
                            const MeasuredOptions& options);
 

@@ -6,6 +6,7 @@
 
 #include "connections/connections.h"
 #include "database/record_table.h"
+#include "store/against_tables.h"
 #include "store/records.h"
 #include "store/seal.h"
 
@@ -17,10 +18,6 @@ inline constexpr auto choices<Fate> =
 template <>
 inline constexpr auto choices<Scope> =
     std::to_array<Choice<Scope>>({{Scope::world, "world", ""}, {Scope::cell, "cell", ""}, {Scope::pair, "pair", ""}});
-
-template <>
-inline constexpr auto choices<FoundIn> = std::to_array<Choice<FoundIn>>(
-    {{FoundIn::both, "both", ""}, {FoundIn::run, "run", ""}, {FoundIn::table, "table", ""}});
 
 /// Texts that decided runs, each stored once however many runs share it.
 struct StoredText {
@@ -334,47 +331,6 @@ inline constexpr TableInfo tableInfo<CheckResult> = {.name = "check_result",
                                                      .key = "run_id, number",
                                                      .csv = "checks",
                                                      .why = "where the run was checked: what each check found"};
-
-template <>
-inline constexpr TableInfo tableInfo<AgainstStage> = {
-    .name = "against_stage",
-    .part = TablePart::against,
-    .context = "run_id number",
-    .key = "run_id, number",
-    .csv = "against_stages",
-    .why = "with run --against: how far the cells lie from measured places, at each stage of the table"};
-template <IsA<AgainstStage> T>
-void listFields(T& stage, auto&& field) {
-  auto& [ofCells, ofTime, time, cells, compared, rmsd, shapeRmsd, scale, mirroredShapeRmsd, contactF1, why, byCell] =
-      stage;
-  field({"of_cells", "the table's stage as a number of cells; NULL if it is a time"}, ofCells);
-  field({"of_time", "the table's stage as a time; NULL if it is a number of cells", "time"}, ofTime);
-  field({"time", "of the run's state; NULL if the run had no such stage", "time"}, time);
-  field({"cells", "alive then"}, cells);
-  field({"compared", "of which the table has places"}, compared);
-  field({"rmsd", "root mean square distance, turned and moved, never mirrored", "length"}, rmsd);
-  field({"shape_rmsd", "with the best scale, over the extent"}, shapeRmsd);
-  field({"scale", "the best"}, scale);
-  field({"mirrored_shape_rmsd", "of the cells' mirror image"}, mirroredShapeRmsd);
-  field({"contact_f1", "NULL if the table lists no contacts"}, contactF1);
-  field({"why", "nothing was compared; '' if something was"}, why);
-}
-
-template <>
-inline constexpr TableInfo tableInfo<AgainstCell> = {.name = "against_cell",
-                                                     .part = TablePart::against,
-                                                     .context = "run_id",
-                                                     .key = "run_id, stage, path",
-                                                     .csv = "against_cells",
-                                                     .why = "with `against_stage`: the distance of each cell"};
-template <IsA<AgainstCell> T>
-void listFields(T& cell, auto&& field) {
-  auto& [stage, path, in, distance] = cell;
-  field({"stage", "the number of its row in against_stage"}, stage);
-  field({"path"}, path);
-  field({"found_in"}, in);
-  field({"distance", "NULL unless the cell was compared", "length"}, distance);
-}
 
 struct BulletSampleRow {
   CellMeasures cell;

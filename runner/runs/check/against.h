@@ -54,7 +54,7 @@ class Against final : public Observer {
 
 /// Returns a stage in words: "8 cells", "48 min".
 std::string stageWords(const AgainstStage& stage, const Units& units);
-/// Returns the comparison for people, with at most `most` stages.
+/// Returns the comparison for people, with `most` stages, and the number of further ones.
 Table againstTable(const std::vector<AgainstStage>& stages, const Scenario& scenario, std::size_t most = 40);
 /// Returns sentences on places in another unit than the scene, or in a frame that mirrors.
 std::vector<std::string> againstRemarks(const std::vector<AgainstStage>& stages, const Units& units);

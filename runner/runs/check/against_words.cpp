@@ -34,7 +34,10 @@ Table againstTable(const std::vector<AgainstStage>& stages, const Scenario& scen
   if (hasContacts) table.columns.push_back("Contacts (F1)");
   table.columns.insert(table.columns.end(), {length.after("Farthest cells"), "Not compared"});
   for (const AgainstStage& stage : stages) {
-    if (table.rows.size() == most) break;
+    if (table.rows.size() == most && stages.size() > most + 1) {
+      table.rows.emplace_back(table.columns.size(), Cell())[0] = counted(stages.size() - most, "further stage");
+      break;
+    }
     std::vector<std::string> far, left;
     for (const AgainstCell& cell : stage.byCell)
       if (cell.distance)

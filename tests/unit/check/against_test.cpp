@@ -146,6 +146,15 @@ TEST_CASE("cells that only the table or only the run has are told by name") {
   CHECK_THAT(text, ContainsSubstring("not in the run: AA") && ContainsSubstring("not in the table: ABB, BAA"));
 }
 
+TEST_CASE("a long table is cut for people, who are told so") {
+  std::string text = "time,path,x,y,z\n";
+  for (int i = 0; i < 10; ++i) text += fmt::format("0.{0},AAA,0,0,0\n0.{0},AAB,5,0,0\n0.{0},ABA,0,7,0\n", i);
+  const auto stages = compared(text);
+  CHECK_THAT(textOf(againstTable(stages, balls(), 4)),
+             ContainsSubstring("6 further stages") && ContainsSubstring("time 0.3") && !ContainsSubstring("time 0.4"));
+  CHECK_THAT(textOf(againstTable(stages, balls())), ContainsSubstring("time 0.9") && !ContainsSubstring("further"));
+}
+
 TEST_CASE("columns are found by the headers that are given") {
   const std::string text = "n,who,px,py,pz,x\n8,Anna,0,0,0,9\n8,AAB,5,0,0,9\n8,ABA,0,7,0,9\n";
   const auto stages =
