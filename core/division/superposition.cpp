@@ -44,12 +44,14 @@ std::optional<Superposition> superpose(std::span<const Point> points, std::span<
     along += vector(others[i], otherCentre).dot(rotation * vector(points[i], centre));
   const double scale = along / size;
   double left = 0, leftOfScaled = 0;
+  std::vector<double> distances;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d a = rotation * vector(points[i], centre), b = vector(others[i], otherCentre);
     left += (b - a).squaredNorm(), leftOfScaled += (b - scale * a).squaredNorm();
+    distances.push_back((b - a).norm());
   }
   const double count = static_cast<double>(points.size());
-  return Superposition{std::sqrt(left / count), std::sqrt(leftOfScaled / otherSize), scale};
+  return Superposition{std::sqrt(left / count), std::sqrt(leftOfScaled / otherSize), scale, std::move(distances)};
 }
 
 }  // namespace morula

@@ -2,6 +2,7 @@
 // The distance of two sets of points when one has been laid upon the other as well as can be.
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/vec3.h"
 
@@ -11,6 +12,7 @@ struct Superposition {
   double distance;  // [length] root mean square distance of the points from the others, turned and moved, not scaled
   double shape;     // [1] this distance with scaled points, over the root mean square radius of the others
   double scale;     // [1] factor of this scaling
+  std::vector<double> distances;  // [length] of each point from its other, turned and moved, not scaled
 };
 
 /// Turns and moves `points` so that the sum of their squared distances from `others` is least [Kabsch 1976], by the

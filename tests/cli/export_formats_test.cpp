@@ -67,9 +67,10 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
   CHECK(stored.exported("gltf", "series-of-one", {"--time", "1"}).code == 0);
   CHECK(stored.files("series-of-one") == Words{"0000.glb", "cells.csv", "states.csv", "times.csv"});
   CHECK(stored.exported("csv", "tables").code == 0);
-  CHECK(stored.files("tables") == Words{"cell_samples.csv", "cells.csv", "checks.csv", "connections.csv",
-                                        "contacts.csv", "divisions.csv", "experiments.csv", "runs.csv", "samples.csv",
-                                        "settlings.csv", "time_steps.csv"});
+  CHECK(stored.files("tables") == Words{"against_cells.csv", "against_stages.csv", "cell_samples.csv", "cells.csv",
+                                        "checks.csv", "connections.csv", "contacts.csv", "divisions.csv",
+                                        "experiments.csv", "runs.csv", "samples.csv", "settlings.csv",
+                                        "time_steps.csv"});
   const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
   CHECK(json["format"] == "newick");
   CHECK(json["runs"][0]["run_id"] == stored.id);
@@ -162,7 +163,8 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
 TEST_CASE("what is asked for in a wrong way") {  // of requests that need surfaces; others: bad_commands
   const StoredRun stored(bodies + "record: {meshes: 1}\n");
   refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
-  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2, "--time: 9 is after the end of run " + stored.id + "; needs at most 2.25");
+  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2,
+          "--time: 9 is after the end of run " + stored.id + "; needs at most 2.25");
   refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times");
   refuses(stored.exported("csv", "x.csv"), 2, "holds one table; name it with --table");
   refuses(stored.exported("csv", "x", {"--table", "cell"}), 2, "there is no table 'cell'; did you mean cells?");

@@ -1,6 +1,5 @@
 // morula init: a scenario, a DNA or a study to begin with.
 #include <filesystem>
-#include <tuple>
 
 #include "base/error.h"
 #include "biology/full_tree.h"
@@ -48,8 +47,6 @@ std::string readDnaKind(const std::string& text) {
   return text;
 }
 
-constexpr std::uint64_t maxTableBytes = std::uint64_t{1} << 30;
-
 /// Writes a scenario and its files from a table of tracks: all of them or none.
 int writeFromTable(const InitOptions& options, const std::filesystem::path& scenario) {
   if (!scenario.string().ends_with(".yaml"))
@@ -78,22 +75,6 @@ std::array<double, 3> readShell(const std::string& text) {
   if (parts.size() != 3) throw InputError("'" + text + "' is no shell; needs three semi-axes, as 27,15,14");
   for (std::size_t i = 0; i < 3; ++i) axes[i] = number(scenario::Range{.low = 1e-30, .high = 1e30})(parts[i]);
   return axes;
-}
-
-/// "µm,min"; "0.5µm,2min": one length of the table is 0.5 µm, one time 2 min.
-Units readUnits(const std::string& text) {
-  const std::string example = "needs a length and a time, as µm,min, or with factors, as 0.5µm,2min";
-  const std::vector<std::string> parts = partsOf(text, ',');
-  if (parts.size() != 2) throw InputError("'" + text + "' are no units; " + example);
-  Units units;
-  for (const auto& [part, name, factor] :
-       {std::tuple(parts[0], &units.length, &units.perLength), {parts[1], &units.time, &units.perTime}}) {
-    const std::size_t begin = std::min(part.find_first_not_of("0123456789."), part.size());
-    if (begin > 0) *factor = number(scenario::Range{.low = 1e-30, .high = 1e30})(part.substr(0, begin));
-    *name = part.substr(begin);
-    if (!isCellName(*name)) throw InputError("'" + part + "' is no unit; " + example);
-  }
-  return units;
 }
 
 bool readModel(const std::string& text) {

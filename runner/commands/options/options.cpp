@@ -1,6 +1,9 @@
 #include "options/options.h"
 
+#include <tuple>
+
 #include "base/error.h"
+#include "files/text.h"
 #include "pictures/pictures.h"
 #include "system/console.h"
 #include "system/usable_memory.h"
@@ -139,6 +142,21 @@ std::string readPageName(const std::string& name) {
   if (const auto ending = std::filesystem::path(name).extension(); ending != ".html" && ending != ".htm")
     throw InputError("'" + name + "' does not end in .html, and a page is all that is written");
   return name;
+}
+
+Units readUnits(const std::string& text) {
+  const std::string example = "needs a length and a time, as µm,min, or with factors, as 0.5µm,2min";
+  const std::vector<std::string> parts = partsOf(text, ',');
+  if (parts.size() != 2) throw InputError("'" + text + "' are no units; " + example);
+  Units units;
+  for (const auto& [part, name, factor] :
+       {std::tuple(parts[0], &units.length, &units.perLength), {parts[1], &units.time, &units.perTime}}) {
+    const std::size_t begin = std::min(part.find_first_not_of("0123456789."), part.size());
+    if (begin > 0) *factor = number(scenario::Range{.low = 1e-30, .high = 1e30})(part.substr(0, begin));
+    *name = part.substr(begin);
+    if (!isCellName(*name)) throw InputError("'" + part + "' is no unit; " + example);
+  }
+  return units;
 }
 
 }  // namespace morula::cli

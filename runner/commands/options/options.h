@@ -8,6 +8,7 @@
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"
 #include "system/json.h"
+#include "values/units.h"
 #include "yaml/numbers.h"
 
 namespace morula::cli {
@@ -65,6 +66,11 @@ Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high);
 
 /// Reads "1..50": the numbers from 1 to 50.
 std::vector<std::uint64_t> readSeeds(const std::string& text);
+
+/// Max size of a table of cells.
+inline constexpr std::uint64_t maxTableBytes = std::uint64_t{1} << 30;
+/// Reads the units of a table, "µm,min"; "0.5µm,2min": one length of the table is 0.5 µm, one time 2 min.
+Units readUnits(const std::string& text);
 
 /// Throws InputError unless the file's ending is one that `verb` writes: PNG, and for a `drawing` (a chart or a tree)
 /// also SVG and PDF.

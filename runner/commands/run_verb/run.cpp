@@ -1,10 +1,13 @@
 // morula run: simulate, store, check, draw.
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "check/check_run.h"
 #include "files/folders.h"
+#include "files/read_file.h"
+#include "files/text.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/program.h"
@@ -25,7 +28,8 @@ struct RunOptions {
   OutputOptions output;
   std::vector<std::uint64_t> seeds;
   std::uint64_t checkpointEvery = 0;
-  std::string database, out = "results";
+  std::string database, out = "results", against;
+  tracks::MeasuredOptions measured;
   bool dryRun = false, noCheck = false, noPictures = false, resume = false;
 };
 
@@ -74,6 +78,28 @@ std::string folderName(const Scenario& scenario, const SceneOptions& scene, bool
   return scene.set.empty() && !twin ? name : name + '-' + digits(scenario);
 }
 
+/// Reads the table of measured cells that runs of the scenario are compared with.
+std::optional<tracks::MeasuredCells> readAgainst(const RunOptions& options, const Scenario& scenario) {
+  if (options.against.empty()) return {};
+  if (!scenario.scene.mechanics)
+    throw InputError(scenario.file +
+                     ": its cells have no places, and --against compares places; needs a physics block");
+  return tracks::readMeasured(readFile(options.against, maxTableBytes), options.against, scenario.names, scenario.units,
+                              options.measured);
+}
+
+/// "x=POSITION_X,name=CELL"
+std::map<std::string, std::string> readColumns(const std::string& text) {
+  std::map<std::string, std::string> columns;
+  for (const std::string& part : partsOf(text, ',')) {
+    const auto equals = part.find('=');
+    if (equals == 0 || equals >= part.size() - 1)
+      throw InputError("'" + part + "' names no column; needs the column and its header, as x=POSITION_X,y=POSITION_Y");
+    columns[part.substr(0, equals)] = part.substr(equals + 1);
+  }
+  return columns;
+}
+
 /// All runs of the call. Every scenario is read and checked before the first step of the first run.
 std::vector<Planned> plan(const RunOptions& options) {
   std::vector<std::optional<std::uint64_t>> seeds(options.seeds.begin(), options.seeds.end());
@@ -93,6 +119,7 @@ std::vector<Planned> plan(const RunOptions& options) {
                       .draw = !options.noPictures,
                       .quiet = options.output.quiet,
                       .checkpointEvery = options.checkpointEvery,
+                      .against = readAgainst(options, run.scenario),
                       .resume = options.resume};
       runs.push_back(std::move(run));
     }
@@ -157,9 +184,13 @@ int act(const RunOptions& options) {
   auto runs = plan(options);
   tellIfSeedsDoNotMatter(options, runs);
   std::string warned;
-  for (const auto& run : runs)
-    if (warned != run.scenario.file)
-      tellWarnings(run.scenario.warnings, options.output.quiet), warned = run.scenario.file;
+  for (const auto& run : runs) {
+    if (std::exchange(warned, run.scenario.file) == run.scenario.file) continue;
+    tellWarnings(run.scenario.warnings, options.output.quiet);
+    if (!run.settings.against) continue;
+    for (const std::string& sentence : run.settings.against->told)
+      tell(options.against + ": " + sentence, options.output.quiet);
+  }
   Json list = Json::array();
   int code = fine;
   for (const auto& run : runs) {
@@ -204,6 +235,17 @@ void addRun(CLI::App& app, Action& action) {
   verb.showDefault("--checkpoint-every", "");
   verb.takes("--resume", options.resume, "Continue from the last checkpoint of the same run");
   verb.takes("--dry-run", options.dryRun, "Read and check the scenarios; run nothing and write nothing");
+  verb.takes("--against", options.against, "TABLE",
+             "Compare the cells' places with measured ones: CSV with a row per cell and stage (cells or time; name or "
+             "path; x, y, z; contacts), or tracks as init --from reads them");
+  verb.takes(
+      "--against-units", options.measured.units, "LENGTH,TIME",
+      [](const std::string& text) { return text == "scene" ? Units{} : readUnits(text); },
+      "Units of the table, as µm,min or 0.5µm,2min; scene: the scenario's own; default: its units");
+  verb.takes("--columns", options.measured.columns, "NAME=HEADER", readColumns,
+             "Headers of the table's columns, as x=POSITION_X");
+  verb.onlyWith({"--against-units", "--columns"}, {"--against"});
+  verb.excludes("--against", {"--resume"}, "a run that goes on does not see its earlier stages again");
   verb.oneOf({"--seed", "--seeds"});
   verb.oneOf({"--resume", "--dry-run"});
   add(verb, options.execution);

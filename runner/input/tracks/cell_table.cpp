@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "files/text.h"
@@ -14,7 +15,7 @@ namespace {
 
 /// In the order of TableReader::Column, the headers by which trackers call a column, the best first: in small letters, without anything but letters and
 /// digits, and without a unit in brackets. A header serves one column, and a column takes one header.
-const std::array<std::vector<std::string_view>, 15> headers{{
+const std::array<std::vector<std::string_view>, 18> headers{{
     {"trackid", "track", "cellid", "cell", "id", "label", "particle"},
     {"parenttrackid", "parentid", "parent", "motherid", "mother", "parenttrack", "parentcell", "mothercell"},
     {"name", "cellname", "trackname", "cell"},
@@ -30,6 +31,9 @@ const std::array<std::vector<std::string_view>, 15> headers{{
     {"volume", "volumeum3", "vol"},
     {"radius", "radiusum"},
     {"fate"},
+    {"cells", "stage", "cellcount", "ncells"},
+    {"path", "cellpath", "lineagepath"},
+    {"contacts"},
 }};
 
 const scenario::Range usable{.low = -1e30, .high = 1e30}, size{.low = 1e-30, .high = 1e30};
@@ -38,7 +42,8 @@ bool isNumber(std::string_view text) { return scenario::parseReal(text).wrong.em
 
 class TableReader {
  public:
-  TableReader(std::string_view text, scenario::Problems& problems) : text_(text, problems), problems_(problems) {
+  TableReader(std::string_view text, scenario::Problems& problems, const TableOptions& options)
+      : text_(text, problems), problems_(problems), options_(options) {
     column_.fill(-1);
   }
 
@@ -52,13 +57,34 @@ class TableReader {
     }
     if (table_.rows.empty() && problems_.empty())
       text_.complain({}, hasHeader ? "there is no row below the header" : "the file is empty",
-                     "needs a header such as track_id,t,z,y,x,parent_track_id, and rows");
+                     options_.mayBeStages ? "needs a header such as cells,name,x,y,z, and rows"
+                                          : "needs a header such as track_id,t,z,y,x,parent_track_id, and rows");
     table_.unquoted = text_.takeUnquoted();
     return std::move(table_);
   }
 
  private:
-  enum Column { cell, parent, name, time, birth, end, x, y, z, axisX, axisY, axisZ, volume, radius, fate, columnCount };
+  enum Column {
+    cell,
+    parent,
+    name,
+    time,
+    birth,
+    end,
+    x,
+    y,
+    z,
+    axisX,
+    axisY,
+    axisZ,
+    volume,
+    radius,
+    fate,
+    stage,
+    path,
+    contacts,
+    columnCount
+  };
 
   const std::vector<std::string_view>& fields() const { return text_.fields(); }
   std::string_view field(int at) const { return fields()[static_cast<std::size_t>(at)]; }
@@ -77,7 +103,9 @@ class TableReader {
     std::vector<std::string> words;
     for (const auto field : fields()) words.push_back(scenario::headerWord(field));
     std::vector<bool> isUsed(words.size(), false);
-    for (int c = 0; c < columnCount; ++c)
+    for (const auto& [name, header] : options_.columns) takeNamed(name, header, isUsed);
+    const int known = options_.mayBeStages ? columnCount : stage;
+    for (int c = 0; c < known; ++c)
       for (const auto& header : headers[static_cast<std::size_t>(c)]) {
         const auto found = std::ranges::find(words, header);
         const auto at = static_cast<std::size_t>(found - words.begin());
@@ -92,16 +120,58 @@ class TableReader {
     return requireColumns();
   }
 
-  void require(Column column, const std::string& names) {
-    if (column_[column] >= 0) return;
+  std::string headerInWords() const {
     std::vector<std::string> has;
     for (const auto field : fields()) has.push_back(inQuotes(field));
-    text_.complain({}, "there is no column " + names + "; the header has " + join(has),
-                   "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, division");
+    return "the header has " + join(has);
+  }
+
+  /// Takes a column whose header the user has given.
+  void takeNamed(const std::string& name, const std::string& header, std::vector<bool>& isUsed) {
+    const auto found = std::ranges::find(fields(), std::string_view(header));
+    const auto column = std::ranges::find_if(headers, [word = scenario::headerWord(name)](const auto& words) {
+      return std::ranges::find(words, std::string_view(word)) != words.end();
+    });
+    if (column == headers.end())
+      problems_.add({1, 1, "--columns"}, "", inQuotes(name) + " is no column that a table can have",
+                    "needs one of cells, time, name, path, contacts, x, y, z, track_id and parent");
+    else if (found == fields().end())
+      problems_.add({1, 1, "--columns"}, "", "there is no column " + inQuotes(header), headerInWords());
+    else {
+      const auto at = static_cast<std::size_t>(found - fields().begin());
+      column_[static_cast<std::size_t>(column - headers.begin())] = static_cast<int>(at);
+      isUsed[at] = true;
+    }
+  }
+
+  void require(Column column, const std::string& names) {
+    if (column_[column] >= 0) return;
+    text_.complain({}, "there is no column " + names + "; " + headerInWords(),
+                   table_.form == Form::stages
+                       ? "name the columns as cells or time, name or path, x, y, z"
+                       : "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, "
+                         "division");
+  }
+
+  bool requireStages() {
+    table_.form = Form::stages;
+    if (column_[stage] >= 0 && column_[time] >= 0)
+      text_.complain({},
+                     "there is " + inQuotes(field(column_[stage])) + ", a number of cells, and " +
+                         inQuotes(field(column_[time])) + ", a time",
+                     "remove one of the two: it says when the rows are compared");
+    if (column_[time] < 0) require(stage, "cells or time, which says when the rows are compared");
+    table_.arePaths = column_[path] >= 0;
+    if (column_[path] < 0) column_[path] = column_[name] >= 0 ? column_[name] : column_[cell];
+    require(path, "name, cell or path");
+    column_[cell] = column_[path];
+    require(x, "x or POSITION_X"), require(y, "y or POSITION_Y"), require(z, "z or POSITION_Z");
+    return problems_.empty();
   }
 
   bool requireColumns() {
     const bool hasTimes = column_[birth] >= 0 || column_[end] >= 0;
+    if (options_.mayBeStages && (column_[stage] >= 0 || (column_[parent] < 0 && !hasTimes))) return requireStages();
     if (column_[time] >= 0 && hasTimes)
       text_.complain({},
                      "there is " + inQuotes(field(column_[time])) + " as in a table with a row per frame, and " +
@@ -154,10 +224,13 @@ class TableReader {
       return text_.complain(
           {}, "has " + std::to_string(fields().size()) + " fields where the header has " + std::to_string(headerCount_),
           "fill in or remove fields; decimals follow a point, and a name with a separator stands in quotes");
-    const bool isFrame = table_.form == Form::frames;
+    const bool isFrame = table_.form == Form::frames || table_.form == Form::stages;
     Row row{text_.line(), fieldOf(cell), fieldOf(parent), fieldOf(name)};
-    if (row.cell.empty()) text_.complain({}, "the row names no cell", "fill in its track_id or cell");
+    if (row.cell.empty() && !table_.arePaths)
+      text_.complain({}, "the row names no cell", "fill in its track_id or cell");
     row.time = number(time, true);
+    if (column_[stage] >= 0) readStage(row);
+    row.contacts = fieldOf(contacts);
     row.birth = number(birth, table_.form == Form::manTrack), row.end = number(end, table_.form == Form::manTrack);
     row.place = vector(x, isFrame);
     if (table_.isFlat && row.place.x == row.place.x) row.place.z = 0;
@@ -167,6 +240,14 @@ class TableReader {
     if (row.volume != row.volume) row.volume = 4 * std::numbers::pi / 3 * r * r * r;
     readFate(row);
     table_.rows.push_back(row);
+  }
+
+  void readStage(Row& row) {
+    const auto [value, wrong] = scenario::parseReal(fieldOf(stage));
+    if (wrong.empty() && value >= 1 && value < 1e9 && value == std::floor(value)) row.stage = static_cast<int>(value);
+    else
+      text_.complain(fieldOf(stage), inQuotes(fieldOf(stage)) + " is no number of cells",
+                     "needs a whole number such as 8", "cells");
   }
 
   void readFate(Row& row) {
@@ -182,6 +263,7 @@ class TableReader {
 
   scenario::DelimitedText text_;
   scenario::Problems& problems_;
+  const TableOptions& options_;
   CellTable table_;
   std::array<int, columnCount> column_;  // among the fields of a row; -1: there is none
   std::size_t headerCount_ = 0;
@@ -189,8 +271,8 @@ class TableReader {
 
 }  // namespace
 
-CellTable readCellTable(std::string_view text, scenario::Problems& problems) {
-  return TableReader(text, problems).read();
+CellTable readCellTable(std::string_view text, scenario::Problems& problems, const TableOptions& options) {
+  return TableReader(text, problems, options).read();
 }
 
 }  // namespace morula::tracks

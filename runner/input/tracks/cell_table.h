@@ -2,6 +2,7 @@
 // Tables of tracked cells: CSV, TSV or blanks between fields, and man_track.txt of the Cell Tracking Challenge.
 #include <deque>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,24 +25,33 @@ struct Row {
   Vector axis{unsaid, unsaid, unsaid};  // of the cell's own division, towards daughter A
   double volume = unsaid;               // > 0
   bool dies = false;                    // at its end
+  int stage = 0;                        // of a row per stage: its number of cells; 0: `time` is the stage
+  std::string_view contacts;            // of a row per stage: the cells that the cell touches
 };
 
 enum class Form {
   frames,    // a row per cell and frame
   cells,     // a row per cell, with times
   manTrack,  // a row per track: its first and last frame
+  stages,    // a row per cell and stage, without parents
+};
+
+struct TableOptions {
+  bool mayBeStages = false;                    // Form::stages is a form, too
+  std::map<std::string, std::string> columns;  // headers by the names of columns, such as POSITION_X by x
 };
 
 struct CellTable {
   Form form = Form::frames;
   std::vector<Row> rows;
   bool isFlat = false;               // there are places, and no column z
+  bool arePaths = false;             // Form::stages: Row::cell holds lineage paths
   std::vector<std::string> ignored;  // columns that are not read
   std::deque<std::string> unquoted;  // fields that had quotes in quotes
 };
 
 /// Reads a table. Lines that begin with '#' are comments. A byte order mark is passed over. Mistakes are problems with
 /// their places; reading ends after some twenty of them.
-CellTable readCellTable(std::string_view text, scenario::Problems& problems);
+CellTable readCellTable(std::string_view text, scenario::Problems& problems, const TableOptions& options = {});
 
 }  // namespace morula::tracks

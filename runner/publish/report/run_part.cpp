@@ -5,6 +5,7 @@
 
 #include "accuracy/into_golden.h"
 #include "base/number_text.h"
+#include "check/against.h"
 #include "check/remarks.h"
 #include "files/printable.h"
 #include "report/bullet_block.h"
@@ -161,6 +162,8 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
     if (const std::string distance = distanceText(settlings); !distance.empty())
       findings.push_back({Kind::note, distance});
   }
+  for (const std::string& remark : againstRemarks(facts.results.against, facts.scenario.units))
+    findings.push_back({Kind::warning, remark});
   for (const std::string& line : experimentLines(facts.scenario, facts.results.experiments))
     findings.push_back({Kind::note, "Experiment: " + line});
   judgeAgain(facts, findings);
@@ -235,6 +238,21 @@ Document checksOfAll(const std::vector<RunFacts>& runs) {
   return all;
 }
 
+/// Returns the comparisons of runs with measured cells.
+Document againstOfAll(const std::vector<RunFacts>& runs) {
+  Document all;
+  for (const RunFacts& run : runs) {
+    if (run.results.against.empty()) continue;
+    if (runs.size() > 1) all.heading(titleOf(run));
+    all.add(againstTable(run.results.against, run.scenario));
+  }
+  if (!all.empty())
+    all.note(
+        "Root mean square distances of the cells' centres from measured places, to which the organism is turned and "
+        "moved, never mirrored.");
+  return all;
+}
+
 /// Returns the errors that the scenarios' goldens state, each once.
 Document errorsOf(const std::vector<RunFacts>& runs) {
   Document all;
@@ -266,6 +284,8 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
   if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
   part.sections.push_back(pictureSection(runs));
   part.sections.push_back(chartSection(runs));
+  if (Document against = againstOfAll(runs); !against.empty())
+    part.sections.push_back({"against", "Measured places", std::move(against)});
   if (Document checks = checksOfAll(runs); !checks.empty()) {
     part.sections.push_back({"checks", "Checks", std::move(checks)});
     const auto ofGolden = [](const CheckResult& c) { return c.kind == CheckKind::golden; };

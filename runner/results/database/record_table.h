@@ -15,6 +15,7 @@ enum class TablePart {
   hashes,      // of states on the way; they find the first step in which two runs differ
   end,         // known when it has ended
   checks,      // what was found in it
+  against,     // how far it is from measured cells
   bullet,      // what Bullet made of its scene
   checkpoint,  // what it goes on from; gone when it has finished
   study,       // of the study that it belongs to

@@ -1,6 +1,8 @@
 #include "store/records.h"
 
+#include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "base/number_text.h"
 
@@ -70,6 +72,10 @@ std::string runId(const RunRecord& record) {
   hasher.field("seed").add(record.seed);
   hasher.field("build_id").add(buildId(record.build));
   return hasher.digest().text().substr(0, 16);  // 64 bits: a million runs collide with probability 3e-8
+}
+
+void sortByDistance(std::vector<AgainstCell>& cells) {
+  std::ranges::sort(cells, {}, [](const AgainstCell& c) { return std::pair(-c.distance.value_or(-1), c.path); });
 }
 
 }  // namespace morula

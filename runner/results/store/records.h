@@ -189,6 +189,35 @@ struct TimeStepRecord {
   friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
 };
 
+/// The side of a comparison with measured cells that has a cell.
+enum class FoundIn { both, run, table };
+
+/// A cell of a stage that is compared with measured cells.
+struct AgainstCell {
+  std::uint64_t stage = 0;  // among RunResults::against
+  CellPath path;
+  FoundIn in = FoundIn::both;
+  std::optional<double> distance;  // [length] of the centre from the measured place; absent unless compared
+};
+
+/// Sorts cells by distance, the farthest first, those without one last; equally far ones by path.
+void sortByDistance(std::vector<AgainstCell>& cells);
+
+/// A stage of a table of measured cells, compared with the run [runs/check/against.h].
+struct AgainstStage {
+  std::optional<std::uint64_t> ofCells;     // the table's stage: a number of cells
+  std::optional<double> ofTime;             // or [time]
+  std::optional<double> time;               // [time] of the run's state; absent: there was none
+  std::uint64_t cells = 0;                  // alive then
+  std::uint64_t compared = 0;               // of which the table has places
+  std::optional<double> rmsd;               // [length] as Superposition::distance; absent: nothing was compared
+  std::optional<double> shapeRmsd, scale;   // [1] as Superposition
+  std::optional<double> mirroredShapeRmsd;  // [1] of the cells' mirror image
+  std::optional<double> contactF1;          // [1] as the measure contact_f1; absent if the table lists no contacts
+  std::string why;                          // the reason why nothing was compared
+  std::vector<AgainstCell> byCell;          // by distance, the farthest first
+};
+
 /// The results of a run. Every part may be empty: only what was asked for is stored.
 struct RunResults {
   std::vector<LineageEntry> lineage;          // in any order; read back in order of birth
@@ -203,6 +232,7 @@ struct RunResults {
   std::vector<DivisionRecord> divisions;      // of cells with bodies
   std::vector<ChainLink> chain;               // by step
   std::vector<CheckResult> checks;
+  std::vector<AgainstStage> against;  // the run compared with measured cells
 };
 
 /// Receives samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.

@@ -116,6 +116,11 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   for (const CellRow& c : cells) inserter.add(c);
   insertRecords(db, id, results);
   insertChecks(db, id, results.checks);
+  std::int64_t number = 0;
+  for (const AgainstStage& stage : results.against) {
+    inserter.add(stage, number++);
+    for (const AgainstCell& cell : stage.byCell) inserter.add(cell);
+  }
 }
 
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks) {

@@ -16,7 +16,9 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
 /// Deletes the run's rows in tables of these parts, by default in all tables of results.
 void deleteRows(
     Database& db, const std::string& id,
-    bool (*takes)(TablePart) = [](TablePart part) { return isResult(part) || part == TablePart::bullet; });
+    bool (*takes)(TablePart) = [](TablePart part) {
+      return isResult(part) || part == TablePart::against || part == TablePart::bullet;
+    });
 /// Stores samples and hashes of steps after `after`, or all of them without `after`.
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after = {});

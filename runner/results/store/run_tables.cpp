@@ -9,7 +9,7 @@ const std::vector<const SqlTable*>& runTables() {
       &sqlTable<ContactMeasures>(),  &sqlTable<TakenMeasure>(),    &sqlTable<CellSurface>(),
       &sqlTable<ConnectionRecord>(), &sqlTable<DivisionRecord>(),  &sqlTable<TimeStepRecord>(),
       &sqlTable<SettlingRecord>(), &sqlTable<ExperimentRecord>(),   &sqlTable<ChainLink>(),       &sqlTable<CellHash>(),
-      &sqlTable<CheckResult>(),      &sqlTable<BulletSampleRow>(), &sqlTable<CheckpointRow>(),
+      &sqlTable<CheckResult>(),      &sqlTable<AgainstStage>(), &sqlTable<AgainstCell>(), &sqlTable<BulletSampleRow>(), &sqlTable<CheckpointRow>(),
       &sqlTable<FrameRow>(),         &sqlTable<SealedTable>()};
   return tables;
 }

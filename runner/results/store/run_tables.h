@@ -6,6 +6,7 @@
 
 #include "connections/connections.h"
 #include "database/record_table.h"
+#include "store/against_tables.h"
 #include "store/records.h"
 #include "store/seal.h"
 

@@ -147,6 +147,10 @@ RunResults Store::results(const std::string& id) {
   results.divisions = rowsOf<DivisionRecord>(db_, "", id);
   results.chain = chain(id);
   results.checks = checks(id);
+  results.against = rowsOf<AgainstStage>(db_, "", id);
+  for (AgainstCell& cell : rowsOf<AgainstCell>(db_, "", id))
+    if (cell.stage < results.against.size()) results.against[cell.stage].byCell.push_back(std::move(cell));
+  for (AgainstStage& stage : results.against) sortByDistance(stage.byCell);
   return results;
 }
 

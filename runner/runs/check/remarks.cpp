@@ -66,6 +66,18 @@ std::string distanceText(const std::vector<SettlingRecord>& settlings) {
       counted(farthest.cells, "cell"), farthest.energyLeft.value_or(0));
 }
 
+bool isOtherScale(double scale) {
+  constexpr double farFromOne = 2;  // another unit; embryos and scenes of one unit differ by less
+  return scale > 0 && (scale > farFromOne || scale < 1 / farFromOne);
+}
+
+bool fitsMirrored(std::size_t cells, double shape, double mirrored) {
+  // Fewer cells are nearly their own mirror images. An image that fits twice as well is no chance, unless both fit to 2 %.
+  constexpr std::size_t fewest = 5;
+  constexpr double clearlyLess = 0.5, clearly = 0.02;
+  return cells >= fewest && shape > clearly && mirrored < clearlyLess * shape;
+}
+
 std::string positionsText(const World& world, const Scenario& scenario) {
   const auto& reference = scenario.check.reference;
   if (!reference || !world.bodies || std::ranges::none_of(scenario.record.measures, [](const std::string& name) {
@@ -77,19 +89,15 @@ std::string positionsText(const World& world, const Scenario& scenario) {
   const auto compared = comparePositions(now), mirrored = compareMirroredPositions(now);
   if (!compared || !mirrored) return "";
   std::vector<std::string> sentences;
-  constexpr double farFromOne = 2;  // another unit; embryos and scenes of one unit differ by less
   const double scale = compared->scale;
   const bool comparesLengths =
       std::ranges::find(scenario.record.measures, "position_rmsd") != scenario.record.measures.end();
-  if (comparesLengths && scale > 0 && (scale > farFromOne || scale < 1 / farFromOne))
+  if (comparesLengths && isOtherScale(scale))
     sentences.push_back(fmt::format(
         "check.reference.positions lie {:.3g} times as far apart as the cells, and position_rmsd compares lengths "
         "without scaling; give the positions in the scene's unit of length, or compare by position_shape_rmsd",
         scale));
-  // Fewer cells are nearly their own mirror images. An image that fits twice as well is no chance, unless both fit to 2 %.
-  constexpr std::size_t fewest = 5;
-  constexpr double clearlyLess = 0.5, clearly = 0.02;
-  if (compared->cells >= fewest && compared->shape > clearly && mirrored->shape < clearlyLess * compared->shape)
+  if (fitsMirrored(compared->cells, compared->shape, mirrored->shape))
     sentences.push_back(fmt::format(
         "the mirror image of the cells fits check.reference.positions better than the cells do (position_shape_rmsd "
         "{:.2g} instead of {:.2g}); check the handedness of the reference's axes",

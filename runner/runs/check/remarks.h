@@ -25,6 +25,12 @@ std::string distanceText(const std::vector<SettlingRecord>& settlings);
 /// One line for each entry of `experiments`: what was done to which cells and when, or that it was never due.
 std::vector<std::string> experimentLines(const Scenario& scenario, const std::vector<ExperimentRecord>& done);
 
+/// Returns true if places in a reference lie so much farther apart, or nearer, than cells that their unit is another.
+bool isOtherScale(double scale);
+/// Returns true if the mirror image of so many cells fits a reference clearly better than the cells do. `shape` and
+/// `mirrored`: distances of the shapes (Superposition::shape).
+bool fitsMirrored(std::size_t cells, double shape, double mirrored);
+
 /// Sentences on check.reference.positions at the end of a run: that they are in another unit than the scene, or in a
 /// frame that mirrors; "" where neither shows.
 std::string positionsText(const World& world, const Scenario& scenario);

@@ -81,7 +81,10 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
     c.notCompared.push_back(
         fmt::format("check_result: {} of kind golden or bullet, which depend on data that is not stored", elsewhere));
   for (const TableContents& t : stored.contents(runTables(), before.id))
-    if (t.table == "bullet_sample" && t.rows > 0) c.notCompared.push_back("bullet_sample: Bullet is not run again");
+    if (t.table == "against_stage" && t.rows > 0)
+      c.notCompared.push_back("against_stage, against_cell: the table of measured cells is not stored");
+    else if (t.table == "bullet_sample" && t.rows > 0)
+      c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }
 
 std::string describe(const ValueDifference& d) {

@@ -1,6 +1,7 @@
 // The report of a run, for people and as JSON.
 #include <fmt/format.h>
 
+#include "check/against.h"
 #include "check/check_run.h"
 #include "document/words.h"
 #include "engines/bullet_check.h"
@@ -98,6 +99,8 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   text += describeAmbiguous(outcome.ambiguous, scenario.units);
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
   if (!outcome.reference.empty()) text += "  warning  " + outcome.reference + "\n";
+  for (const std::string& remark : againstRemarks(outcome.against, scenario.units))
+    text += "  warning  " + remark + "\n";
   text += describeSanity(outcome, scenario);
   text += "  results  " + outcome.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
@@ -108,6 +111,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   if (frames) text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
   if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
   if (!outcome.isSane().value_or(true)) text += describe(outcome.sanityReport(scenario));
+  if (!outcome.against.empty()) text += textOf(againstTable(outcome.against, scenario));
   return withNames(text, scenario.names.function());
 }
 
@@ -135,6 +139,9 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"sane", orNull(outcome.isSane())},
             {"sanity", sanityJson(outcome.sanity)}};
   if (outcome.last) json["sample"] = sampleJson(*outcome.last);
+  if (!outcome.against.empty())
+    json["against"] = {{"stages", againstJson(outcome.against, scenario)},
+                       {"remarks", againstRemarks(outcome.against, scenario.units)}};
   if (!end.failure.empty()) json["failure"] = end.failure;
   return json;
 }

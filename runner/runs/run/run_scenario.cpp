@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "check/against.h"
 #include "check/check_run.h"
 #include "check/remarks.h"
 #include "files/folders.h"
@@ -81,12 +82,16 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   Checkpoints checkpoints(file.store(), file.id(), samples, frames, settings.checkpointEvery, settings.quiet);
   for (Observer* observer : std::initializer_list<Observer*>{&samples, &frames, &checks, &checkpoints})
     run.watch(*observer);
+  std::optional<Against> against;
+  if (settings.against) run.watch(against.emplace(settings.against->stages));
 
   RunOutcome outcome;
   outcome.id = file.id();
   outcome.resumedAt = file.begin(run, recording);
   outcome.end = run.toEnd();
   RunResults results = samples.take(run.world(), outcome.end);
+  if (against && outcome.end.status == RunStatus::done) results.against = against->take(run.world());
+  outcome.against = results.against;
   CheckedRun ended = checks.of({run.takeWorld(), outcome.end, std::move(results), file.takeKept()});
   const Simulation& simulation = ended.run;
   const bool done = outcome.end.status == RunStatus::done;

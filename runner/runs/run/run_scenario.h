@@ -7,6 +7,7 @@
 
 #include "golden/result_state.h"
 #include "loop/simulate.h"
+#include "tracks/measured.h"
 
 namespace morula {
 
@@ -18,8 +19,9 @@ struct RunSettings {
   bool changed = false;  // by --set or --seed: its golden file does not apply
   bool check = true, draw = true;
   bool quiet = false;
-  std::uint64_t checkpointEvery = 0;  // [steps] 0: only when a signal ends the run
-  bool resume = false;                // go on from the last checkpoint, if there is one
+  std::uint64_t checkpointEvery = 0;                  // [steps] 0: only when a signal ends the run
+  std::optional<tracks::MeasuredCells> against = {};  // measured cells that the run is compared with
+  bool resume = false;                                // go on from the last checkpoint, if there is one
   /// True if the run is compared with its golden and its conditions are checked.
   bool isChecked() const { return check && !changed; }
 };
@@ -42,6 +44,7 @@ struct RunOutcome {
   std::string stopped;                    // the condition of stop.when that ended the run, as a scenario writes it; ""
   std::string unsettled;                  // [unsettledText]
   std::string reference;                  // [positionsText]
+  std::vector<AgainstStage> against;      // the run compared with measured cells
   std::filesystem::path database;         // that holds the run: another one than asked for where a process held that
 };
 
