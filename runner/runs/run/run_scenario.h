@@ -20,6 +20,8 @@ struct RunSettings {
   bool quiet = false;
   std::uint64_t checkpointEvery = 0;  // [steps] 0: only when a signal ends the run
   bool resume = false;                // go on from the last checkpoint, if there is one
+  std::string mother = {};            // with `resume`: the only other run to go on from; "": any of the database
+  std::optional<bool> hashes = {};    // of states on the way; absent: where the checks need them
   /// True if the run is compared with its golden and its conditions are checked.
   bool isChecked() const { return check && !changed; }
 };
@@ -27,6 +29,7 @@ struct RunSettings {
 struct RunOutcome {
   std::string id;
   std::optional<std::uint64_t> resumedAt;  // [steps]
+  std::string mother;                      // id of the run that it went on from; "" if none
   bool canBeResumed = false;               // it left a checkpoint
   RunEnd end;
   std::optional<Sample> last;  // of a run that came to its end
