@@ -17,6 +17,7 @@ namespace {
 
 // Number of steps between states that are kept in memory because any step may be the last one.
 constexpr std::uint64_t stepsBetweenStates = 256;
+constexpr std::size_t maxKept = 256 << 20;  // [byte] A larger state would make up most of its database.
 
 bool endsAtAnyStep(const World& world) { return world.model.stop.cells || !world.model.stop.when.empty(); }
 
@@ -40,12 +41,13 @@ void Checkpoints::keepBeforeEnd(const World& world) {
   if (finished(world)) return;
   const std::size_t born = world.lineage.entries.size();
   if (!world.bodies) {  // a step takes less than keeping the state of many cells
-    if (beforeEnd_ && born < born_ + born_ / 4) return;
+    if (born_ > 0 && born < born_ + born_ / 4) return;
   } else if (!settles(world) && stepsUntil(world.clock, plannedStop(world)) > 1 &&
-             !(endsAtAnyStep(world) && (!beforeEnd_ || world.clock.step % stepsBetweenStates == 0)))
+             !(endsAtAnyStep(world) && (born_ == 0 || world.clock.step % stepsBetweenStates == 0)))
     return;
   try {
     beforeEnd_ = checkpointOf(world);
+    if (beforeEnd_->state.size() > maxKept) beforeEnd_.reset();
     born_ = born;
   } catch (const BugError&) {}  // a number is not finite, which the next step tells
 }

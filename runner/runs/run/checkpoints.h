@@ -40,7 +40,7 @@ class Checkpoints : public Observer {
   std::uint64_t every_;
   bool quiet_, kept_ = false;
   std::optional<Checkpoint> beforeEnd_;
-  std::size_t born_ = 0;  // cells that had ever lived in beforeEnd_
+  std::size_t born_ = 0;  // cells that had ever lived when beforeEnd_ was taken; 0 before
 };
 
 }  // namespace morula

@@ -57,29 +57,29 @@ std::optional<std::size_t> addedExperiments(Json before, Json now, std::string& 
   for (const char* key : {"time", "cycles", "cells"}) before["stop"].erase(key), stop.erase(key);
   if (!stop.contains("when"))
     for (const char* key : {"when", "every"}) before["stop"].erase(key), stop.erase(key);
+  for (Json* values : {&before, &now})
+    if ((*values)["stop"].empty()) values->erase("stop");
   why = keysThatDiffer(before, now);
   return why.empty() ? std::optional(later.size() - earlier.size()) : std::nullopt;
 }
 
 constexpr const char* withoutCheckpoint =
-    " keeps no state to go on from, as runs of a study, of an exported file or of an older program do, and runs in which "
-    "all cells died";
+    "keeps no state to go on from, as runs of a study, of an exported file or of an older program do, and runs in which "
+    "all cells died or that are larger than 256 MB; run its scenario with the changes, from its start";
 
 [[noreturn]] void refuseKey(const Override& change) {
   std::vector<std::string> keys;
   for (const ChangeableParameter& p : changeableParameters) keys.emplace_back(p.path);
-  throw UsageError(change.place + ": '" + change.path +
-                   "' decides a run from its start and cannot change when it goes on; these can: stop.time, "
+  throw UsageError(change.place + ": " + change.path +
+                   " decides a run from its start, and cannot change when the run goes on; these can: stop.time, "
                    "stop.cycles, stop.cells, " +
-                   join(keys) + ", and further experiments; for another " + change.path +
-                   " run the scenario from its start");
+                   join(keys) + ", and experiments, by further ones; or run the scenario from its start");
 }
 
 /// Returns the time [time] of the first experiment that a run which was stopped can go on with.
 double nextTime(Store& store, const StoredRun& run, const Scenario& scenario, const Execution& execution) {
   const auto checkpoint = store.checkpointOf(run.id);
-  if (!checkpoint)
-    throw UsageError("--resume: run " + run.id + withoutCheckpoint + "; run its scenario from its start");
+  if (!checkpoint) throw UsageError("--resume: run " + run.id + " " + withoutCheckpoint);
   World world = makeScenarioWorld(scenario, execution);
   restoreState(world, checkpoint->state);
   const Clock& clock = world.clock;
@@ -106,9 +106,10 @@ std::optional<Mother> findMother(Store& store, const RunRecord& record, const st
     const Json before = valuesOf(whole);
     std::string keys;
     const auto added = addedExperiments(before, now, keys);
-    if (!added) other = "belongs to another scenario (" + keys + ")";
+    if (!added)
+      other = "cannot go on so (" + keys + "); its stop can be later, and further experiments can follow its own";
     auto checkpoint = other.empty() ? store.checkpointOf(run.id) : std::nullopt;
-    if (other.empty() && !checkpoint) other = withoutCheckpoint + 1;
+    if (other.empty() && !checkpoint) other = withoutCheckpoint;
     if (!id.empty() && !other.empty()) why = "run " + run.id + " " + other;
     if (!other.empty() || (found && found->checkpoint.step > checkpoint->step)) continue;
     found = Mother{run, std::move(*checkpoint), *added, *added > 0 && experimentsOf(before).empty()};
@@ -129,10 +130,6 @@ Scenario scenarioGoingOn(Store& store, const StoredRun& run, const std::vector<O
   const bool hasEnded = run.status == RunStatus::done;
   if (run.status == RunStatus::failed && !store.checkpointOf(run.id))
     throw UsageError("--resume: run " + run.id + " failed and cannot go on; morula explain tells why");
-  if (changes.empty() && hasEnded)
-    throw UsageError("--resume: run " + run.id + " has ended, at time " + numberText(run.time, 6) +
-                     "; give a later stop, as --set stop.time=" + numberText(2 * run.time, 6) +
-                     ", and what is to change then, if anything, as --set physics.drag=5");
   std::vector<Override> list;
   std::string entries, place;
   std::optional<double> time;
@@ -155,7 +152,16 @@ Scenario scenarioGoingOn(Store& store, const StoredRun& run, const std::vector<O
     for (const Json& entry : experimentsOf(tryParseJson(before.resolved))) all += jsonText(entry) + ", ";
     list.push_back({"experiments", "[" + all + entries + "]", place});
   }
-  return storedScenario(file, run.id, list);
+  Scenario now = storedScenario(file, run.id, list);
+  const auto& stop = before.scene.stop;
+  const bool endsLater = now.scene.stop.cells != stop.cells || plannedEnd(now.scene) != plannedEnd(before.scene) ||
+                         now.scene.stop.when.size() != stop.when.size();
+  const std::string later = "give a later stop, as --set stop.time=" + numberText(2 * run.time, 6);
+  if (hasEnded && now.meaning == before.meaning)
+    throw UsageError("--resume: run " + run.id + " has ended, at time " + numberText(run.time, 6) + "; " + later +
+                     ", and what is to change then, if anything, as --set physics.drag=5");
+  if (hasEnded && !endsLater) now.warnings.push_back(file + ": the run ends when the other one did; " + later);
+  return now;
 }
 
 }  // namespace morula

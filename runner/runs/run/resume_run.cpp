@@ -98,7 +98,7 @@ std::optional<std::uint64_t> goOn(Store& store, RunRecord& record, Run& run, con
     run.goOn(mother->checkpoint.state, mother->added,
              {[&](const RecordSink& take) { store.eachRecord(id, take); }, {}});
   } catch (const InputError& error) {
-    why = "run " + id + " is not one that this run can go on from: " + error.what();
+    why = "run " + id + " cannot go on so: " + error.what();
     return std::nullopt;
   }
   record.mother = id;
@@ -118,6 +118,7 @@ std::optional<std::uint64_t> resumeRun(Store& store, RunRecord& record, Run& run
   if (!stopped) {
     std::string why;
     if (const auto step = goOn(store, record, run, recording, from, quiet, why)) return step;
+    if (!from.empty()) throw UsageError("--resume: " + why);
     tell("nothing to resume: " + (why.empty() ? whyNot(store, record) : why) + "; starting from the beginning", quiet);
     return std::nullopt;
   }
