@@ -61,15 +61,16 @@ void restoreActive(Connections& connections) {
 
 }  // namespace
 
-void restoreState(World& world, std::string_view checkpoint) {
-  SavedState s = readCheckpoint(checkpoint, world);
+void restoreState(World& world, std::string_view checkpoint) { takeState(world, readCheckpoint(checkpoint, world)); }
+
+void takeState(World& world, SavedState s) {
   world.clock = s.world.clock;
-  world.stoppedBy.reset();  // a run that had stopped leaves no checkpoint to go on from
+  world.stoppedBy.reset();  // runs go on from states before their stop
   world.cells = std::move(s.world.cells);
   world.lineage = std::move(s.world.lineage);
   world.timeSteps = std::move(s.world.timeSteps);
   world.divisions = std::move(s.world.divisions);
-  world.experiments = std::move(s.world.experiments);
+  if (world.experiments) world.experiments = std::move(s.world.experiments).value_or(std::vector<ExperimentRecord>());
   restoreExperiments(world);
   world.polarities = std::move(s.world.polarities);
   if (world.birthSizes) world.birthSizes = std::move(s.world.birthSizes);

@@ -11,4 +11,8 @@ namespace morula {
 /// version and of this scene.
 void restoreState(World& world, std::string_view checkpoint);
 
+struct SavedState;
+/// Puts a state that was read for this world [readCheckpoint] into it.
+void takeState(World& world, SavedState state);
+
 }  // namespace morula

@@ -137,10 +137,13 @@ std::string saveState(const World& world) {
   return sealed(fields.bytes());
 }
 
-SavedState readCheckpoint(std::string_view checkpoint, const World& world) {
+SavedState readCheckpoint(std::string_view checkpoint, const World& world, std::size_t added) {
   FieldReader fields(unsealed(checkpoint), "checkpoint");
-  checkScene(fields, world.model);
-  SavedState state = readState(fields, world);
+  Scene scene = world.model;
+  MORULA_CHECK(added <= scene.experiments.size(), "the experiments that were added are of the scene");
+  scene.experiments.resize(scene.experiments.size() - added);
+  checkScene(fields, scene);
+  SavedState state = readState(fields, world, !scene.experiments.empty());
   checkSavedState(state, world);
   return state;
 }
@@ -156,7 +159,7 @@ void checkSavedState(const SavedState& s, const World& world) {
   for (const Columns* radii : {&s.contacts.radius, &s.contacts.snapshotRadius})
     for (double a : *radii) demand(isPositive(a), "a cell's influence radius");
   if (world.polarities) checkPolarities(*read.polarities);
-  if (world.experiments)
+  if (read.experiments)
     for (const ExperimentRecord& record : *read.experiments)
       demand(record.number >= 1 && record.number <= world.model.experiments.size(), "an experiment that was done");
   if (world.connections) checkConnections(read.connections->history, read.cells.path);

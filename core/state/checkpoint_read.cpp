@@ -190,7 +190,7 @@ void writeVectors(const Columns& values, const Bodies& b, Reals& array) {
       b.write(array, slot, v, {values[i], values[i + 1], values[i + 2]});
 }
 
-SavedState readState(FieldReader& in, const World& world) {
+SavedState readState(FieldReader& in, const World& world, bool experiments) {
   SavedState read;
   if (world.bodies) read.world.bodies = *world.bodies;
   if (world.contacts) read.world.contacts = Contacts();
@@ -198,7 +198,7 @@ SavedState readState(FieldReader& in, const World& world) {
   if (world.polarities) read.world.polarities.emplace();
   if (world.birthSizes) read.world.birthSizes.emplace();
   if (world.settlings) read.world.settlings.emplace();
-  if (world.experiments) read.world.experiments.emplace();
+  if (experiments) read.world.experiments.emplace();
   visitState(read.world, StateReader(in, *world.biology, read));
   in.end();
   return read;

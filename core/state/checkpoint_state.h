@@ -77,16 +77,16 @@ inline void demand(bool holds, const std::string& what) {
 
 void writeState(FieldWriter& out, const World& world);
 
-/// Reads a state with the same parts as `world`'s. Throws InputError for fields that are missing, or that cannot be of
-/// this world's scene.
-SavedState readState(FieldReader& in, const World& world);
+/// Reads a state with the same parts as `world`'s. `experiments`: whether the state has a part of that name. Throws
+/// InputError for fields that are missing, or that cannot be of this world's scene.
+SavedState readState(FieldReader& in, const World& world, bool experiments);
 
 /// Throws InputError for a state that no run of this world's scene can have been in, and that is not safe to take over.
 void checkSavedState(const SavedState& state, const World& world);
 
-/// Reads and checks a whole checkpoint of this world's scene. Throws InputError unless it is whole, of this version and
-/// of this scene.
-SavedState readCheckpoint(std::string_view checkpoint, const World& world);
+/// Reads and checks a whole checkpoint of this world's scene without its `added` last experiments. Throws InputError
+/// unless it is whole, of this version and of this scene.
+SavedState readCheckpoint(std::string_view checkpoint, const World& world, std::size_t added = 0);
 
 /// Writes vectors of all cells' vertices, in the order of lineage paths.
 void writeVectors(const Columns& values, const Bodies& b, Reals& array);

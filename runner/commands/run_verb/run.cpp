@@ -8,10 +8,12 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/text.h"
+#include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/program.h"
 #include "options/verb.h"
+#include "run/mother.h"
 #include "run/run_scenario.h"
 #include "run_verb/run_verb.h"
 #include "system/console.h"
@@ -28,7 +30,7 @@ struct RunOptions {
   OutputOptions output;
   std::vector<std::uint64_t> seeds;
   std::uint64_t checkpointEvery = 0;
-  std::string database, out = "results", against;
+  std::string database, run, out = "results", against;
   tracks::MeasuredOptions measured;
   bool dryRun = false, noCheck = false, noPictures = false, resume = false;
 };
@@ -100,28 +102,63 @@ std::map<std::string, std::string> readColumns(const std::string& text) {
   return columns;
 }
 
+/// Returns a run that goes on with what a run of the database was, with the changes of --set.
+Planned goOn(const std::string& database, const RunOptions& options) {
+  if (!options.resume)
+    throw UsageError("run: '" + database + "' is a database; --resume goes on with its run, morula replay repeats it");
+  if (options.scene.seed || !options.seeds.empty())
+    throw UsageError("--resume: the seed of a run decides it from its start; run the scenario with the other seed");
+  if (!options.database.empty())
+    throw UsageError("--db: a run that goes on is stored beside the other one, in '" + database + "'; leave out --db");
+  Store store = Store::openForReading(database);
+  const StoredRun run = store.find(options.run);
+  requireWholeRecord(store, run);
+  const Execution how = execution(options.execution);
+  Planned planned{scenarioGoingOn(store, run, overrides(options.scene), how),
+                  {.execution = how, .folder = {}, .database = database}};
+  const auto checkpoint = store.checkpointOf(run.id);
+  // Hashes on the way count experiments from the first one of a scene on.
+  const bool isFirst =
+      !planned.scenario.scene.experiments.empty() && storedScenario(database, run.id).scene.experiments.empty();
+  planned.settings.mother = run.id;
+  planned.settings.hashes = checkpoint && checkpoint->hashEvery && !isFirst;
+  return planned;
+}
+
 /// All runs of the call. Every scenario is read and checked before the first step of the first run.
 std::vector<Planned> plan(const RunOptions& options) {
   std::vector<std::optional<std::uint64_t>> seeds(options.seeds.begin(), options.seeds.end());
   if (seeds.empty()) seeds = {options.scene.seed};
   std::vector<Planned> runs;
+  const auto add = [&](Planned run, bool changed) {
+    RunSettings& s = run.settings;
+    s.command = commandLine();
+    s.changed = changed;
+    s.check = !options.noCheck;
+    s.draw = !options.noPictures;
+    s.quiet = options.output.quiet;
+    s.checkpointEvery = options.checkpointEvery;
+    s.resume = options.resume;
+    runs.push_back(std::move(run));
+  };
   for (const auto& file : options.scenarios) {
+    if (fileExists(file) && isDatabase(file)) {
+      add(goOn(file, options), true);
+      continue;
+    }
+    if (!options.run.empty())
+      throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
     for (const auto& seed : seeds) {
       auto scene = options.scene;
       scene.seed = seed;
-      Planned run{loadScenario(file, overrides(scene), options.input.allowOutside), {}};
-      run.settings = {.execution = execution(options.execution),
-                      .folder = {},
-                      .database = options.database,
-                      .command = commandLine(),
-                      .changed = !scene.empty(),
-                      .check = !options.noCheck,
-                      .draw = !options.noPictures,
-                      .quiet = options.output.quiet,
-                      .checkpointEvery = options.checkpointEvery,
-                      .against = readAgainst(options, run.scenario),
-                      .resume = options.resume};
-      runs.push_back(std::move(run));
+      Scenario scenario = loadScenario(file, overrides(scene), options.input.allowOutside);
+      std::optional<tracks::MeasuredCells> against = readAgainst(options, scenario);
+      add({std::move(scenario),
+           {.execution = execution(options.execution),
+            .folder = {},
+            .database = options.database,
+            .against = std::move(against)}},
+          !scene.empty());
     }
   }
   std::map<std::string, std::set<std::string>> places;  // by name and seed
@@ -133,7 +170,7 @@ std::vector<Planned> plan(const RunOptions& options) {
     };
     const bool twin = places[key(run.scenario)].size() > 1 || isTaken(folder(false), options.database, run.scenario);
     run.settings.folder = folder(twin);
-    if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
+    if (run.settings.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }
   return runs;
 }
@@ -221,7 +258,8 @@ int act(const RunOptions& options) {
 void addRun(CLI::App& app, Action& action) {
   Verb verb(app, action, "run", "Simulate a scenario, and store, check and draw the run");
   auto& options = verb.does<RunOptions>(act);
-  verb.needs("scenario", options.scenarios, "FILE", "Scenario files");
+  verb.needs("scenario", options.scenarios, "FILE",
+             "Scenario files; with --resume also a database, to go on with its run");
   add(verb, options.input);
   add(verb, options.scene);
   verb.takes<std::vector<std::uint64_t>>("--seeds", options.seeds, "FIRST..LAST", readSeeds,
@@ -233,7 +271,10 @@ void addRun(CLI::App& app, Action& action) {
   verb.takes("--checkpoint-every", options.checkpointEvery, "STEPS", natural(1, 1'000'000'000'000),
              "Number of steps between checkpoints; a checkpoint is always kept at Ctrl-C");
   verb.showDefault("--checkpoint-every", "");
-  verb.takes("--resume", options.resume, "Continue from the last checkpoint of the same run");
+  verb.takes("--resume", options.resume,
+             "Continue from the last checkpoint of the same run, or go on from a run that has ended: with a later stop "
+             "(--set stop.time=8), and with what changes then (--set physics.drag=5)");
+  addRunChoice(verb, options.run);
   verb.takes("--dry-run", options.dryRun, "Read and check the scenarios; run nothing and write nothing");
   verb.takes("--against", options.against, "TABLE",
              "Compare the cells' places with measured ones: CSV with a row per cell and stage (cells or time; name or "

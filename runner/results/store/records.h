@@ -53,6 +53,8 @@ struct RunRecord {
   BuildInfo build = buildInfo();
   MachineInfo machine = machineInfo();
   std::string binaryHash = morula::binaryHash();
+  std::string mother = {};                // id of the run that this one went on from; "" if none
+  std::optional<double> motherTime = {};  // [time] of the mother, from which on the two may differ
 };
 
 /// Returns 16 hexadecimal digits over scenarioHash, referenceHash, seed and build. The same computation has the same id
@@ -101,8 +103,8 @@ struct RunField : FieldInfo {
 template <IsA<StoredRun> T>
 void listFields(T& run, auto&& field) {
   auto& [id, record, status, started, ended, stateHash, steps, cells, time, failure, condition] = run;
-  auto& [scenario, scenarioHash, referenceHash, seed, documents, command, isa, threads, build, machine, binaryHash] =
-      record;
+  auto& [scenario, scenarioHash, referenceHash, seed, documents, command, isa, threads, build, machine, binaryHash,
+         mother, motherTime] = record;
   auto& [version, sources, gitCommit, gitState, compiler, flags, target, libraries] = build;
   auto& [cpu, kernel, features, fpEnvironment] = machine;
   TextOf buildIdText{[&] { return buildId(run.record.build); }, notRead};
@@ -147,6 +149,11 @@ void listFields(T& run, auto&& field) {
   field(RunField{{"threads", "changes no result"}, environment, "threads", true}, threads);
   field(RunField{{.name = "command", .meaning = "as typed", .anyCharacters = true}, occasion, "command"}, command);
   field(RunField{{"binary_hash", "XXH3-128 of the program's file"}, detail, "binary hash"}, binaryHash);
+  field(RunField{{"mother_run_id", "the run that this one went on from; NULL: none, it began at its start"},
+                 occasion,
+                 "went on from run"},
+        NullIf{mother.empty(), mother});
+  field(RunField{{"mother_time", "from which on the two may differ", "time"}, occasion, "went on at time"}, motherTime);
   field(RunField{{"fp_environment", "how the processor rounds, and what it does with denormals"},
                  environment,
                  "floating point"},

@@ -123,6 +123,14 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   }
 }
 
+void replaceCheckpoint(Database& db, const std::string& id, const Checkpoint& c) {
+  std::string update;
+  for (const SqlColumn& column : sqlTable<CheckpointRow>().own)
+    update += (update.empty() ? "" : ", ") + column.name + " = excluded." + column.name;
+  Statement(db, sqlTable<CheckpointRow>().insert() + " ON CONFLICT DO UPDATE SET " + update)
+      .run(id, CheckpointRow{c, utcNow()});
+}
+
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks) {
   Statement next(db, "SELECT coalesce(max(number), -1) + 1 FROM check_result WHERE run_id = ?");
   next.start(id).next();

@@ -25,6 +25,8 @@ void insertRecords(Database& db, const std::string& id, const RunResults& result
 /// Stores the measures of Bullet's cells that can be seen from outside.
 void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,
                          const std::vector<Sample>& samples);
+/// Stores the checkpoint of a run in place of its last one.
+void replaceCheckpoint(Database& db, const std::string& id, const Checkpoint& checkpoint);
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks);
 
 }  // namespace morula

@@ -61,6 +61,7 @@ inline constexpr TableInfo tableInfo<StoredRun> = {
     .key = "run_id",
     .hasRowNumbers = true,
     .csv = "runs",
+    .later = "mother_run_id mother_time",
     .why = "always: which run it is, how it ended, with which program and where"};
 
 struct CellRow {
@@ -362,7 +363,7 @@ inline constexpr TableInfo tableInfo<CheckpointRow> = {
     .context = "run_id",
     .key = "run_id",
     .hasRowNumbers = true,
-    .why = "only until the run has finished: run --resume goes on from it"};
+    .why = "of runs by morula run, not of a study: run --resume goes on from it, also after the end"};
 template <IsA<CheckpointRow> T>
 void listFields(T& row, auto&& field) {
   auto& [of, made] = row;

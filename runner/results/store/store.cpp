@@ -148,7 +148,8 @@ void Store::takeOver(const std::string& id, const RecordedUntil& until) {
   }
 }
 
-void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results) {
+void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results,
+                   const std::optional<Checkpoint>& last) {
   const auto attempt = attempts_.find(id);
   MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
   MORULA_CHECK(end.status != RunStatus::running, "a finished run does not run");
@@ -183,6 +184,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
       endRun(db_, id, end);
       takeOver(id, attempt->second.until);
       insertResults(db_, id, results);
+      if (last && end.status == RunStatus::done) replaceCheckpoint(db_, id, *last);
       sealRun(db_, id);
       return commit();
     }
@@ -191,11 +193,13 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);
   takeOver(id);
   insertResults(db_, id, results);
+  if (last && end.status == RunStatus::done) replaceCheckpoint(db_, id, *last);
   sealRun(db_, id);
   commit();
 }
 
-Store Store::finishBeside(const std::string& id, const RunEnd& end, const RunResults& results) {
+Store Store::finishBeside(const std::string& id, const RunEnd& end, const RunResults& results,
+                          const std::optional<Checkpoint>& last) {
   const auto attempt = attempts_.find(id);
   MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
   std::filesystem::path beside = file();
@@ -204,7 +208,7 @@ Store Store::finishBeside(const std::string& id, const RunEnd& end, const RunRes
   other.begin(attempt->second.record);
   other.attempts_[id].started = attempt->second.started;
   other.recorded_ = std::move(recorded_);
-  other.finish(id, end, results);
+  other.finish(id, end, results, last);
   return other;
 }
 

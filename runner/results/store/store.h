@@ -60,20 +60,26 @@ class Store {
   bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
 
-  /// Returns the step of the checkpoint from which the run of this id can be resumed.
+  /// Returns the step of the checkpoint from which the unfinished run of this id can be resumed.
   std::optional<std::uint64_t> checkpointStep(const std::string& id);
 
-  /// Begins a run at its last checkpoint. Without a checkpoint the run is not begun. `record`: as for `begin`.
+  /// Returns the last checkpoint of a run, ended or not, from which other runs may go on.
+  std::optional<Checkpoint> checkpointOf(const std::string& id);
+
+  /// Begins an unfinished run at its last checkpoint. Without one the run is not begun. `record`: as for `begin`.
   std::optional<ResumedRun> resume(const RunRecord& record);
 
   /// Stores the end and the results of the run, replacing its rows in the file. Throws NondeterminismError, and leaves
   /// the file unchanged, if a finished run of this id has another state hash (or this run failed). An attempt that was
   /// killed or lacked a resource (Want) never replaces a finished run. A killed attempt keeps its checkpoint.
-  void finish(const std::string& id, const RunEnd& end, const RunResults& results);
+  /// `last`: the checkpoint that a finished run keeps, of a state before its stop.
+  void finish(const std::string& id, const RunEnd& end, const RunResults& results,
+              const std::optional<Checkpoint>& last = {});
 
   /// Stores the run as `finish` does, but in a new file "FILE-ID.db" beside this one, if another process holds this
   /// file (BusyError). Returns the new file.
-  Store finishBeside(const std::string& id, const RunEnd& end, const RunResults& results);
+  Store finishBeside(const std::string& id, const RunEnd& end, const RunResults& results,
+                     const std::optional<Checkpoint>& last = {});
 
   /// Replaces the run's check results of the kinds that occur in `checks`.
   void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
@@ -112,7 +118,7 @@ class Store {
   /// Compares the results of a run with those of its repetition, stored in `again` as `idAgain`: all tables of results,
   /// in the order of the schema, by their keys. Of `run` it compares the columns that the computation decides. Equal
   /// means the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, NaN as NULL). Left out are `checkpoint`,
-  /// which a finished run does not have, `bullet_sample`, and check results of the kinds golden and bullet, which
+  /// which is no result, `bullet_sample`, and check results of the kinds golden and bullet, which
   /// depend on data that is not stored. Throws StoreError.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again, const std::string& idAgain);
   /// Returns all tables, in the order of the schema; those in `known` with their purpose. `id`: counts only this run's

@@ -16,14 +16,6 @@ std::optional<std::uint64_t> keptStep(Database& db, const std::string& id, const
   return s.natural(0);
 }
 
-void replaceCheckpoint(Database& db, const std::string& id, const Checkpoint& c) {
-  std::string update;
-  for (const SqlColumn& column : sqlTable<CheckpointRow>().own)
-    update += (update.empty() ? "" : ", ") + column.name + " = excluded." + column.name;
-  Statement(db, sqlTable<CheckpointRow>().insert() + " ON CONFLICT DO UPDATE SET " + update)
-      .run(id, CheckpointRow{c, utcNow()});
-}
-
 void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
   Statement there(db, "SELECT count(*) FROM checkpoint_frame WHERE run_id = ?");
   there.start(id).next();
@@ -34,9 +26,15 @@ void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
 }  // namespace
 
 std::optional<std::uint64_t> Store::checkpointStep(const std::string& id) {
-  Statement s(db_, "SELECT step FROM checkpoint WHERE run_id = ?");
+  Statement s(db_, "SELECT step FROM checkpoint JOIN run USING (run_id) WHERE run_id = ? AND status <> 'done'");
   if (!s.start(id).next()) return std::nullopt;
   return s.natural(0);
+}
+
+std::optional<Checkpoint> Store::checkpointOf(const std::string& id) {
+  auto kept = rowsOf<CheckpointRow>(db_, "", id);
+  if (kept.empty()) return std::nullopt;
+  return std::move(kept.front().of);
 }
 
 bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
@@ -70,11 +68,13 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
 std::optional<ResumedRun> Store::resume(const RunRecord& record) {
   const std::string id = runId(record);
   Transaction transaction(db_);
-  auto kept = rowsOf<CheckpointRow>(db_, "", id);
-  if (kept.empty()) return std::nullopt;
+  if (!checkpointStep(id)) return std::nullopt;
   requireIntact(id);
-  ResumedRun run{id, std::move(kept.front().of), {}};
-  attempts_[id] = {record, find(id).started};
+  ResumedRun run{id, *checkpointOf(id), {}};
+  const StoredRun stopped = find(id);
+  attempts_[id] = {record, stopped.started};
+  attempts_[id].record.mother = stopped.record.mother;
+  attempts_[id].record.motherTime = stopped.record.motherTime;
   for (FrameRow& frame : rowsOf<FrameRow>(db_, "", id)) run.frames.push_back(std::move(frame.content));
   restartRun(db_, id, attempts_[id].started);
   sealRun(db_, id, [](TablePart part) { return part == TablePart::record || part == TablePart::end; });

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "diagnose/diagnose.h"
+#include "simulation/go_on.h"
 #include "simulation/memory.h"
 #include "simulation/restore.h"
 #include "simulation/settle.h"
@@ -29,6 +30,15 @@ Run::Run(World world, RunSetup setup)
 
 void Run::resume(const std::string& state, const Resumed& earlier) {
   restoreState(world_, state);
+  showResumed(earlier);
+}
+
+void Run::goOn(const std::string& state, std::size_t added, const Resumed& earlier) {
+  goOnFrom(world_, state, added);
+  showResumed(earlier);
+}
+
+void Run::showResumed(const Resumed& earlier) {
   for (Observer* observer : observers_) observer->resume(world_, earlier);
   begun_ = true;
 }

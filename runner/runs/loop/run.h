@@ -31,6 +31,8 @@ class Run {
   /// Continues a stopped run: the world takes the saved state (checkpoint.h), and all observers resume. Throws
   /// InputError for a state of another scene or version.
   void resume(const std::string& state, const Resumed& earlier);
+  /// Continues from the state of another run, whose scene had `added` experiments less, as `resume` does [goOnFrom].
+  void goOn(const std::string& state, std::size_t added, const Resumed& earlier);
 
   /// Steps until the scene ends. A failure of the scene is told in RunEnd::failure, with the names of cells; after a
   /// signal the status is `killed`.
@@ -47,6 +49,7 @@ class Run {
 
  private:
   void see();
+  void showResumed(const Resumed& earlier);
   RunEnd stop();
   RunEnd fail(const std::string& why, Want want);
 

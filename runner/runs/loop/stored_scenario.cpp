@@ -46,7 +46,7 @@ void requireToShow(Store& store, const StoredRun& run) {
   tellUnlessFine(store, run);
 }
 
-Scenario storedScenario(const std::string& database, const std::string& run) {
+Scenario storedScenario(const std::string& database, const std::string& run, const std::vector<Override>& changes) {
   auto store = Store::openForReading(database);
   const auto stored = store.find(run);
   refuseIf(store.changedRecord(stored.id), store, stored);
@@ -58,7 +58,7 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
       files.push_back({document.role, document.path, document.content});
   }
   if (resolved.empty()) throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");
-  return readScenario(resolved, database, "", {}, files);
+  return readScenario(resolved, database, "", changes, files);
 }
 
 Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {

@@ -10,8 +10,9 @@ namespace morula {
 /// True if the file begins as SQLite's do. Throws FileError if reading it fails.
 bool isDatabase(const std::string& file);
 
-/// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest one.
-Scenario storedScenario(const std::string& database, const std::string& run);
+/// The scenario of a stored run, as it was run but for `changes`. `run`: its id or the beginning of it; "": the only or
+/// latest one.
+Scenario storedScenario(const std::string& database, const std::string& run, const std::vector<Override>& changes = {});
 
 /// Throws FileError if the file is damaged, or the record of the run was changed since it was stored
 /// (Store::changedRecord, lostCells): whatever is made of it would be of another run.

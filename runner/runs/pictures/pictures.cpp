@@ -190,6 +190,7 @@ void FrameCollector::resume(const World& world, const Resumed& earlier) {
     frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
     reaches(frames_.back().cells.size());
   }
+  reaches(world.cells.path.size());  // pictures of a run that had ended are not kept
   due_.pass(world.clock.time);
 }
 

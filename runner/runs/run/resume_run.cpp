@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "base/error.h"
+#include "run/mother.h"
 #include "system/console.h"
-#include "system/json.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -22,33 +21,6 @@ std::string differences(const RunRecord& there, const RunRecord& here) {
   return text;
 }
 
-/// All values of a resolved scenario by their keys, "stop.cycles".
-Json valuesOf(const RunRecord& record) {
-  for (const SourceText& d : record.documents)
-    if (d.role == "resolved")
-      if (const Json json = tryParseJson(d.content); json.is_object()) return json.flatten();
-  return Json::object();
-}
-
-/// The keys that differ between two scenarios, with both values.
-std::string keysThatDiffer(const RunRecord& there, const RunRecord& here) {
-  const Json before = valuesOf(there), now = valuesOf(here);
-  std::set<std::string> keys;
-  for (const Json* values : {&before, &now})
-    for (const auto& [key, value] : values->items()) keys.insert(key);
-  const auto text = [](const Json& values, const std::string& key) {
-    return values.contains(key) ? jsonText(values[key]) : std::string("nothing");
-  };
-  std::string found;
-  for (const std::string& key : keys) {
-    if (text(before, key) == text(now, key)) continue;
-    std::string path = key.substr(1);
-    std::ranges::replace(path, '/', '.');
-    found += (found.empty() ? "" : "; ") + path + ": " + text(before, key) + " then, " + text(now, key) + " now";
-  }
-  return found;
-}
-
 /// Why there is nothing to go on from.
 std::string whyNot(Store& store, const RunRecord& record) {
   const std::string id = runId(record);
@@ -56,7 +28,8 @@ std::string whyNot(Store& store, const RunRecord& record) {
   for (const StoredRun& run : store.runs()) {
     if (run.id == id && run.status == RunStatus::done) return "run " + id + " is finished";
     if (run.id == id) return "run " + id + " left no checkpoint (--checkpoint-every makes them)";
-    if (run.record.scenario == record.scenario && run.status != RunStatus::done) other = run;
+    if (run.record.scenario == record.scenario && (run.status != RunStatus::done || store.checkpointOf(run.id)))
+      other = run;
   }
   if (other) {
     RunRecord there = other->record;
@@ -77,22 +50,76 @@ std::string hashesOf(const std::optional<std::uint64_t>& every) {
   return every ? fmt::format("state hashes every {}", *every) : "no state hashes";
 }
 
+std::string recordsOf(const std::optional<double>& every, const std::optional<std::uint64_t>& hashEvery) {
+  return samplesOf(every) + " and " + hashesOf(hashEvery);
+}
+
 /// Throws if the checkpoint's run was recorded in another way, for its records could not be completed.
 void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
   if (c.every == now.every && c.hashEvery == now.hashEvery) return;
-  throw UsageError(fmt::format(
-      "--resume: the checkpoint was made with {} and {}, but this run has {} and {}; restore the former --no-check "
-      "and the scenario's former record and check, or leave out --resume to start from the beginning",
-      samplesOf(c.every), hashesOf(c.hashEvery), samplesOf(now.every), hashesOf(now.hashEvery)));
+  throw UsageError(
+      fmt::format("--resume: the checkpoint was made with {}, but this run has {}; restore the former --no-check "
+                  "and the scenario's former record and check, or leave out --resume to start from the beginning",
+                  recordsOf(c.every, c.hashEvery), recordsOf(now.every, now.hashEvery)));
+}
+
+/// Says why the records of the mother cannot be this run's; "" if they can. A run without hashes leaves out hers.
+std::string whyNotRecords(const Mother& mother, const RecordOptions& now) {
+  const Checkpoint& c = mother.checkpoint;
+  const bool hashesDiffer = now.hashEvery && (c.hashEvery != now.hashEvery || mother.changesHashes);
+  if (c.every == now.every && !hashesDiffer) return "";
+  return mother.changesHashes && c.every == now.every
+             ? "with its first experiment the scene has other hashes on the way; give --no-check"
+             : fmt::format("it was recorded with {}, and this run has {}", recordsOf(c.every, c.hashEvery),
+                           recordsOf(now.every, now.hashEvery));
+}
+
+/// Gives the record the documents of the mother, which is known by her database alone, and its own values.
+void takeDocuments(Store& store, const std::string& mother, RunRecord& record) {
+  std::vector<SourceText> documents = store.documents(mother);
+  std::erase_if(documents, [](const SourceText& d) { return d.role == "faces"; });
+  for (SourceText& d : documents)
+    for (const SourceText& own : record.documents)
+      if (d.role == "resolved" && own.role == "resolved") d = own;
+  record.documents = std::move(documents);
+}
+
+/// Goes on from the last state of another run that is one of this run, too. Returns its step; absent, with the reason,
+/// if there is none.
+std::optional<std::uint64_t> goOn(Store& store, RunRecord& record, Run& run, const RecordOptions& recording,
+                                  const std::string& from, bool quiet, std::string& why) {
+  const auto mother = findMother(store, record, from, why);
+  if (!mother) return std::nullopt;
+  const std::string& id = mother->run.id;
+  store.requireIntact(id);
+  if (!from.empty()) takeDocuments(store, id, record);
+  try {
+    if (const std::string other = whyNotRecords(*mother, recording); !other.empty()) throw InputError(other);
+    run.goOn(mother->checkpoint.state, mother->added,
+             {[&](const RecordSink& take) { store.eachRecord(id, take); }, {}});
+  } catch (const InputError& error) {
+    why = "run " + id + " cannot go on so: " + error.what();
+    return std::nullopt;
+  }
+  record.mother = id;
+  const Clock& clock = run.world().clock;
+  record.motherTime = mother->run.status == RunStatus::done ? mother->run.time : clock.time;
+  store.begin(record);
+  tell(fmt::format("{} goes on from run {}, at step {}, time {:.6g}", record.scenario, id, clock.step, clock.time),
+       quiet);
+  return clock.step;
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Run& run, const RecordOptions& recording,
-                                       bool quiet) {
+std::optional<std::uint64_t> resumeRun(Store& store, RunRecord& record, Run& run, const RecordOptions& recording,
+                                       const std::string& from, bool quiet) {
   const auto stopped = store.resume(record);
   if (!stopped) {
-    tell("nothing to resume: " + whyNot(store, record) + "; starting from the beginning", quiet);
+    std::string why;
+    if (const auto step = goOn(store, record, run, recording, from, quiet, why)) return step;
+    if (!from.empty()) throw UsageError("--resume: " + why);
+    tell("nothing to resume: " + (why.empty() ? whyNot(store, record) : why) + "; starting from the beginning", quiet);
     return std::nullopt;
   }
   requireSameRecords(stopped->checkpoint, recording);

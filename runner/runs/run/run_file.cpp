@@ -35,18 +35,19 @@ RecordSink RunFile::sink() {
 
 std::optional<std::uint64_t> RunFile::begin(Run& run, const RecordOptions& recording) {
   std::optional<std::uint64_t> step;
-  if (settings_.resume) step = resumeRun(store_, record_, run, recording, settings_.quiet);
+  if (settings_.resume) step = resumeRun(store_, record_, run, recording, settings_.mother, settings_.quiet);
   if (!step) store_.begin(record_);
   if (const auto left = store_.checkpointStep(id_); left && !settings_.resume)
     tell(fmt::format("an earlier run was stopped at step {}; --resume continues it", *left), settings_.quiet);
   return step;
 }
 
-std::filesystem::path RunFile::finish(const RunEnd& end, const RunResults& results) {
+std::filesystem::path RunFile::finish(const RunEnd& end, const RunResults& results,
+                                      const std::optional<Checkpoint>& last) {
   try {
-    store_.finish(id_, end, results);
+    store_.finish(id_, end, results, last);
   } catch (const BusyError& error) {
-    store_ = store_.finishBeside(id_, end, results);
+    store_ = store_.finishBeside(id_, end, results, last);
     tellError(fmt::format("{}; the run is stored in {}", error.what(), store_.file().string()));
   }
   return store_.file();

@@ -25,8 +25,11 @@ class RunFile {
   std::optional<std::uint64_t> begin(Run& run, const RecordOptions& recording);
   /// The kept records, at the end.
   KeptForGolden takeKept() { return std::move(kept_); }
-  /// Stores the end; in a file beside the database if a process holds that. Returns the file.
-  std::filesystem::path finish(const RunEnd& end, const RunResults& results);
+  /// Stores the end, and the checkpoint that a finished run keeps; in a file beside the database if a process holds
+  /// that. Returns the file.
+  std::filesystem::path finish(const RunEnd& end, const RunResults& results, const std::optional<Checkpoint>& last);
+  /// Returns the id of the run that this one went on from; "" if none.
+  const std::string& mother() const { return record_.mother; }
 
  private:
   const RunSettings& settings_;

@@ -81,7 +81,9 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   auto text =
       fmt::format("{}  seed {}: {}, {} at time {} after {} steps\n", scenario.scene.name, scenario.scene.seed,
                   name(end.status), counted(end.cells, "cell"), shownTime(scenario.units, end.time, 6), end.steps);
-  if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
+  if (outcome.resumedAt)
+    text += fmt::format("  resumed  at step {}{}\n", *outcome.resumedAt,
+                        outcome.mother.empty() ? "" : " of run " + outcome.mother);
   if (outcome.canBeResumed) text += "  continue with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed()) {
@@ -127,6 +129,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"cells", end.cells},
             {"time", end.time},
             {"resumed_at", orNull(outcome.resumedAt)},
+            {"mother_run_id", outcome.mother.empty() ? Json() : Json(outcome.mother)},
             {"db", outcome.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},

@@ -69,7 +69,8 @@ CheckReport RunOutcome::sanityReport(const Scenario& scenario) const { return {g
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   const bool hasGolden = settings.isChecked() && fileExists(goldenFile(scenario));
-  const RecordOptions recording = recordingOf(scenario, settings.isChecked() && wantsHashes(scenario, hasGolden));
+  const RecordOptions recording =
+      recordingOf(scenario, settings.hashes.value_or(settings.isChecked() && wantsHashes(scenario, hasGolden)));
   Run run(makeScenarioWorld(scenario, settings.execution),
           {.label = scenario.scene.name + " " + std::to_string(scenario.scene.seed),
            .quiet = settings.quiet,
@@ -88,6 +89,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   RunOutcome outcome;
   outcome.id = file.id();
   outcome.resumedAt = file.begin(run, recording);
+  outcome.mother = file.mother();
   outcome.end = run.toEnd();
   RunResults results = samples.take(run.world(), outcome.end);
   if (against && outcome.end.status == RunStatus::done) results.against = against->take(run.world());
@@ -99,7 +101,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
                          (outcome.end.status == RunStatus::killed || outcome.end.want != Want::nothing);
   if (done && !simulation.results.samples.empty()) outcome.last = simulation.results.samples.back();
   judge(scenario, settings, ended, outcome);
-  outcome.database = file.finish(outcome.end, simulation.results);
+  outcome.database = file.finish(outcome.end, simulation.results, checkpoints.beforeEnd());
   if (run.error()) std::rethrow_exception(run.error());
   addRemarks(scenario, simulation.world, outcome);
   if (done) drawRun(scenario, settings, simulation, frames, file.store(), outcome);

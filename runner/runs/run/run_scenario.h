@@ -19,9 +19,11 @@ struct RunSettings {
   bool changed = false;  // by --set or --seed: its golden file does not apply
   bool check = true, draw = true;
   bool quiet = false;
-  std::uint64_t checkpointEvery = 0;                  // [steps] 0: only when a signal ends the run
   std::optional<tracks::MeasuredCells> against = {};  // measured cells that the run is compared with
+  std::uint64_t checkpointEvery = 0;                  // [steps] 0: only when a signal ends the run
   bool resume = false;                                // go on from the last checkpoint, if there is one
+  std::string mother = {};          // with `resume`: the only other run to go on from; "": any of the database
+  std::optional<bool> hashes = {};  // of states on the way; absent: where the checks need them
   /// True if the run is compared with its golden and its conditions are checked.
   bool isChecked() const { return check && !changed; }
 };
@@ -29,6 +31,7 @@ struct RunSettings {
 struct RunOutcome {
   std::string id;
   std::optional<std::uint64_t> resumedAt;  // [steps]
+  std::string mother;                      // id of the run that it went on from; "" if none
   bool canBeResumed = false;               // it left a checkpoint
   RunEnd end;
   std::optional<Sample> last;  // of a run that came to its end

@@ -112,6 +112,36 @@ TEST_CASE_METHOD(FinishedRun, "a finished run takes no checkpoint of an attempt 
   CHECK(store.find(id).status == RunStatus::done);
 }
 
+TEST_CASE_METHOD(BegunRun, "a finished run keeps the checkpoint that others go on from, and is not resumed itself") {
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
+  store.finish(id, exampleEnd(), exampleResults(), checkpointAt(600));
+  for (int again = 0; again < 2; ++again) {
+    store = Store::openForWriting(file);
+    store.requireAllIntact();
+    CHECK(count("checkpoint") == 1);
+    CHECK(count("checkpoint_frame") == 0);
+    CHECK(store.checkpointOf(id)->state == "state at 600");
+    CHECK_FALSE(store.checkpointStep(id));
+    CHECK_FALSE(store.resume(exampleRecord()));
+    CHECK(store.find(id).status == RunStatus::done);
+    store.begin(exampleRecord());  // the run once more
+    store.finish(id, exampleEnd(), exampleResults(), checkpointAt(600));
+  }
+}
+
+TEST_CASE_METHOD(ResultsFile, "a run that went on from another one names it, also when it was stopped and resumed") {
+  RunRecord record = exampleRecord();
+  record.mother = "0123456789abcdef", record.motherTime = 0.1 + 0.2;
+  const std::string id = store.begin(record);
+  CHECK(id == runId(exampleRecord()));  // the same computation
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100));
+  store = Store::openForWriting(file);
+  REQUIRE(store.resume(exampleRecord()));
+  store.finish(id, exampleEnd(), exampleResults());
+  CHECK(store.find(id).record.mother == record.mother);
+  CHECK(store.find(id).record.motherTime == record.motherTime);
+}
+
 TEST_CASE_METHOD(BegunRun, "records that were made in another way are replaced as a whole") {
   Checkpoint without = checkpointAt(700);
   without.hashEvery.reset();

@@ -50,11 +50,13 @@ TEST_CASE_METHOD(
     "a file without a measure's column is read as if it had not been measured, and gets it with the next run") {
   Store::openForWriting(folder / "new.db");
   for (const char* column :
-       {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z"})
+       {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z",
+        "run DROP COLUMN mother_run_id", "run DROP COLUMN mother_time"})
     database().execute(std::string("ALTER TABLE ") + column);
   {
     const auto samples = Store::openForReading(file).results(id).samples;
     CHECK_FALSE(samples[1].world["shell_fill"]);
+    CHECK(Store::openForReading(file).find(id).record.mother.empty());
     CHECK_FALSE(samples[1].cells[0]["sphericity"]);
     CHECK(samples[1].world["volume"] == exampleResults().samples[1].world["volume"]);
     CHECK(samples[1].cells[0]["neighbours"] == 1);
