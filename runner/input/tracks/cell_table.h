@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/vec3.h"
@@ -24,6 +25,8 @@ struct Row {
   Vector axis{unsaid, unsaid, unsaid};  // of the cell's own division, towards daughter A
   double volume = unsaid;               // > 0
   bool dies = false;                    // at its end
+  /// A row per cell may give its places while so many cells live.
+  std::vector<std::pair<int, Point>> placesAmong = {};
 };
 
 enum class Form {
@@ -35,7 +38,7 @@ enum class Form {
 struct CellTable {
   Form form = Form::frames;
   std::vector<Row> rows;
-  bool isFlat = false;               // there are places, and no column z
+  bool isFlat = false;               // there are places in columns x and y, and no column z
   std::vector<std::string> ignored;  // columns that are not read
   std::deque<std::string> unquoted;  // fields that had quotes in quotes
 };
