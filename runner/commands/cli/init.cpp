@@ -125,9 +125,12 @@ void addInit(CLI::App& app, Action& action) {
   verb.takes("--model", options.embryo.areSpheres, "NAME", readModel,
              "Bodies of cells: mesh, or sphere, which is faster and coarser");
   verb.showDefault("--model", "mesh");
+  verb.takes("--per-time", options.embryo.perTime, "TIME", number(scenario::Range{.low = 1e-30, .high = 1e30}),
+             "How many of the table's times one of the scenario's is; default: so that a median life is about 4");
+  verb.takes("--set", options.embryo.settings, "KEY=VALUE", "Write this setting into the scenario");
   verb.oneOf({"file", "--output"});
   verb.oneOf({"--dna", "--study", "--from"});
-  verb.onlyWith({"--units", "--shell", "--root", "--model"}, {"--from"});
+  verb.onlyWith({"--units", "--shell", "--root", "--model", "--per-time", "--set"}, {"--from"});
   verb.onlyWith({"--levels"}, {"--dna"});
   verb.onlyWith({"--base"}, {"--study"});
   verb.takes("--force", options.force, "Replace an existing file");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "files/text.h"
@@ -37,6 +38,8 @@ const std::array<std::vector<std::string_view>, 18> headers{{
 }};
 
 const scenario::Range usable{.low = -1e30, .high = 1e30}, size{.low = 1e-30, .high = 1e30};
+
+constexpr std::uint64_t maxCells = 1'000'000;
 
 bool isNumber(std::string_view text) { return scenario::parseReal(text).wrong.empty(); }
 
@@ -115,9 +118,23 @@ class TableReader {
         if (std::find(found + 1, words.end(), header) != words.end())
           text_.complain(fields()[at], "two columns are called " + inQuotes(fields()[at]), "rename or remove one");
       }
+    findStages(words, isUsed);
     for (std::size_t i = 0; i < words.size(); ++i)
       if (!isUsed[i]) table_.ignored.emplace_back(fields()[i]);
     return requireColumns();
+  }
+
+  /// Finds the columns x_8, y_8 and z_8 of places while eight cells live.
+  void findStages(const std::vector<std::string>& words, std::vector<bool>& isUsed) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const auto axis = std::string_view("xyz").find(words[i].empty() ? ' ' : words[i][0]);
+      const auto cells = scenario::parseNatural(words[i].empty() ? words[i] : words[i].substr(1));
+      if (axis == std::string_view::npos || !cells.wrong.empty() || cells.value < 1 || cells.value > maxCells) continue;
+      int& column = stages_.try_emplace(static_cast<int>(cells.value), std::array{-1, -1, -1}).first->second[axis];
+      if (column >= 0)
+        text_.complain(fields()[i], "two columns are called " + inQuotes(fields()[i]), "rename or remove one");
+      column = static_cast<int>(i), isUsed[i] = true;
+    }
   }
 
   std::string headerInWords() const {
@@ -185,6 +202,15 @@ class TableReader {
     if (table_.form == Form::frames || hasPlaces) require(x, "x or POSITION_X"), require(y, "y or POSITION_Y");
     const bool hasAxis = column_[axisX] >= 0 || column_[axisY] >= 0 || column_[axisZ] >= 0;
     if (hasAxis) require(axisX, "axis_x"), require(axisY, "axis_y"), require(axisZ, "axis_z");
+    for (const auto& [cells, columns] : stages_)
+      if (table_.form == Form::frames || hasPlaces)
+        text_.complain({},
+                       "there are columns of places, and others of places among " + std::to_string(cells) + " cells",
+                       "keep x, y and z, or x_N, y_N and z_N in a table with a row per cell");
+      else if (std::ranges::find(columns, -1) != columns.end())
+        text_.complain({}, "of the columns of places among " + std::to_string(cells) + " cells one is absent",
+                       "name all of them, as x_" + std::to_string(cells) + ", y_" + std::to_string(cells) + ", z_" +
+                           std::to_string(cells));
     table_.isFlat = column_[x] >= 0 && column_[z] < 0;
     return problems_.empty();
   }
@@ -195,11 +221,12 @@ class TableReader {
 
   /// Reads a number, which may be absent unless `must`.
   double number(Column column, bool must, const scenario::Range& range = usable) {
-    if (column_[column] < 0) return unsaid;
-    const std::string_view field = fieldOf(column);
-    const char* const called = headers[column].front().data();
+    return column_[column] < 0 ? unsaid : number(fieldOf(column), std::string(headers[column].front()), must, range);
+  }
+
+  double number(std::string_view field, const std::string& called, bool must, const scenario::Range& range) {
     if (field.empty()) {
-      if (must) text_.complain({}, std::string("there is no ") + called, "fill it in, or remove the row");
+      if (must) text_.complain({}, "there is no " + called, "fill it in, or remove the row");
       return unsaid;
     }
     const auto [value, wrong] = scenario::parseReal(field);
@@ -234,6 +261,12 @@ class TableReader {
     row.birth = number(birth, table_.form == Form::manTrack), row.end = number(end, table_.form == Form::manTrack);
     row.place = vector(x, isFrame);
     if (table_.isFlat && row.place.x == row.place.x) row.place.z = 0;
+    for (const auto& [cells, columns] : stages_) {
+      double at[3];
+      for (std::size_t i = 0; i < 3; ++i)
+        at[i] = number(field(columns[i]), "xyz"[i] + ("_" + std::to_string(cells)), false, usable);
+      row.placesAmong.emplace_back(cells, Point{at[0], at[1], at[2]});
+    }
     row.axis = vector(axisX, false);
     row.volume = number(volume, false, size);
     const double r = number(radius, false, size);
@@ -265,7 +298,8 @@ class TableReader {
   scenario::Problems& problems_;
   const TableOptions& options_;
   CellTable table_;
-  std::array<int, columnCount> column_;  // among the fields of a row; -1: there is none
+  std::array<int, columnCount> column_;       // among the fields of a row; -1: there is none
+  std::map<int, std::array<int, 3>> stages_;  // columns of places, by the number of cells; -1: there is none
   std::size_t headerCount_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/vec3.h"
@@ -27,6 +28,8 @@ struct Row {
   bool dies = false;                    // at its end
   int stage = 0;                        // of a row per stage: its number of cells; 0: `time` is the stage
   std::string_view contacts;            // of a row per stage: the cells that the cell touches
+  /// A row per cell may give its places while so many cells live.
+  std::vector<std::pair<int, Point>> placesAmong = {};
 };
 
 enum class Form {
@@ -44,7 +47,7 @@ struct TableOptions {
 struct CellTable {
   Form form = Form::frames;
   std::vector<Row> rows;
-  bool isFlat = false;               // there are places, and no column z
+  bool isFlat = false;               // there are places in columns x and y, and no column z
   bool arePaths = false;             // Form::stages: Row::cell holds lineage paths
   std::vector<std::string> ignored;  // columns that are not read
   std::deque<std::string> unquoted;  // fields that had quotes in quotes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "base/number_text.h"
@@ -10,13 +11,15 @@
 #include "division/rules.h"
 #include "files/text.h"
 #include "tracks/embryo_sizes.h"
+#include "tracks/touching.h"
 #include "tracks/wording.h"
 
 namespace morula::tracks {
 namespace {
 
 constexpr std::size_t framesOfAxis = 3, maxStages = 100;
-constexpr double usualLife = 4;  // [time] the median; cells then come to rest between divisions
+constexpr std::size_t mostTouching = 128;  // time grows by the third power
+constexpr double usualLife = 4;            // [time] the median; cells then come to rest between divisions
 
 Vector directionOf(const Vector& v) { return norm(v) > 0 ? v / norm(v) : v; }
 double powerOfTwoNear(double a) { return std::exp2(std::round(std::log2(a))); }
@@ -39,6 +42,7 @@ class EmbryoMaker {
     findDivisions();
     findStages();
     findSizes(e_, options_);
+    for (auto& stage : e_.stages) findContacts(stage);
     for (auto& stage : e_.stages)
       for (auto& [cell, place] : stage.places) place = (place - e_.centre) / e_.length;
     return std::move(e_);
@@ -57,8 +61,8 @@ class EmbryoMaker {
     const double frame = lineage.frame > 0 ? lineage.frame : 1;
     // A power of two of frames, so that each birth falls on the end of a time step.
     if (!lives.empty()) e_.time = frame * powerOfTwoNear(lives[lives.size() / 2] / frame / usualLife);
+    e_.time = options_.perTime.value_or(e_.time);
     for (const TrackedCell& cell : cells()) e_.life.push_back((cell.end - cell.birth) / e_.time);
-    e_.firstCycle = lives.empty() ? 0.0625 : std::min(0.0625, powerOfTwoNear(lives[0] / e_.time) / 8);
     const double whole = lineage.end - lineage.begin;
     e_.stop = (whole > 0 ? whole + 0.5 * lineage.frame : frame) / e_.time;
     const double last = lives.empty() ? 0 : std::ranges::max(cells(), {}, [](const TrackedCell& c) {
@@ -134,11 +138,11 @@ class EmbryoMaker {
       axis = {};
       const auto& a = cells()[static_cast<std::size_t>(mother.daughters[0])].seen;
       const auto& b = cells()[static_cast<std::size_t>(mother.daughters[1])].seen;
-      const bool isTimed = e_.lineage.form == Form::frames;
+      const std::size_t most = e_.lineage.form == Form::frames ? framesOfAxis : 1;
       std::size_t frames = 0;
-      for (std::size_t i = 0, k = 0; i < a.size() && k < b.size() && frames < framesOfAxis;)
-        if (isTimed && a[i].time < b[k].time) ++i;
-        else if (isTimed && b[k].time < a[i].time) ++k;
+      for (std::size_t i = 0, k = 0; i < a.size() && k < b.size() && frames < most;)
+        if (a[i].time < b[k].time) ++i;
+        else if (b[k].time < a[i].time) ++k;
         else axis += directionOf(a[i++].place - b[k++].place) * static_cast<double>(framesOfAxis - frames++);
     }
     const double length = norm(axis);
@@ -175,13 +179,15 @@ class EmbryoMaker {
       ++change[cell.birth];
       if (cell.hasEnd()) --change[cell.end];
     }
+    const double last = e_.lineage.form == Form::frames ? e_.lineage.end + e_.lineage.frame
+                                                        : e_.lineage.begin + e_.stop * e_.time;
     std::map<int, Stage> longest;
     int living = 0;
     for (auto at = change.begin(); at != change.end(); ++at) {
       living += at->second;
-      const double end = std::next(at) == change.end() ? e_.lineage.end + e_.lineage.frame : std::next(at)->first;
+      const double end = std::next(at) == change.end() ? last : std::next(at)->first;
       Stage& stage = longest[living];
-      if (end - at->first > stage.end - stage.begin) stage = {living, at->first, end, {}};
+      if (end - at->first > stage.end - stage.begin) stage = {living, at->first, end};
     }
     for (const auto& [n, stage] : longest)
       if (n > 0 && stage.end > stage.begin) e_.stages.push_back(stage);
@@ -192,6 +198,16 @@ class EmbryoMaker {
       say("of all numbers of cells, the " + std::to_string(maxStages) + " that last longest have a reference");
     }
     for (Stage& stage : e_.stages) findPlaces(stage);
+    std::set<int> unplaced;  // numbers of cells
+    for (const TrackedCell& cell : cells())
+      for (const Sighting& s : cell.seen)
+        if (const int n = static_cast<int>(s.time); e_.lineage.form == Form::cells && n > 0)
+          if (std::ranges::none_of(e_.stages, [&](const Stage& t) { return t.cells == n && livesIn(cell, t); }))
+            unplaced.insert(n);
+    std::vector<std::string> numbers;
+    for (const int n : unplaced) numbers.push_back(std::to_string(n));
+    assume(e_.assumed, "some places are of cells that do not live while there are so many; these are left out",
+           numbers);
   }
 
   void findPlaces(Stage& stage) {
@@ -208,11 +224,25 @@ class EmbryoMaker {
     for (std::size_t i = 0; i < cells().size(); ++i) {
       if (!livesIn(cells()[i], stage)) continue;
       const auto& seen = cells()[i].seen;
-      const auto at =
-          e_.lineage.form == Form::frames ? std::ranges::lower_bound(seen, moment, {}, &Sighting::time) : seen.begin();
-      if (at != seen.end() && (e_.lineage.form != Form::frames || at->time == moment))
-        stage.places.emplace_back(static_cast<int>(i), at->place);
+      const bool isFrames = e_.lineage.form == Form::frames;
+      const auto at = std::ranges::find_if(
+          seen, [&](const Sighting& s) { return isFrames ? s.time == moment : s.time == 0 || s.time == stage.cells; });
+      if (at != seen.end()) stage.places.emplace_back(static_cast<int>(i), at->place);
     }
+  }
+
+  /// Finds which cells touch, if all of them have a place and a volume.
+  void findContacts(Stage& stage) const {
+    std::vector<Ball> balls;
+    for (const auto& [cell, place] : stage.places)
+      balls.push_back({place, std::cbrt(cells()[static_cast<std::size_t>(cell)].volume / (4 * std::numbers::pi / 3))});
+    const auto isKnown = [](const Ball& ball) { return ball.radius == ball.radius; };
+    if (!e_.shell || static_cast<int>(balls.size()) != stage.cells || balls.size() > mostTouching ||
+        !std::ranges::all_of(balls, isKnown))
+      return;
+    for (const auto& [a, b] : touching(balls, e_.centre, *e_.shell))
+      stage.contacts.emplace_back(stage.places[static_cast<std::size_t>(a)].first,
+                                  stage.places[static_cast<std::size_t>(b)].first);
   }
 
   const EmbryoOptions& options_;

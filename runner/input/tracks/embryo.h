@@ -17,14 +17,17 @@ struct EmbryoOptions {
   Units units = {};  // names, and how many of them one length and one time of the table are
   std::optional<std::array<double, 3>> shell = {};  // semi-axes along x, y and z, as the table's lengths
   bool areSpheres = false;
-  std::string root = {};  // its descendants alone; "": all cells
+  std::string root = {};                   // its descendants alone; "": all cells
+  std::optional<double> perTime = {};      // of the table's times, one of the scene's; absent: by the lives of cells
+  std::vector<std::string> settings = {};  // "physics.drag=5", which take precedence over what the table gives
 };
 
 /// The cells between two births or deaths, and where they are in the middle.
 struct Stage {
   int cells = 0;
-  double begin = 0, end = 0;                  // the table's
-  std::vector<std::pair<int, Point>> places;  // of those that the table has then
+  double begin = 0, end = 0;                       // the table's
+  std::vector<std::pair<int, Point>> places = {};  // of those that the table has then
+  std::vector<std::pair<int, int>> contacts = {};  // by places and volumes; none if one of these is not known
 };
 
 /// Returns true if the cell lives while the stage lasts. Times are the table's.
@@ -48,7 +51,6 @@ struct Embryo {
 
   double length = 1, time = 1;  // of the table's, one of the scene's
   double stop = 0;              // when the table ends, and half a frame
-  double firstCycle = 0;        // a newborn's, which makes its substance
   bool areSpheres = false;
   double egg = 1;         // radius of the body of all cells together; less than 1 of balls in a shell
   bool hasBodies = true;  // false: the table has neither places nor axes

@@ -18,8 +18,9 @@ constexpr double polyhedron = 0.95;  // a shell's mesh holds the shell's ellipso
 double ballRadius(double volume) { return std::cbrt(volume / (4 * std::numbers::pi / 3)); }
 double boxVolume(const std::array<double, 3>& axes) { return axes[0] * axes[1] * axes[2]; }
 
-/// The volume of all cells, in the mean over the stages of which it is known; 0 if there is none.
-double meanVolume(const Embryo& embryo) {
+/// The volume of the egg, or else of all cells in the mean over the stages of which it is known; 0 if there is none.
+double wholeVolume(const Embryo& embryo) {
+  if (const double egg = embryo.lineage.cells[0].volume; embryo.lineage.founders == 1 && egg > 0) return egg;
   double sum = 0, time = 0;
   for (const Stage& stage : embryo.stages) {
     double volume = 0;
@@ -85,7 +86,7 @@ void findSizes(Embryo& e, const EmbryoOptions& options) {
     e.assumed.push_back("the shell is fitted to the cells' centres: semi-axes of " + numberText(a[0], 3) + ", " +
                         numberText(a[1], 3) + " and " + numberText(a[2], 3) + "; --shell gives measured ones");
   }
-  const double volume = meanVolume(e), shell = e.shell ? 4 * std::numbers::pi / 3 * boxVolume(*e.shell) : 0;
+  const double volume = wholeVolume(e), shell = e.shell ? 4 * std::numbers::pi / 3 * boxVolume(*e.shell) : 0;
   const double known = volume > 0 && shell > 0 ? volume / shell : usualFill;
   e.fill = std::min(known, mostOfMeshes);
   if (shell > 0 && (e.fill < known || !(volume > 0)))

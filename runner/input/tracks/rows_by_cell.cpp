@@ -54,7 +54,10 @@ class RowCollector {
     if (table_.form == Form::manTrack) takeSpan(row, track);
     if (table_.form == Form::cells) track.birth = row.birth, track.end = row.end;
     const Point& p = row.place;
-    if (p.x == p.x && p.y == p.y && p.z == p.z) track.seen.push_back({row.time, p, row.line});
+    if (p.x == p.x && p.y == p.y && p.z == p.z)
+      track.seen.push_back({table_.form == Form::cells ? 0 : row.time, p, row.line});
+    for (const auto& [cells, q] : row.placesAmong)
+      if (q.x == q.x && q.y == q.y && q.z == q.z) track.seen.push_back({double(cells), q, row.line});
     track.axis = row.axis;
     track.dies = track.dies || row.dies;
     if (row.volume == row.volume) ++track.volumes, track.volumeSum += row.volume;

@@ -163,7 +163,7 @@ class LineageMaker {
   /// Gives a mother her end, which is her daughters' birth. Returns false, and says so, if it cannot be.
   bool divide(int index) {
     Track& mother = tracks_[index];
-    sort(mother.daughters);
+    if (lineage_.form != Form::cells) sort(mother.daughters);  // a row per cell: A has the first row
     Track &a = tracks_[mother.daughters[0]], &b = tracks_[mother.daughters[1]];
     if (!follows(a, mother) || !follows(b, mother)) return false;
     const double first = std::fmin(a.birth, b.birth);

@@ -9,7 +9,7 @@ namespace morula::tracks {
 
 /// The place of a cell at a time of the table.
 struct Sighting {
-  double time;
+  double time;  // of a row per cell: the number of cells that live then; 0: it says nothing of that
   Point place;
   int line;  // in the file
 };
@@ -23,7 +23,7 @@ struct TrackedCell {
   double birth = unsaid;       // of a founder: when the table begins
   double end = unsaid;         // of its division or death; unsaid: it lives on
   bool dies = false;           // at its end
-  std::vector<Sighting> seen;  // by time; of a row per cell one at most
+  std::vector<Sighting> seen;  // by time
   double volume = unsaid;      // the mean of those given
   Vector axis{unsaid, unsaid, unsaid};
 

@@ -9,6 +9,7 @@
 #include "files/text.h"
 #include "mesh/mesh.h"
 #include "scenario/scenario.h"
+#include "tracks/settings.h"
 #include "tracks/wording.h"
 #include "yaml/problems.h"
 
@@ -19,8 +20,9 @@ constexpr std::size_t maxNames = 60;  // more stand in a file of their own
 
 class Writer {
  public:
-  Writer(const Embryo& e, const EmbryoOptions& options, const std::string& stem, const std::string& table)
-      : e_(e), options_(options), stem_(stem), table_(table), cells_(e.lineage.cells) {}
+  Writer(const Embryo& e, const EmbryoOptions& options, const std::string& stem, const std::string& table,
+         const std::string& heading)
+      : e_(e), options_(options), stem_(stem), table_(table), heading_(heading), cells_(e.lineage.cells) {}
 
   std::vector<EmbryoFile> write() {
     for (const Stage& stage : e_.stages)
@@ -41,13 +43,16 @@ class Writer {
 
   std::string scenario() const {
     std::string text =
-        comment(fmt::format("{} of {}, which morula init --from has read. What was assumed:",
+        heading_ +
+        comment(fmt::format("{} of {}. What was assumed:",
                             e_.start.empty() ? cells_[0].name + " and its descendants" : "The cells", table_));
     for (const std::string& sentence : e_.assumed) text += comment("- " + sentence + ".");
+    text += comment("Made by:") + commandComment(options_, stem_, table_);
     text +=
         fmt::format("morula: 1\nname: {}\nsummary: {}\nseed: 1\n\n", yamlName(),
                     yamlText(fmt::format("{} tracked cells, with their times and axes of division", cells_.size())));
-    text += "dna: {file: " + yamlText(stem_ + ".dna") + "}  # a substance for each cell, which it holds from birth\n";
+    text +=
+        "dna: {file: " + yamlText(stem_ + ".dna") + "}  # a substance for each cell, which it holds while it lives\n";
     if (!e_.start.empty()) text += start();
     text += "\n" + cycle() + "\n" + units();
     if (e_.hasBodies) text += physics() + division();
@@ -72,16 +77,12 @@ class Writer {
   std::string cycle() const {
     std::vector<std::string> lives;
     for (std::size_t i = 0; i < cells_.size(); ++i)
-      if (cells_[i].hasEnd())
-        lives.push_back(word(e_.substance[i]) + ": " + time(e_.life[i] - (cells_[i].mother < 0 ? 0 : e_.firstCycle)));
+      if (cells_[i].hasEnd()) lives.push_back(word(e_.substance[i]) + ": " + time(e_.life[i]));
     std::string text =
         fmt::format("cycle:\n  length: {}  # of cells that have no end in the table: nothing happens to them\n",
                     time(std::ceil(e_.stop) + 1));
     if (lives.empty()) return text + stop();
-    text += fmt::format("  at-birth: {{'*': {}}}  # soon after its birth the genes of each cell make its substance\n",
-                        time(e_.firstCycle));
-    return text + "  # From then to the end of a cell: its life is at-birth longer.\n  per-substance: " +
-           flow(lives, '{', '}') + "\n" + stop();
+    return text + "  first: at-birth\n  per-substance: " + flow(lives, '{', '}') + "\n" + stop();
   }
 
   std::string stop() const { return "stop: {time: " + time(e_.stop) + "}\n"; }
@@ -168,14 +169,14 @@ class Writer {
     const double every = std::exp2(std::ceil(std::log2(e_.stop / 64)));
     text += "record:\n  every: " + time(every) + "\n";
     if (!counts.empty()) text += "  at-cells: " + flow(counts, '[', ']') + "\n";
-    return stages_.empty() ? text : text + "  measures: [position_rmsd]\n";
+    const bool hasContacts = !stages_.empty() && !stages_.back()->contacts.empty();
+    return stages_.empty() ? text : text + "  measures: [position_rmsd" + (hasContacts ? ", contact_f1]\n" : "]\n");
   }
 
   std::string dna() const {
     std::string text =
         comment("A substance for each cell of " + table_ +
-                ". A newborn holds her mother's, and A or B; in her first cycle, soon after, her genes make her own, "
-                "which she holds until her end.");
+                ", which it holds from birth to end: of her mother's and of A or B the genes of a newborn make hers.");
     text += "START: " + e_.substance[0] + "\n";
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const std::string& own = e_.substance[i];
@@ -201,23 +202,40 @@ class Writer {
     for (const auto& [cell, place] : stage.places)
       text += fmt::format("position {} {:.4f} {:.4f} {:.4f}\n", cells_[static_cast<std::size_t>(cell)].name, place.x,
                           place.y, place.z);
+    if (!stage.contacts.empty())
+      text += comment(
+          "Contacts by places and volumes: each point of the shell belongs to the nearest cell, as in a power "
+          "diagram, and faces below 0.4 of the mean do not count.");
+    for (const auto& [a, b] : stage.contacts)
+      text += fmt::format("contact {} {}\n", cells_[static_cast<std::size_t>(a)].name,
+                          cells_[static_cast<std::size_t>(b)].name);
     return text;
   }
 
   const Embryo& e_;
   const EmbryoOptions& options_;
-  const std::string &stem_, &table_;
+  const std::string &stem_, &table_, &heading_;
   const std::vector<TrackedCell>& cells_;
   std::vector<const Stage*> stages_;  // that have a reference
   bool hasNamesFile_ = false;
   std::vector<EmbryoFile> files_;
 };
 
+/// Returns the comments with which a table begins, which may say where its numbers come from.
+std::string headingOf(std::string_view text) {
+  std::string heading;
+  for (const std::string& line : linesOf(text)) {
+    if (!line.starts_with('#')) break;
+    heading += printableLine(line) + "\n";
+  }
+  return heading;
+}
+
 }  // namespace
 
 std::vector<EmbryoFile> writeEmbryo(const Embryo& embryo, const EmbryoOptions& options, const std::string& stem,
-                                    const std::string& table) {
-  return Writer(embryo, options, stem, table).write();
+                                    const std::string& table, const std::string& heading) {
+  return Writer(embryo, options, stem, table, heading).write();
 }
 
 std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string& file, const EmbryoOptions& given,
@@ -239,12 +257,20 @@ std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string
   assumed = embryo.assumed;
   const auto slash = file.find_last_of('/');
   std::vector<EmbryoFile> files =
-      writeEmbryo(embryo, options, stem, slash == file.npos ? file : file.substr(slash + 1));
+      writeEmbryo(embryo, options, stem, slash == file.npos ? file : file.substr(slash + 1), headingOf(text));
   std::vector<NamedFile> named;
   for (auto at = files.rbegin(); at != files.rend(); ++at)
     named.push_back({at->role, at->path, at->text});  // the last reference first
   // Reading checks each rule against all substances: with very many cells that takes minutes.
-  if (embryo.substance.size() <= 10'000) readScenario(files[0].text, stem + ".yaml", "", {}, named);
+  const auto check = [&](const std::vector<Override>& settings) {
+    if (embryo.substance.size() <= 10'000) readScenario(files[0].text, stem + ".yaml", "", settings, named);
+  };
+  std::vector<Override> settings;
+  for (const std::string& setting : options.settings) settings.push_back(parseOverride(setting));
+  check(settings);  // a mistake in a setting has the option as its place
+  files[0].text = withSettings(files[0].text, options.settings, problems);
+  problems.throwIfAny();
+  if (!settings.empty()) check({});
   return files;
 }
 

@@ -14,9 +14,10 @@ struct EmbryoFile {
 };
 
 /// The scenario, its DNA, its names where the scenario does not hold them, and a reference for each stage. `stem`: the
-/// scenario's file name without ".yaml"; `table`: how the table is called. All of them can be read.
+/// scenario's file name without ".yaml"; `table`: how the table is called; `heading`: comments with which the scenario
+/// begins. All of them can be read.
 std::vector<EmbryoFile> writeEmbryo(const Embryo& embryo, const EmbryoOptions& options, const std::string& stem,
-                                    const std::string& table);
+                                    const std::string& table, const std::string& heading);
 
 /// Reads a table, named `file` in messages, and writes its embryo. `assumed`: receives sentences for people. Throws
 /// InputError with the mistakes of the table, each with its place.
