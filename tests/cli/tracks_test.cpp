@@ -2,6 +2,8 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -95,6 +97,34 @@ TEST_CASE("an embryo that is read from its own samples has the same lives, and i
     Statement row(db, "SELECT name, born FROM cell");
     while (row.next()) CHECK(row.real(1) * framesPerTime == table.firstFrame.at(row.text(0)));
   }
+}
+
+TEST_CASE("the command at the head of a shipped embryo makes its files again from its table, byte for byte") {
+  const TemporaryFolder folder;
+  const auto [family, stem] = GENERATE(std::pair("worm", "embryo"), std::pair("urchin", "cleavage"));
+  const std::string from = std::string("scenarios/") + family + "/", kept = readWhole(from + stem + ".yaml");
+  // The command's lines begin with '#', and all but the last end with a backslash.
+  std::string command;
+  for (std::size_t at = kept.find("# morula init "); command.empty() || command.ends_with('\\');) {
+    const std::size_t end = kept.find('\n', at);
+    if (command.ends_with('\\')) command.pop_back();
+    command += kept.substr(at + 1, end - at - 1);
+    at = end + 1;
+  }
+  command.replace(command.find("morula"), 6, "\"$MORULA\"");
+  writeWhole(folder / (std::string(stem) + ".csv"), readWhole(from + stem + ".csv"));
+  writeWhole(folder / "again.sh", "cd '" + folder.path() + "' &&" + command + "\n");
+  REQUIRE(std::system(
+              ("MORULA='" MORULA_PROGRAM "' sh '" + (folder / "again.sh") + "' 2>/dev/null").c_str()) == 0);
+  int files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+    const std::string name = std::filesystem::relative(entry.path(), folder.path()).string();
+    if (!entry.is_regular_file() || name == "again.sh") continue;
+    INFO(name);
+    CHECK(readWhole(entry.path().string()) == readWhole(from + name));
+    ++files;
+  }
+  CHECK(files >= 7);  // table, scenario, DNA and at least four references
 }
 
 TEST_CASE("cells of a table that die, and cells without a mother, live and run as the table says") {

@@ -1,9 +1,12 @@
 // Tables made from a known lineage, and what the scenario of each must be. Wrong tables: tests/bad_commands/tracks.txt.
+#include <bit>
 #include <cmath>
 #include <set>
 
 #include "base/error.h"
 #include "tracks/embryo_sizes.h"
+#include "tracks/settings.h"
+#include "tracks/touching.h"
 #include "tracks/wording.h"
 #include "tracks/write_embryo.h"
 // Last, because of CHECK:
@@ -161,6 +164,68 @@ TEST_CASE("a row per cell says when it is born or divides, where its axis lies, 
   CHECK(made.cell("b").dies);
   CHECK(made.cell("b").birth == 8);
   CHECK(made.cell("c").birth == 8);
+}
+
+TEST_CASE(
+    "of a row per cell, columns give places while so many cells live, and the first row of two daughters is A's") {
+  const std::string text =
+      "cell,parent,division,volume,x_2,y_2,z_2,x_3,y_3,z_3,x_7,y_7,z_7\n"
+      "e,,4,30,,,,,,,,,\nz,e,8,20,5,0,0,,,,1,1,1\na,e,,10,-5,0,0,-6,0,0,,,\n"
+      "zb,z,,10,,,,4,3,0,,,\nza,z,,10,,,,4,-3,0,,,\n";
+  const Made made = make(text, {.shell = std::array<double, 3>{12, 8, 8}, .perTime = 2.0});
+  const Embryo& e = made.embryo;
+  CHECK(e.time == 2);
+  CHECK(e.life[made.number("z")] == 2);
+  CHECK(e.path[made.number("z")].text() == "A");
+  CHECK(e.path[made.number("za")].text() == "AB");
+  CHECK(norm(*e.division[made.number("e")].axis - Vector{1, 0, 0}) <
+        1e-12);  // by places among the same number of cells
+  CHECK(norm(*e.division[made.number("z")].axis - Vector{0, 1, 0}) < 1e-12);
+  REQUIRE(e.stages.size() == 3);
+  REQUIRE(e.stages[2].places.size() == 3);
+  CHECK(norm(e.stages[2].places[0].second * e.length + e.centre - Point{-6, 0, 0}) < 1e-12);  // a's among three
+  CHECK(e.stages[2].contacts.size() == 3);
+  CHECK(made.says("do not live while there are so many; these are left out: 7"));
+}
+
+TEST_CASE("two cells of equal volume share the disc between them, unequal ones the disc nearer to the smaller") {
+  const std::array<double, 3> ball{10, 10, 10};
+  const auto even = facesOf({{{-4, 0, 0}, 3}, {{4, 0, 0}, 3}}, {}, ball);
+  REQUIRE(even.size() == 1);
+  CHECK(even[0].area == Approx(M_PI * 100).epsilon(0.001));
+  // d² - r² is equal at x where (x + 4)² - 25 = (x - 4)² - 9, at 1.
+  const auto uneven = facesOf({{{-4, 0, 0}, 5}, {{4, 0, 0}, 3}}, {}, ball);
+  CHECK(uneven[0].area == Approx(M_PI * 99).epsilon(0.001));
+  // An ellipsoid is cut in an ellipse.
+  CHECK(facesOf({{{-4, 0, 0}, 3}, {{4, 0, 0}, 3}}, {}, {10, 5, 2})[0].area == Approx(M_PI * 10).epsilon(0.001));
+}
+
+TEST_CASE(
+    "eight cells at the corners of a cube share twelve faces, whose areas are quarters of discs, and no diagonals") {
+  std::vector<Ball> cube;
+  for (int i = 0; i < 8; ++i) cube.push_back({{i & 1 ? 3.0 : -3.0, i & 2 ? 3.0 : -3.0, i & 4 ? 3.0 : -3.0}, 3});
+  const auto pairs = touching(cube, {}, {9, 9, 9});
+  CHECK(pairs.size() == 12);
+  for (const auto& [a, b] : pairs) CHECK(std::popcount(static_cast<unsigned>(a ^ b)) == 1);
+  for (const Face& face : facesOf(cube, {}, {9, 9, 9}))
+    if (std::popcount(static_cast<unsigned>(face.a ^ face.b)) == 1)
+      CHECK(face.area == Approx(M_PI * 81 / 4).epsilon(0.001));
+}
+
+TEST_CASE("settings replace the lines of their keys, are added where there is none, and leave all other lines") {
+  const std::string text =
+      "# head\nmorula: 1\nstop: {time: 3}  # late\nphysics:\n  drag: 10\n  shell: {\n    sphere: 1, fill: 0.9\n  }\n"
+      "  contact: {stiffness: 30}\nrecord:\n  every: 1\n";
+  scenario::Problems problems("t.yaml");
+  CHECK(withSettings(text, {}, problems) == text);
+  CHECK(withSettings(text,
+                     {"stop.time=5", "physics.shell.fill=0.8", "physics.membrane={stiffness: 5}", "physics.drag=null",
+                      "summary=one, two", "colours={\"a*\": \"#ff0000\"}"},
+                     problems) ==
+        "# head\nmorula: 1\nstop: {time: 5}\nphysics:\n  shell: {sphere: 1, fill: 0.8}\n"
+        "  contact: {stiffness: 30}\n  membrane: {stiffness: 5}\nrecord:\n  every: 1\n"
+        "summary: \"one, two\"\ncolours: {\"a*\": \"#ff0000\"}\n");
+  CHECK(problems.empty());
 }
 
 TEST_CASE("substances keep apart names that differ in what no substance may hold, and the simulator's own words") {
