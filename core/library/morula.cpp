@@ -116,9 +116,9 @@ std::vector<std::int32_t> Simulator::faces(std::size_t cell) const {
   return all;
 }
 
-Table Simulator::table(std::string_view name) const {
+DataTable Simulator::table(std::string_view name) const {
   const FloatingPointMode mode;
-  return tableOf(state_->now(), name, {});
+  return worldTable(state_->now(), name, {});
 }
 
 std::optional<double> Simulator::measure(std::string_view name) const {
@@ -138,7 +138,7 @@ std::optional<double> Simulator::measure(std::string_view name, std::size_t cell
 std::vector<double> Simulator::column(std::string_view name) const {
   const FloatingPointMode mode;
   if (!isSampled<CellContext>(name)) requireOnDemand(name, Scope::cell);
-  return columnOf(state_->now(), state_->cells(), name);
+  return worldColumn(state_->now(), state_->cells(), name);
 }
 
 std::vector<MeasureInfo> Simulator::measures() {

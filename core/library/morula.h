@@ -24,16 +24,16 @@
 namespace morula {
 
 /// A column has one entry for each row: in `numbers` (NaN: absent) or, of texts and bytes, in `texts`.
-struct Column {
+struct DataColumn {
   enum class Kind { real, whole, text, bytes };
   std::string name, unit, meaning;  // unit: "length³"; "" for pure numbers, texts and bytes
   Kind kind = Kind::real;
   std::vector<double> numbers;
   std::vector<std::optional<std::string>> texts;
 };
-struct Table {
+struct DataTable {
   std::string name;
-  std::vector<Column> columns;
+  std::vector<DataColumn> columns;
 };
 
 struct MeasureInfo {
@@ -79,7 +79,7 @@ class Simulator {
   /// Returns a table with the columns of the database: "cell" (the lineage so far), "cell_sample" and "contact" (living
   /// cells with bodies now), "sample" (the organism now), "connection", "division", "time_step", "settling" or
   /// "experiment".
-  Table table(std::string_view name) const;
+  DataTable table(std::string_view name) const;
   /// Takes a measure of the organism, of one cell or of all living cells (NaN: absent), by its name in measures();
   /// absent if there is nothing to measure. All cells are measured once and kept until the next step.
   std::optional<double> measure(std::string_view name) const;

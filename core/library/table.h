@@ -17,7 +17,7 @@ namespace morula {
 /// or a text for the kinds text and bytes.
 template <class Member>
 void eachColumn(const FieldInfo& field, const Member& member, const auto& take, bool isAbsent = false) {
-  using Kind = Column::Kind;
+  using Kind = DataColumn::Kind;
   if constexpr (IsMeasures<Member>) {
     member.each([&](const auto& m, std::size_t i) {
       const auto& value = member.of.values[i];
@@ -48,10 +48,10 @@ void eachColumn(const FieldInfo& field, const Member& member, const auto& take, 
   }
 }
 
-inline void addValue(Column& column, bool isAbsent, double value) {
+inline void addValue(DataColumn& column, bool isAbsent, double value) {
   column.numbers.push_back(isAbsent ? std::numeric_limits<double>::quiet_NaN() : value);
 }
-inline void addValue(Column& column, bool isAbsent, std::string value) {
+inline void addValue(DataColumn& column, bool isAbsent, std::string value) {
   if (isAbsent) column.texts.emplace_back();
   else column.texts.emplace_back(std::move(value));
 }
@@ -59,14 +59,14 @@ inline void addValue(Column& column, bool isAbsent, std::string value) {
 /// Appends a row: the values of the context, then the row's own. A table without columns gets them first. `context`:
 /// the names of the context's columns, with blanks between: "time".
 template <Record Row, class... Context>
-void addRow(Table& table, std::string_view context, const Row& row, const Context&... values) {
+void addRow(DataTable& table, std::string_view context, const Row& row, const Context&... values) {
   const bool isNew = table.columns.empty();
   std::size_t place = 0;
-  const auto take = [&](const FieldInfo& field, Column::Kind kind, bool isAbsent, auto&& value) {
+  const auto take = [&](const FieldInfo& field, DataColumn::Kind kind, bool isAbsent, auto&& value) {
     if (isNew) table.columns.push_back({field.name, field.unit, field.meaning, kind, {}, {}});
     addValue(table.columns[place++], isAbsent, value);
   };
-  const auto takeContext = [&](const auto& value) {
+  [[maybe_unused]] const auto takeContext = [&](const auto& value) {
     const auto end = context.find(' ');
     const std::string name(context.substr(0, end));
     context.remove_prefix(end == context.npos ? context.size() : end + 1);
@@ -78,10 +78,10 @@ void addRow(Table& table, std::string_view context, const Row& row, const Contex
 
 /// Returns a table without rows.
 template <Record Row, class... Context>
-Table tableWithout(std::string name, std::string_view context, const Context&... values) {
-  Table table{std::move(name), {}};
+DataTable tableWithout(std::string name, std::string_view context, const Context&... values) {
+  DataTable table{std::move(name), {}};
   addRow(table, context, Row{}, values...);
-  for (Column& column : table.columns) column.numbers.clear(), column.texts.clear();
+  for (DataColumn& column : table.columns) column.numbers.clear(), column.texts.clear();
   return table;
 }
 

@@ -13,30 +13,30 @@ using NameOf = std::function<std::optional<std::string>(const CellPath&)>;
 
 /// Makes the table of the rows that each(add) adds, one by one, with the values of the context.
 template <Record Row, class... Context>
-Table tableFrom(const char* context, const auto& rows, const Context&... values) {
-  Table table = tableWithout<Row>("", context, values...);
+DataTable tableFrom(const char* context, const auto& rows, const Context&... values) {
+  DataTable table = tableWithout<Row>("", context, values...);
   for (const Row& row : rows) addRow(table, context, row, values...);
   return table;
 }
 
 /// Makes a table whose first column numbers the rows from 0.
 template <Record Row>
-Table numbered(const std::vector<Row>* rows) {
-  Table table = tableWithout<Row>("", "number", std::int64_t{0});
+DataTable numbered(const std::vector<Row>* rows) {
+  DataTable table = tableWithout<Row>("", "number", std::int64_t{0});
   std::int64_t number = 0;
   if (rows)
     for (const Row& row : *rows) addRow(table, "number", row, number++);
   return table;
 }
 
-Table lineageOf(const World& world, const NameOf& nameOf) {
+DataTable lineageOf(const World& world, const NameOf& nameOf) {
   std::vector<CellRow> rows;
   for (const LineageEntry& e : world.lineage.entries)
     rows.push_back({e, world.biology->describe(e.state), nameOf ? nameOf(e.path) : std::nullopt});
   return tableFrom<CellRow>("", rows);
 }
 
-Table cellsOf(const Observation& now) {
+DataTable cellsOf(const Observation& now) {
   std::vector<CellSampleRow> rows;
   for (CellMeasures& cell : measureCells(now)) {
     std::string state = now.world.biology->describe(cell.state);
@@ -45,11 +45,11 @@ Table cellsOf(const Observation& now) {
   return tableFrom<CellSampleRow>("time", rows, now.time);
 }
 
-struct NamedTable {
+struct TableMaker {
   const char* name;
-  Table (*make)(const Observation& now, const NameOf& nameOf);
+  DataTable (*make)(const Observation& now, const NameOf& nameOf);
 };
-constexpr NamedTable tables[] = {
+constexpr TableMaker tables[] = {
     {"cell", [](const Observation& now, const NameOf& nameOf) { return lineageOf(now.world, nameOf); }},
     {"sample", [](const Observation& now,
                   const NameOf&) { return tableFrom<WorldMeasures>("", std::vector{measureWorld(now)}); }},
@@ -76,11 +76,11 @@ constexpr NamedTable tables[] = {
 
 }  // namespace
 
-Table tableOf(const Observation& now, std::string_view name, const NameOf& nameOf) {
+DataTable worldTable(const Observation& now, std::string_view name, const NameOf& nameOf) {
   std::string known;
-  for (const NamedTable& row : tables) {
+  for (const TableMaker& row : tables) {
     if (name == row.name) {
-      Table table = row.make(now, nameOf);
+      DataTable table = row.make(now, nameOf);
       table.name = row.name;
       return table;
     }
@@ -89,11 +89,11 @@ Table tableOf(const Observation& now, std::string_view name, const NameOf& nameO
   throw InputError("there is no table '" + std::string(name) + "'; needs one of " + known);
 }
 
-std::vector<double> columnOf(const Observation& now, std::span<const CellMeasures> cells, std::string_view name) {
+std::vector<double> worldColumn(const Observation& now, std::span<const CellMeasures> cells, std::string_view name) {
   const auto& paths = now.world.cells.path;
   std::vector<double> values(paths.size(), std::numeric_limits<double>::quiet_NaN());
   const auto sampled = sampledMeasures<CellContext>();
-  const auto row = std::ranges::find_if(sampled, [&](const CellMeasure& m) { return m.name == name; });
+  const auto row = std::find_if(sampled.begin(), sampled.end(), [&](const CellMeasure& m) { return m.name == name; });
   if (row != sampled.end()) {
     for (std::size_t i = 0; i < cells.size(); ++i)
       values[i] = cells[i].values[std::size_t(row - sampled.begin())].value_or(values[i]);

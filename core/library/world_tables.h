@@ -14,11 +14,11 @@ namespace morula {
 
 /// Returns the table of this name, as Simulator::table. `nameOf`: names of cells; empty: none has a name. Throws
 /// InputError for another name.
-Table tableOf(const Observation& now, std::string_view name,
-              const std::function<std::optional<std::string>(const CellPath&)>& nameOf);
+DataTable worldTable(const Observation& now, std::string_view name,
+                     const std::function<std::optional<std::string>(const CellPath&)>& nameOf);
 
 /// Returns a measure of all living cells, in their order; NaN where there is nothing to measure. `cells`: measureCells
 /// of the observation. Throws InputError for the name of no measure of cells.
-std::vector<double> columnOf(const Observation& now, std::span<const CellMeasures> cells, std::string_view name);
+std::vector<double> worldColumn(const Observation& now, std::span<const CellMeasures> cells, std::string_view name);
 
 }  // namespace morula

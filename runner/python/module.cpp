@@ -61,9 +61,9 @@ py::array arrayOf(std::vector<T> values, std::vector<py::ssize_t> shape = {}) {
 }
 
 /// Whole numbers become int64 where no row lacks one, texts str or None.
-py::object arrayOf(Column& column) {
-  if (column.kind == Column::Kind::real) return arrayOf(std::move(column.numbers));
-  if (column.kind == Column::Kind::whole) {
+py::object arrayOf(DataColumn& column) {
+  if (column.kind == DataColumn::Kind::real) return arrayOf(std::move(column.numbers));
+  if (column.kind == DataColumn::Kind::whole) {
     for (const double x : column.numbers)
       if (x != x) return arrayOf(std::move(column.numbers));
     return arrayOf(std::vector<std::int64_t>(column.numbers.begin(), column.numbers.end()));
@@ -72,7 +72,7 @@ py::object arrayOf(Column& column) {
   auto** place = static_cast<PyObject**>(texts.mutable_data());
   for (const auto& text : column.texts) {
     py::object value = py::none();
-    if (text && column.kind == Column::Kind::bytes) value = py::bytes(*text);
+    if (text && column.kind == DataColumn::Kind::bytes) value = py::bytes(*text);
     else if (text) value = py::str(*text);
     Py_XDECREF(std::exchange(*place++, value.release().ptr()));
   }
@@ -80,16 +80,16 @@ py::object arrayOf(Column& column) {
 }
 
 /// Returns a dict of arrays, and a dict of the units that columns have.
-py::tuple toPython(Table table) {
+py::tuple toPython(DataTable table) {
   py::dict columns, units;
-  for (Column& column : table.columns) {
+  for (DataColumn& column : table.columns) {
     if (!column.unit.empty()) units[py::str(column.name)] = column.unit;
     columns[py::str(column.name)] = arrayOf(column);
   }
   return py::make_tuple(columns, units);
 }
 
-auto tableBy(Table (Organism::*member)(const std::string&) const) {
+auto tableBy(DataTable (Organism::*member)(const std::string&) const) {
   return [make = alone(member)](Organism& organism, const std::string& name) { return toPython(make(organism, name)); };
 }
 

@@ -12,6 +12,7 @@
 #include "loop/scenario_run.h"
 #include "loop/stored_scenario.h"
 #include "observation/asked_measure.h"
+#include "pictures/pictures.h"
 #include "reader/source.h"
 #include "state/checkpoint.h"
 #include "state/state_hash.h"
@@ -24,7 +25,7 @@ namespace morula {
 namespace {
 
 Scenario read(const std::string& source, const std::vector<Override>& overrides) {
-  if (source.find('\n') != source.npos || !isDatabase(source)) return scenarioFrom(source, overrides);
+  if (source.find('\n') != source.npos || !isDatabase(source)) return readSource(source, overrides);
   const Scenario stored = storedScenario(source, "");
   return overrides.empty() ? stored : readScenario(stored.bytes, source, "", overrides, stored.files);
 }
@@ -46,10 +47,10 @@ std::string contextWithoutRun(const TableInfo& info) {
   return all.size() > 7 ? all.substr(7) : "";  // "run_id time"
 }
 
-Column::Kind kindOf(const std::string& sqlType) {
-  if (sqlType.starts_with("REAL")) return Column::Kind::real;
-  if (sqlType.starts_with("INTEGER")) return Column::Kind::whole;
-  return sqlType.starts_with("BLOB") ? Column::Kind::bytes : Column::Kind::text;
+DataColumn::Kind kindOf(const std::string& sqlType) {
+  if (sqlType.starts_with("REAL")) return DataColumn::Kind::real;
+  if (sqlType.starts_with("INTEGER")) return DataColumn::Kind::whole;
+  return sqlType.starts_with("BLOB") ? DataColumn::Kind::bytes : DataColumn::Kind::text;
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ void Organism::restore(const std::string& state) {
   if (morula::finished(world())) end(endOf(world(), RunStatus::done));
 }
 
-Table Organism::table(const std::string& name) const {
+DataTable Organism::table(const std::string& name) const {
   const SqlTable* found = nullptr;
   std::string known;
   for (const SqlTable* t : runTables()) {
@@ -129,7 +130,7 @@ Table Organism::table(const std::string& name) const {
   }
   if (!found) throw InputError("there is no table '" + name + "'; needs one of " + known);
   if (found->info.part == TablePart::end) return tableNow(name);
-  Table table{name, {}};
+  DataTable table{name, {}};
   const std::string context = contextWithoutRun(found->info);
   visitRecords(records(), [&](std::uint64_t, const auto& row, const auto&... values) {
     using Row = std::remove_cvref_t<decltype(row)>;
@@ -149,7 +150,9 @@ const Observation& Organism::now() const {
   return *now_;
 }
 
-Table Organism::tableNow(const std::string& name) const { return tableOf(now(), name, scenario_.names.function()); }
+DataTable Organism::tableNow(const std::string& name) const {
+  return worldTable(now(), name, scenario_.names.function());
+}
 
 MeasuredNow Organism::measure(const std::string& name) const {
   const AskedMeasure asked = readMeasure(name, IfSeveral::first);
@@ -184,9 +187,8 @@ std::string Organism::picture(const std::string& colour, int size) const {
   if (size < 64 || size > 4096)
     throw InputError("size: " + std::to_string(size) + " is out of range; needs 64 to 4096 pixels");
   if (!world().bodies) return drawLineage(lineagePictureOf(world(), scenario_)).file(PictureFormat::png);
-  PictureWishes wishes{.colouring = parseColouring(!colour.empty()             ? colour
-                                                   : scenario_.colours.empty() ? "clone"
-                                                                               : "substance")};
+  PictureWishes wishes;
+  wishes.colouring = parseColouring(!colour.empty() ? colour : scenario_.colours.empty() ? "clone" : "substance");
   wishes.width = wishes.height = size;
   PictureMaker maker(scenario_, wishes);
   maker.add(world());

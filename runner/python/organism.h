@@ -54,9 +54,9 @@ class Organism {
   void restore(const std::string& state);
 
   /// Returns a table of the database with its rows so far. Throws InputError for another name.
-  Table table(const std::string& name) const;
+  DataTable table(const std::string& name) const;
   /// Returns the table of the world as it is now: "cell_sample", "contact", …
-  Table tableNow(const std::string& name) const;
+  DataTable tableNow(const std::string& name) const;
   MeasuredNow measure(const std::string& name) const;
   Surfaces surfaces() const;
   /// Draws the organism, or without bodies the lineage, as the content of a PNG file. `colour`: as `--colour` of `morula

@@ -13,7 +13,7 @@ std::vector<Override> overridesOf(const std::vector<std::string>& sets, std::opt
   return overrides;
 }
 
-Scenario scenarioFrom(const std::string& source, const std::vector<Override>& overrides) {
+Scenario readSource(const std::string& source, const std::vector<Override>& overrides) {
   if (source.find('\n') == source.npos) return loadScenario(source, overrides);
   return readScenario(source, "scenario", ".", overrides);
 }
@@ -21,7 +21,7 @@ Scenario scenarioFrom(const std::string& source, const std::vector<Override>& ov
 ReadScenario readScenario(const std::string& source, const std::vector<std::string>& sets,
                           std::optional<std::uint64_t> seed) {
   const FloatingPointMode mode;
-  Scenario scenario = scenarioFrom(source, overridesOf(sets, seed));
+  Scenario scenario = readSource(source, overridesOf(sets, seed));
   return {writeScene(std::move(scenario.scene)), std::move(scenario.warnings)};
 }
 

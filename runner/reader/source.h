@@ -14,6 +14,6 @@ std::vector<Override> overridesOf(const std::vector<std::string>& sets, std::opt
 
 /// Reads a scenario file, or the scenario itself if `source` has more than one line; its files then lie in the working
 /// directory. Throws InputError and FileError.
-Scenario scenarioFrom(const std::string& source, const std::vector<Override>& overrides);
+Scenario readSource(const std::string& source, const std::vector<Override>& overrides);
 
 }  // namespace morula
