@@ -1,7 +1,7 @@
 """Describes the package that was built: describe.py PACKAGE DIST-INFO PYPROJECT.
 
-Writes _morula.pyi, the types of the compiled module, from the signatures that pybind11 puts into docstrings; and the folder
-by which installers and pytest know the package, from pyproject.toml.
+Writes _morula.pyi, the types of the compiled module, from the signatures that pybind11 puts into docstrings; and the
+folder by which installers and pytest know the package, from pyproject.toml.
 """
 import inspect
 import re
@@ -36,7 +36,7 @@ for name, thing in sorted(vars(_morula).items()):
                 lines.append(signature(member, value, "    "))
     elif callable(thing) and not name.startswith("_"):
         lines.append(signature(name, thing))
-(package / "_morula.pyi").write_text("\n".join(lines + ["__version__: str", ""]))
+(package / "_morula.pyi").write_text("\n".join(lines + ["orders: Dict[str, str]", "__version__: str", ""]))
 
 told = tomllib.loads(project.read_text())["project"]
 about.mkdir(exist_ok=True)

@@ -10,6 +10,7 @@
 #include "base/floating_point.h"
 #include "observation/asked_measure.h"
 #include "python/organism.h"
+#include "store/run_tables.h"
 #include "store/store.h"
 
 namespace py = pybind11;
@@ -25,7 +26,7 @@ struct Working {
   ~Working() { --working; }
 };
 
-/// A thread's turn with an organism. Other Python threads run meanwhile; a second one with the same organism is refused.
+/// A thread's turn with an organism. Other Python threads run meanwhile; a second one with this organism is refused.
 class Turn {
  public:
   explicit Turn(Organism& organism) : organism_(organism) {
@@ -118,18 +119,16 @@ std::unique_ptr<Organism> make(const Args&... args) {
 
 py::tuple sourceOf(const Organism& organism) {
   const ScenarioSource source = organism.source();
-  py::list overrides, files;
-  for (const Override& o : source.overrides) overrides.append(py::make_tuple(o.path, o.value, o.place, o.removes));
+  py::list files;
   for (const NamedFile& f : source.files) files.append(py::make_tuple(f.role, f.path, py::bytes(f.content)));
-  return py::make_tuple(py::bytes(source.bytes), source.name, overrides, files);
+  return py::make_tuple(py::bytes(source.bytes), source.name, source.sets, files);
 }
 
-std::unique_ptr<Organism> fromSource(const py::tuple& parts, int threads) {
-  ScenarioSource source{parts[0].cast<std::string>(), parts[1].cast<std::string>(), "", {}, {}};
-  for (const auto& o : parts[2].cast<std::vector<std::tuple<std::string, std::string, std::string, bool>>>())
-    source.overrides.push_back({std::get<0>(o), std::get<1>(o), std::get<2>(o), std::get<3>(o)});
-  for (const auto& f : parts[3].cast<std::vector<std::tuple<std::string, std::string, std::string>>>())
-    source.files.push_back({std::get<0>(f), std::get<1>(f), std::get<2>(f)});
+std::unique_ptr<Organism> fromSource(const std::string& bytes, const std::string& name,
+                                     const std::vector<std::string>& sets,
+                                     const std::vector<std::array<std::string, 3>>& files, int threads) {
+  ScenarioSource source{bytes, name, sets, {}};
+  for (const auto& [role, path, content] : files) source.files.push_back({role, path, content});
   return make(source, threads);
 }
 
@@ -153,7 +152,7 @@ PYBIND11_MODULE(_morula, m) {
   py::class_<Organism>(m, "Organism")
       .def(py::init(&make<std::string, std::vector<std::string>, int>), py::arg("scenario"), py::arg("sets"),
            py::arg("threads"))
-      .def_static("from_source", &fromSource, py::arg("source"), py::arg("threads"))
+      .def_static("from_source", &fromSource)
       .def("source", &sourceOf)
       .def("run", &run, py::arg("time") = std::numeric_limits<double>::infinity(), py::arg("most") = neverDue)
       .def("hash", alone(&Organism::hash))
@@ -198,9 +197,17 @@ PYBIND11_MODULE(_morula, m) {
     for (const AskedMeasure& a : allMeasures()) all.append(py::make_tuple(a.name, a.unit, name(a.scope), a.onDemand));
     return all;
   });
+  m.def("measure_info", [](const std::string& text) {
+    const AskedMeasure asked = readMeasure(text, IfSeveral::first);
+    return std::tuple(name(asked.scope), asked.unit);
+  });
   m.def("check_database", [](const std::string& file) {
     const py::gil_scoped_release released;
     Store::openForReading(file).requireAllIntact();
   });
+  py::dict orders;
+  for (const SqlTable* t : runTables())
+    orders[t->info.name] = *t->info.order ? std::string("run_id, ") + t->info.order : std::string(t->info.key);
+  m.attr("orders") = orders;
   m.attr("__version__") = buildInfo().version;
 }

@@ -24,13 +24,12 @@
 namespace morula {
 namespace {
 
-Scenario read(const std::string& source, const std::vector<Override>& overrides) {
+Scenario read(const std::string& source, const std::vector<std::string>& sets) {
+  const auto overrides = overridesOf(sets, {});
   if (source.find('\n') != source.npos || !isDatabase(source)) return readSource(source, overrides);
   const Scenario stored = storedScenario(source, "");
   return overrides.empty() ? stored : readScenario(stored.bytes, source, "", overrides, stored.files);
 }
-
-Scenario read(const ScenarioSource& s) { return readScenario(s.bytes, s.name, s.folder, s.overrides, s.files); }
 
 /// Returns the record by which a saved state is known to be of this scenario, seed and program.
 RunRecord identityOf(const Scenario& scenario) {
@@ -56,17 +55,16 @@ DataColumn::Kind kindOf(const std::string& sqlType) {
 }  // namespace
 
 Organism::Organism(const std::string& source, const std::vector<std::string>& sets, int threads)
-    : overrides_(overridesOf(sets, {})), scenario_(read(source, overrides_)) {
+    : sets_(sets), scenario_(read(source, sets)) {
   execution_.threads = threads;
   begin();
 }
 
-Organism::Organism(const ScenarioSource& source, int threads) : overrides_(source.overrides), scenario_(read(source)) {
+Organism::Organism(const ScenarioSource& s, int threads)
+    : sets_(s.sets), scenario_(readScenario(s.bytes, s.name, "", overridesOf(s.sets, {}), s.files)) {
   execution_.threads = threads;
   begin();
 }
-
-ScenarioSource Organism::source() const { return {scenario_.bytes, scenario_.file, "", overrides_, scenario_.files}; }
 
 void Organism::begin() {
   if (execution_.threads < 1 || execution_.threads > 1024)

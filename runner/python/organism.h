@@ -16,8 +16,8 @@ namespace morula {
 
 /// All that a scenario was read from: an organism can be made of it again, anywhere.
 struct ScenarioSource {
-  std::string bytes, name, folder;
-  std::vector<Override> overrides;
+  std::string bytes, name;
+  std::vector<std::string> sets;  // as of `--set`
   std::vector<NamedFile> files;
 };
 
@@ -59,12 +59,12 @@ class Organism {
   DataTable tableNow(const std::string& name) const;
   MeasuredNow measure(const std::string& name) const;
   Surfaces surfaces() const;
-  /// Draws the organism, or without bodies the lineage, as the content of a PNG file. `colour`: as `--colour` of `morula
-  /// render`; "": the scenario's colours, or clones where it has none. `size` [pixel].
+  /// Draws the organism, or without bodies the lineage, as the content of a PNG file. `colour`: as `--colour` of
+  /// `morula render`; "": the scenario's colours, or clones where it has none. `size` [pixel].
   std::string picture(const std::string& colour, int size) const;
 
   const Scenario& scenario() const { return scenario_; }
-  ScenarioSource source() const;
+  ScenarioSource source() const { return {scenario_.bytes, scenario_.file, sets_, scenario_.files}; }
   int threads() const { return execution_.threads; }
 
   std::atomic_flag inUse{};  // by a thread
@@ -75,7 +75,7 @@ class Organism {
   const RunResults& records() const { return ended_ ? *ended_ : samples_->recorder().records(); }
   const Observation& now() const;
 
-  std::vector<Override> overrides_;
+  std::vector<std::string> sets_;
   Scenario scenario_;
   Execution execution_;
   std::optional<Samples> samples_;

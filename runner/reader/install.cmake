@@ -1,4 +1,4 @@
-# The reader of scenarios for other programs: a second static library beside the simulator's. Morula::scenarios links both.
+# The reader of scenarios for other programs: a static library beside the simulator's. Morula::scenarios links both.
 file(GLOB sources CONFIGURE_DEPENDS reader/*.cpp)
 add_library(runner_reader STATIC ${sources})
 target_include_directories(runner_reader PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

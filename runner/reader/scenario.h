@@ -13,9 +13,9 @@ struct ReadScenario {
   std::vector<std::string> warnings;  // on what works but may not be meant: "file:line:column: path: …"
 };
 
-/// Reads a scenario file, or the scenario itself if `source` has more than one line; files that such a text names lie in
-/// the working directory. `sets`: changes as `--set` of the program takes them, "physics.drag=5". Throws InputError with
-/// one line per mistake, and FileError if a file cannot be read (base/error.h).
+/// Reads a scenario file, or the scenario itself if `source` has more than one line; files that such a text names lie
+/// in the working directory. `sets`: changes as `--set` of the program takes them, "physics.drag=5". Throws InputError
+/// with one line per mistake, and FileError if a file cannot be read (base/error.h).
 ReadScenario readScenario(const std::string& source, const std::vector<std::string>& sets = {},
                           std::optional<std::uint64_t> seed = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// What other programs call a scenario: its file, or its text.
+// Reads a scenario that another program names by its file or gives as a text.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -64,7 +64,7 @@ has "the example" "state hash $hash"
 has "the example" "AB: a5, "
 has "the example" "volume [length³]"
 try 3 "$example" "$prefix/share/morula/scenarios/thesis/unique-four.yaml" physics.drg=5
-has "the example with a wrong key" "--set physics.drg: physics.drg: is not known; did you mean drag?"
+has "the example with a wrong key" "--set physics.drg: unknown key; did you mean drag?"
 try 1 "$example" "$scratch/no.yaml"
 has "the example without a file" "no.yaml"
 

@@ -25,8 +25,8 @@ def stored(program, tmp_path_factory):
     def run(name, *words):
         if (name, words) not in known:
             folder = tmp_path_factory.mktemp("run")
-            subprocess.run([program, "run", str(scenarios / f"{name}.yaml"), "--no-pictures", "--no-check", "--quiet", "--out",
-                            str(folder), *words], check=True, capture_output=True)
+            words_ = ["--no-pictures", "--no-check", "--quiet", f"--out={folder}", *words]
+            subprocess.run([program, "run", scenarios / f"{name}.yaml", *words_], check=True, capture_output=True)
             (known[name, words],) = folder.rglob("*.db")
         return str(known[name, words])
     return run

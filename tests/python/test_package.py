@@ -16,7 +16,8 @@ import pytest
 from conftest import scenarios
 
 FOUR = scenarios / "thesis/unique-four.yaml"
-GENES = "morula: 1\nname: genes\nseed: 1\ndna: |\n  START: a\n  g(divide|a)\ncycle: {length: 1}\nstop: {cycles: 3}\n"
+GENES = ("morula: 1\nname: genes\nseed: 1\ndna: |\n  START: a\n  g(divide|a)\n  k(a|a)\n"
+         "cycle: {length: 1}\nstop: {cycles: 3}\n")
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +48,7 @@ def test_copies(four):
     before = four.measure("cell.volume")
     four.surface.vertices[:] = 0
     four.measure("cell.volume")[:] = 0
-    four.cells.loc[:, "volume"] = 0
+    four.cells["volume"] = 0
     assert np.array_equal(four.measure("cell.volume"), before)
 
 
@@ -66,11 +67,13 @@ def test_genes_alone():
     assert run._repr_png_().startswith(b"\x89PNG")
 
 
-def test_a_condition_of_measures():
-    run = morula.run(FOUR, set={"record.measures": ["membrane_energy", "stretch"], "stop.cycles": 1})
-    table = run.measures("energy", "membrane_energy")
-    assert table.membrane_energy.notna().all() and len(table) == 5
-    assert "stretch" not in run.measures() and set(run.measure_table.name if False else run.table("measure").name) >= {"membrane_energy"}
+def test_measures_that_are_not_recorded():
+    run = morula.run(FOUR, set={"record.measures": ["membrane_energy"], "stop.cycles": 1})
+    table = run.measures("membrane_energy", "cells")
+    assert table.membrane_energy.notna().all() and len(table) == 5 and list(table.cells) == [1, 1, 1, 1, 2]
+    again = morula.run(FOUR, set={"stop.cycles": 1}).measures("cells", "membrane_energy", "count of a4")
+    assert np.array_equal(again.membrane_energy, table.membrane_energy) and again["count of a4"].sum() == 0
+    assert again.attrs["units"]["membrane_energy"] == "force·length"
 
 
 def test_picture(four, tmp_path):
@@ -105,7 +108,7 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.run(FOUR, threads=10**30), morula.InputError, "out of range"),
     (lambda: morula.run(FOUR, threads="2"), TypeError, "str"),
     (lambda: morula.run(FOUR, set={"physics.drg": 5}), morula.InputError,
-     "--set physics.drg: physics.drg: is not known; did you mean drag?"),
+     "--set physics.drg: unknown key; did you mean drag?"),
     (lambda: morula.run(FOUR, set={"physics.drag": -5}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"physics.drag": "fast"}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"physics.drag": float("nan")}), morula.InputError, "physics.drag"),
@@ -127,11 +130,13 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.Simulator(GENES).measure("weight"), morula.InputError, "weight"),
     (lambda: morula.Simulator(GENES).measure("volume of"), morula.InputError, "volume of"),
     (lambda: morula.Simulator(FOUR).measure("contact.area"), morula.InputError, ""),
-    (lambda: morula.Simulator(GENES).measures("weight"), morula.InputError, "is not recorded"),
+    (lambda: morula.Simulator(GENES).measures("weight"), morula.InputError, "weight"),
+    (lambda: morula.Simulator(FOUR).measures("cell.volume"), morula.InputError, "measures a cell"),
     (lambda: morula.Simulator(GENES).restore(b""), morula.InputError, "no saved state"),
     (lambda: morula.Simulator(GENES).restore(b"SQLite format 3\0" + bytes(4096)), morula.InputError, "no saved state"),
     (lambda: morula.Simulator(GENES).restore(morula.Simulator(FOUR).save()), morula.InputError, "another scenario"),
-    (lambda: morula.Simulator(GENES).restore(morula.Simulator(GENES).save()[:-700]), morula.InputError, "no saved state"),
+    (lambda: morula.Simulator(GENES).restore(morula.Simulator(GENES).save()[:-700]), morula.InputError,
+     "no saved state"),
     (lambda: morula.Simulator(GENES).restore(7.5), TypeError, "float"),
     (lambda: morula.Simulator(FOUR).picture(size=10**6), morula.InputError, "size: 1000000"),
     (lambda: morula.Simulator(FOUR).picture(colour="weight"), morula.InputError, "weight"),
@@ -198,8 +203,10 @@ def test_a_full_disk(four):
 
 
 def test_warnings():
-    with pytest.warns(UserWarning, match="scenario:"):
-        morula.Simulator(GENES.replace("g(divide|a)", "g(divide|a)\n  h(x|never)"))
+    stem = ("morula: 1\nname: stem\ndna: |\n  START: s\n  keep(s|s, !B)\n  div(divide|s, !B)\n  gone(die|s, B)\n"
+            "stop: {time: 130}\n")
+    with pytest.warns(UserWarning, match="on its line of descent"):
+        morula.Simulator(stem)
 
 
 def test_without_pandas(monkeypatch):

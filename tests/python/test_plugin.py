@@ -1,6 +1,5 @@
 """pytest --morula, and the fixture golden."""
 import os
-import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -15,7 +14,8 @@ def project(tmp_path):
     (tmp_path / "scenarios").mkdir()
     text = (scenarios / "thesis/unique-four.yaml").read_text().replace("cycles: 6", "cycles: 2")
     (tmp_path / "scenarios/four.yaml").write_text(text.replace("name: unique-four", "name: four"))
-    (tmp_path / "test_numbers.py").write_text("def test_radius(golden):\n    golden({'radius': 0.5, 'nan': float('nan')}, rel=1e-9)\n")
+    (tmp_path / "test_numbers.py").write_text(
+        "def test_radius(golden):\n    golden({'radius': 0.5, 'nan': float('nan')}, rel=1e-9)\n")
     return tmp_path
 
 
@@ -34,13 +34,13 @@ def test_from_nothing_to_accepted_to_different(project):
     refused = pytest_in(project, "--morula", "--morula-accept", "because", ci=True)
     assert refused.returncode == 4 and "nothing is accepted in CI" in refused.stderr
     assert not (project / "golden").exists() or not list((project / "golden").glob("*.json"))
-    told = pytest_in(project, "--morula", "--morula-accept", "the first results")
+    told = pytest_in(project, "--morula", "--morula-accept", "the first results", "--morula-by", "tests")
     assert told.returncode == 0, told.stdout
     assert "the first results" in (project / "golden/four.golden").read_text()
-    workers = ["-n", "2"] if shutil.which("pytest") and not subprocess.run([sys.executable, "-c", "import xdist"]).returncode else []
-    told = pytest_in(project, "--morula", "--junitxml=junit.xml", *workers)
+    told = pytest_in(project, "--morula", "--junitxml=junit.xml", "-n", "2")
     assert told.returncode == 0 and "2 passed" in told.stdout
-    assert {case.get("name") for case in ElementTree.parse(project / "junit.xml").iter("testcase")} == {"check", "test_radius"}
+    cases = ElementTree.parse(project / "junit.xml").iter("testcase")
+    assert {case.get("name") for case in cases} == {"check", "test_radius"}
 
     scenario, numbers = project / "scenarios/four.yaml", project / "test_numbers.py"
     scenario.write_text(scenario.read_text().replace("drag: 20", "drag: 19"))

@@ -15,9 +15,9 @@ import pytest
 
 from conftest import scenarios
 
-# Every kind of part: bodies, spheres, connections, senses, division rules, variation, settling, experiments, lineage only.
+# Bodies, spheres, connections, variation, a start of several cells, genes alone.
 SHORT = ["thesis/unique-four", "organisms/spheres", "connections/pairs", "division/variation", "bullet/pressed-pair",
-         "thesis/elegans-1341"]
+         "worm/lineage"]
 
 
 def path(name):
@@ -59,7 +59,8 @@ def test_every_shipped_scenario(stored, name):
 
 def test_set_and_seed(stored):
     run = morula.run(path("thesis/unique-four"), seed=7, set={"physics.drag": 5, "stop": {"cycles": 2}})
-    assert_equals_database(run, stored("thesis/unique-four", "--seed=7", "--set=physics.drag=5", "--set=stop={cycles: 2}"))
+    words = "--seed=7", "--set=physics.drag=5", "--set=stop={cycles: 2}"
+    assert_equals_database(run, stored("thesis/unique-four", *words))
 
 
 @pytest.fixture(scope="module")
@@ -164,8 +165,8 @@ def test_rounding_of_others(whole):
 
 
 def test_saved_scenario(whole, stored, tmp_path):
-    for name in ("thesis/unique-four", "organisms/box-shell"):
-        run = morula.Simulator(path(name), seed=5, set={"stop.time": 0.4} if name != "thesis/unique-four" else {"physics.drag": 9})
+    for name, changes in (("thesis/unique-four", {"physics.drag": 9}), ("organisms/box-shell", {"stop.time": 0.4})):
+        run = morula.Simulator(path(name), seed=5, set=changes)
         run.save_scenario(tmp_path / "saved.yaml")
         assert morula.run(tmp_path / "saved.yaml").hash == run.run().hash
 

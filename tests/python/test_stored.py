@@ -12,15 +12,15 @@ STUDY = """morula-study: 1
 name: drag
 base: four.yaml
 vary:
-  physics.drag: [10, 20]
+  drag: {low: {physics.drag: 10}, high: {physics.drag: 20}}
 seeds: 1..2
 measures: [clone_radius, energy]
 """
 
 
 def test_surfaces(tmp_path, program):
-    words = ["--set=record.meshes=1", "--set=stop.cycles=2", "--no-pictures", "--no-check", "--quiet", "--out", str(tmp_path)]
-    subprocess.run([program, "run", str(scenarios / "thesis/unique-four.yaml"), *words], check=True, capture_output=True)
+    words = ["--set=record.meshes=1", "--set=stop.cycles=2", "--no-pictures", "--no-check", "--quiet", f"--out={tmp_path}"]
+    subprocess.run([program, "run", scenarios / "thesis/unique-four.yaml", *words], check=True, capture_output=True)
     (file,) = tmp_path.rglob("*.db")
     run = morula.run(scenarios / "thesis/unique-four.yaml", set={"record.meshes": 1, "stop.cycles": 2})
     results = morula.open(file)
@@ -37,7 +37,7 @@ def test_surfaces(tmp_path, program):
         results.sql("DELETE FROM cell")
     with pytest.raises(AttributeError, match="no table 'weights'"):
         results.weights
-    with pytest.raises(morula.InputError, match="no surfaces"):
+    with pytest.raises(morula.InputError, match="keeps no surfaces"):
         results.surfaces(time=-1)
     results.close()
     with pytest.raises(morula.FileError, match="closed"):
@@ -58,7 +58,8 @@ def test_changed_rows_are_found(stored, tmp_path):
 def test_study(tmp_path, program):
     shutil.copy(scenarios / "thesis/unique-four.yaml", tmp_path / "four.yaml")
     (tmp_path / "drag.study.yaml").write_text(STUDY)
-    subprocess.run([program, "study", "run", "drag.study.yaml", "--quiet"], check=True, cwd=tmp_path, capture_output=True)
+    words = ["study", "run", "drag.study.yaml", "--quiet"]
+    subprocess.run([program, *words], check=True, cwd=tmp_path, capture_output=True)
     (file,) = tmp_path.rglob("study.db")
     study = morula.open(file)
     assert len(study.run) == 4 and len(study.condition) == 2

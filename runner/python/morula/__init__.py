@@ -5,9 +5,9 @@
     run.hash; run.cells; run.lineage; run.measures("energy"); run.surface
 
 A run gives the bits, tables and names of the program `morula`. Tables are pandas.DataFrames, or dicts of NumPy arrays
-where pandas is missing; units are in DataFrame.attrs["units"]. Everything returned is a copy. InputError (a ValueError):
-the scenario or a question is wrong. NumericalError (an ArithmeticError): the physics cannot go on. FileError (an
-OSError): a file cannot be read or written. Texts are those of the program.
+where pandas is missing; units are in DataFrame.attrs["units"]. Everything returned is a copy. InputError (a
+ValueError): the scenario or a question is wrong. NumericalError (an ArithmeticError): the physics cannot go on.
+FileError (an OSError): a file cannot be read or written. Texts are those of the program.
 """
 from __future__ import annotations
 
@@ -16,17 +16,16 @@ import operator
 import os
 import warnings
 from pathlib import Path
-from typing import Any, Mapping, NamedTuple
+from typing import Any, Mapping
 
 import numpy as np
 
 from . import _morula
 from ._morula import BugError, FileError, InputError, NumericalError, __version__
-from ._tables import Surface, frame
-from .stored import Stored, open, program
+from .stored import Stored, Surface, frame, open, program
 
-__all__ = ["BugError", "FileError", "InputError", "NumericalError", "Simulator", "Stored", "Surface", "measures", "open",
-           "program", "run"]
+__all__ = ["BugError", "FileError", "InputError", "NumericalError", "Simulator", "Stored", "Surface", "measures",
+           "open", "program", "run"]
 for _error in (BugError, FileError, InputError, NumericalError):
     _error.__module__ = "morula"
 
@@ -41,7 +40,7 @@ def _as_typed(value: Any) -> str:
 
 def _restored(source: tuple, threads: int, state: bytes) -> Simulator:
     simulator = Simulator.__new__(Simulator)
-    simulator._organism = _morula.Organism.from_source(source, threads)
+    simulator._organism = _morula.Organism.from_source(*source, threads)
     simulator._organism.restore(state)
     return simulator
 
@@ -52,15 +51,14 @@ class Simulator:
     scenario: a scenario file, the text of a scenario (more than one line), or the database of a run.
     seed: replaces the scenario's. set: keys of the scenario and their values, {"physics.drag": 5}; None removes a key.
     threads: their number; it changes no bit of any result.
-    Raises InputError with one line per mistake, and FileError. Only one thread at a time may use a simulator; others run
-    meanwhile. Ctrl-C stops between two steps, and the simulator may go on.
+    Raises InputError with one line per mistake, and FileError. Only one thread at a time may use a simulator; others
+    run meanwhile. Ctrl-C stops between two steps, and the simulator may go on.
     """
 
     def __init__(self, scenario: str | os.PathLike[str], *, seed: int | None = None,
                  set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
         changes = [f"{key}={_as_typed(value)}" for key, value in (set or {}).items()]
-        if seed is not None:
-            changes.append(f"seed={operator.index(seed)}")
+        changes += [] if seed is None else [f"seed={operator.index(seed)}"]
         self._organism = _morula.Organism(os.fspath(scenario), changes, min(operator.index(threads), 2**30))
         for text in self._organism.warnings:
             warnings.warn(text, stacklevel=2)
@@ -93,6 +91,11 @@ class Simulator:
         return self._organism.clock()[3]
 
     @property
+    def threads(self) -> int:
+        """The number of threads."""
+        return self._organism.threads
+
+    @property
     def hash(self) -> str:
         """32 hexadecimal digits over all bits of the state, as `morula run` prints them."""
         return self._organism.hash()
@@ -117,7 +120,7 @@ class Simulator:
 
     @property
     def cells(self) -> Any:
-        """The living cells now, by path, with all their measures (the columns of `cell_sample`). No rows without bodies."""
+        """The living cells now, by path, with their measures (the columns of `cell_sample`). No rows without bodies."""
         return frame(*self._organism.table_now("cell_sample"))
 
     @property
@@ -136,24 +139,35 @@ class Simulator:
         return self.table("connection")
 
     def measures(self, *names: str) -> Any:
-        """Measures of the organism at the scenario's samples (record.every); all that samples take, without names.
-        Raises InputError for a measure that the scenario does not record."""
+        """Measures of the organism at the scenario's samples (record.every); without names all that samples take.
+        Others than these and those of record.measures are taken by running the scenario again, which gives the same
+        bits. Raises InputError for a name that is not known or measures cells."""
         columns, units = self._organism.table("sample")
         asked, _ = self._organism.table("measure")
-        for name in names:
-            rows = (asked["name"] == name) & (asked["scope"] == "world")
-            if name not in columns and not rows.any():
-                raise InputError(f"'{name}' is not recorded of the organism; name it in record.measures, or ask "
-                                 "measure() for its value now")
-            if name not in columns:
-                columns[name] = np.full(len(columns["time"]), np.nan)
-                columns[name][np.searchsorted(columns["time"], asked["time"][rows])] = asked["value"][rows]
+        missing = [name for name in names if name not in columns and name not in asked["name"]]
+        of = {name: _morula.measure_info(name) for name in names if name not in columns}
+        for name, (scope, _) in of.items():
+            if scope != "world":
+                raise InputError(f"'{name}' measures a {scope}; needs a measure of the organism. measure() takes it of "
+                                 "cells now, and record.measures keeps it in the table 'measure'")
+        if missing:
+            text, file, changes, files = self._organism.source()
+            changes = [c for c in changes if not c.startswith("record.measures=")]
+            changes.append("record.measures=" + json.dumps(missing))
+            again = _morula.Organism.from_source(text, file, changes, files, self.threads)
+            again.run(most=self.steps)
+            asked = {key: np.concatenate([values, again.table("measure")[0][key]]) for key, values in asked.items()}
+        for name in of:
+            rows = asked["name"] == name
+            columns[name] = np.full(len(columns["time"]), np.nan)
+            columns[name][np.searchsorted(columns["time"], asked["time"][rows])] = asked["value"][rows]
+            units[name] = of[name][1]
         return frame({name: columns[name] for name in ("time", *names)} if names else columns, units)
 
     def measure(self, name: str) -> float | np.ndarray:
-        """Takes a measure now: a float of the organism ("energy", "count of skin*"), or of cells an array with one value
-        for each living cell, by path ("cell.volume", "sphericity of AB*"). NaN: nothing to measure. morula.measures()
-        lists names and units. Cells are measured once and kept until the next step. Raises InputError."""
+        """Takes a measure now: a float of the organism ("energy", "count of skin*"), or an array with one value for
+        each living cell, by path ("cell.volume", "sphericity of AB*"). NaN: nothing to measure. morula.measures() lists
+        names and units. Cells are measured once and kept until the next step. Raises InputError."""
         return self._organism.measure(name)
 
     @property
@@ -174,11 +188,11 @@ class Simulator:
         """Writes the scenario, with `set`, seed and all defaults, so that `morula run FILE` repeats this run anywhere.
         Meshes are written beside it. Raises OSError."""
         scenario = json.loads(self._organism.resolved)
-        physics = scenario.get("physics", {})
         for role, path, content in self._organism.source()[3]:
-            if role == "mesh" or role == "shell":
-                (physics["mesh"] if role == "mesh" else physics["shell"])["file" if role == "mesh" else "mesh"] = Path(path).name
-                (Path(file).parent / Path(path).name).write_bytes(content)
+            if role in ("mesh", "shell"):
+                key = "file" if role == "mesh" else "mesh"
+                scenario["physics"][role][key] = Path(path).name
+                Path(file).with_name(Path(path).name).write_bytes(content)
         Path(file).write_text(json.dumps(scenario, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
     def picture(self, file: str | os.PathLike[str] | None = None, *, colour: str = "", size: int = 900) -> bytes:
@@ -194,8 +208,8 @@ class Simulator:
 
     def __repr__(self) -> str:
         time, steps, cells, finished = self._organism.clock()
-        ends = ", finished" if finished else ""
-        return f"<morula {self._organism.name}, seed {self._organism.seed}: time {time:.6g}, {steps} steps, {cells} cells{ends}>"
+        return (f"<morula {self._organism.name}, seed {self._organism.seed}: time {time:.6g}, {steps} steps, "
+                f"{cells} cells{', finished' if finished else ''}>")
 
     def __reduce__(self) -> tuple:
         return _restored, (self._organism.source(), self._organism.threads, self.save())

@@ -14,8 +14,9 @@ from .stored import program
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("morula")
-    group.addoption("--morula", action="store_true", help="check each scenario in folders `scenarios` against its golden")
+    group.addoption("--morula", action="store_true", help="check the scenarios in folders `scenarios`")
     group.addoption("--morula-accept", metavar="WHY", help="accept results that differ, for this reason; never in CI")
+    group.addoption("--morula-by", metavar="NAME", help="who accepts; default: as `morula review --accept` says")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -52,7 +53,8 @@ class Check(pytest.Item):
             return subprocess.run([program(), *words], cwd=project, capture_output=True, text=True)
         told = tell("check", str(file))
         if told.returncode == 1 and why:
-            told = tell("review", str(file), "--accept", "--why", why)
+            by = self.config.getoption("morula_by")
+            told = tell("review", str(file), "--accept", "--why", why, *(["--by", by] if by else []))
         if told.returncode:
             raise Different((told.stdout + told.stderr).strip())
         self.add_report_section("call", "morula", told.stdout)
