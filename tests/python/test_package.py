@@ -174,17 +174,21 @@ def test_a_scenario_that_fails(program, tmp_path):
 
 def test_a_second_thread_is_refused():
     run = morula.Simulator(FOUR)
-    thread = threading.Thread(target=run.run)
+    refused = []
+
+    def insist(action, until):
+        while not until():
+            try:
+                action()
+            except RuntimeError as error:
+                assert "another thread uses this simulator" in str(error)
+                refused.append(error)
+    done = []
+    thread = threading.Thread(target=insist, args=(lambda: done.append(run.run().hash), lambda: done))
     thread.start()
-    refused = 0
-    while thread.is_alive():
-        try:
-            run.hash
-        except RuntimeError as error:
-            assert "another thread uses this simulator" in str(error)
-            refused += 1
+    insist(lambda: run.hash, lambda: not thread.is_alive())
     thread.join()
-    assert refused > 0 and run.finished
+    assert refused and run.finished and done == [run.hash]
 
 
 def test_the_interpreter_may_end_at_any_time():

@@ -14,7 +14,7 @@ base: four.yaml
 vary:
   drag: {low: {physics.drag: 10}, high: {physics.drag: 20}}
 seeds: 1..2
-measures: [clone_radius, energy]
+measures: [outermost, energy]
 """
 
 
@@ -62,10 +62,10 @@ def test_study(tmp_path, program):
     subprocess.run([program, *words], check=True, cwd=tmp_path, capture_output=True)
     (file,) = tmp_path.rglob("study.db")
     study = morula.open(file)
-    assert len(study.run) == 4 and len(study.condition) == 2
-    assert set(study.result.measure) >= {"clone_radius", "energy"}
+    assert len(study.run) == 2 and len(study.condition) == 2
+    assert set(study.result.measure) >= {"outermost", "energy"}
     assert any("drag" in column for column in study.condition.columns)
     tidy = study.tidy()
-    assert len(tidy) == 4 and any("drag" in column for column in tidy.columns)
+    assert len(tidy) == 8 and any("drag" in column for column in tidy.columns)
     with pytest.raises(morula.InputError):
         study.tidy("weights")
