@@ -19,4 +19,27 @@ void setFloatingPoint() {
 #endif
 }
 
+FloatingPointMode::FloatingPointMode() {
+#if defined(__SSE2__)
+  control_ = _mm_getcsr();
+#if defined(__x86_64__)
+  asm volatile("fnstcw %0" : "=m"(x87Control_));
+#endif
+#elif defined(__aarch64__)
+  asm volatile("mrs %0, fpcr" : "=r"(control_));
+#endif
+  setFloatingPoint();
+}
+
+FloatingPointMode::~FloatingPointMode() {
+#if defined(__SSE2__)
+  _mm_setcsr(static_cast<unsigned>(control_));
+#if defined(__x86_64__)
+  asm volatile("fldcw %0" : : "m"(x87Control_));
+#endif
+#elif defined(__aarch64__)
+  asm volatile("msr fpcr, %0" : : "r"(control_));
+#endif
+}
+
 }  // namespace morula

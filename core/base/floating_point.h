@@ -8,4 +8,18 @@ namespace morula {
 /// exceptions. Every program calls this first of all; parallelFor calls it on its threads.
 void setFloatingPoint();
 
+/// An object during whose life this thread has the mode of setFloatingPoint. Its end restores the former mode, for
+/// programs of others that call the simulator.
+class FloatingPointMode {
+ public:
+  FloatingPointMode();
+  ~FloatingPointMode();
+  FloatingPointMode(const FloatingPointMode&) = delete;
+  FloatingPointMode& operator=(const FloatingPointMode&) = delete;
+
+ private:
+  unsigned long control_ = 0;      // MXCSR or FPCR
+  unsigned short x87Control_ = 0;  // of the x87 unit
+};
+
 }  // namespace morula

@@ -62,7 +62,8 @@ struct BodyCopy {
 struct TimeStepChange {
   double time = 0;
   std::uint64_t step = 0;
-  double timeStep = 0;
+  double timeStep = 0;  // [time] from this step on
+  friend bool operator==(const TimeStepChange&, const TimeStepChange&) = default;
 };
 
 /// The size of a living cell at its birth, kept if its division needs it (DivisionSize::Rule::adder).

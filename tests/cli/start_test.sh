@@ -70,11 +70,14 @@ END
 stand_in cmake <<'END'
 case $1 in
   --preset)
-    case $3 in -DBUILD_TESTING=ON) with=" with tests" ;; *) with= ;; esac
+    with= tests=OFF python=OFF
+    case "$*" in *-DBUILD_TESTING=ON*) with=" with tests" tests=ON ;; esac
+    case "$*" in *-DMORULA_PYTHON=ON*) with="$with with Python" python=ON ;; esac
     echo "configure $2$with" >>"$MORULA_TEST_SCRATCH/calls"
     mkdir -p "build/$2"
     touch "build/$2/build.ninja"
-    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "BUILD_TESTING:BOOL=${3#*=}" >"build/$2/CMakeCache.txt"
+    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "BUILD_TESTING:BOOL=$tests" \
+      "MORULA_PYTHON:BOOL=$python" >"build/$2/CMakeCache.txt"
     ;;
   --build)
     echo "build $4" >>"$MORULA_TEST_SCRATCH/calls"
@@ -185,9 +188,18 @@ echo "cpack" >>"$MORULA_TEST_SCRATCH/calls"
 for last; do :; done
 mkdir -p "$last" && touch "$last/a.deb" "$last/a.tar.gz"
 END
+mkdir -p "$tree/runner/python"
+printf '#!/bin/sh\ntouch "$3/a.whl"\n' >"$tree/runner/python/package.sh" && chmod +x "$tree/runner/python/package.sh"
 start package
-check "package: everything is built first" "apt-get install --no-install-recommends file;build all;cpack;" "$called"
-check "package: it says what it made" "$tree/build/release/packages/a.deb $tree/build/release/packages/a.tar.gz" "$(echo $out)"
+check "package: everything is built first" \
+  "apt-get install --no-install-recommends file python3-wheel;build all;configure release with Python;build python-package;cpack;" "$called"
+made=$tree/build/release/packages/a
+check "package: it says what it made" "$made.deb $made.tar.gz $made.whl" "$(echo $out)"
+start python
+check "python: what it needs is configured once" "build python-package;" "$called"
+check "python: it says where the package is" "$tree/build/release/python" "$out"
+start python tests
+check "python: takes nothing more" 2 "$code"
 
 : >"$installed" && later touch "$tree/core/base/a.h" && rm "$scratch/bin/sudo"
 if [ ! -e /usr/bin/sudo ]; then

@@ -56,14 +56,17 @@ if grep -q '<code>\./morula' page.html; then fail "commands of a page do not nam
 grep -q '<code>morula replay \|<code>morula render ' page.html || fail "a page has no commands"
 
 # A program that knows only the installation uses the library.
-try 0 "$morula" validate "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --scene "$scratch/four.scene"
+example="$scratch/example/example"
 try 0 cmake -S "$prefix/share/doc/morula/examples/example" -B "$scratch/example" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release
 try 0 cmake --build "$scratch/example"
-try 0 "$scratch/example/example" "$scratch/four.scene"
+try 0 "$example" "$prefix/share/morula/scenarios/thesis/unique-four.yaml"
 has "the example" "state hash $hash"
 has "the example" "AB: a5, "
-try 1 "$scratch/example/example" "$scratch/project/scenarios/one.yaml"
-has "the example of no scene" 'scene:1: the text is no scene; a scene begins with "morula-scene 3"'
+has "the example" "volume [length³]"
+try 3 "$example" "$prefix/share/morula/scenarios/thesis/unique-four.yaml" physics.drg=5
+has "the example with a wrong key" "--set physics.drg: unknown key; did you mean drag?"
+try 1 "$example" "$scratch/no.yaml"
+has "the example without a file" "no.yaml"
 
 # Completion of the installed shells, and the manual.
 share="$prefix/share"

@@ -188,13 +188,7 @@ struct Sample {
   std::vector<CellSurface> surfaces{};    // by path; empty unless they are kept at this time
 };
 
-/// A change of the time step; the first entry is the start.
-struct TimeStepRecord {
-  double time = 0;  // [time]
-  std::uint64_t step = 0;
-  double timeStep = 0;  // [time] from this step on
-  friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
-};
+using TimeStepRecord = TimeStepChange;
 
 /// The side of a comparison with measured cells that has a cell.
 enum class FoundIn { both, run, table };

@@ -1,23 +1,17 @@
 #pragma once
-// The tables of a run, each with the list of its columns, in the order in which people meet them. Only this file knows
-// all tables: code that writes, reads, copies, compares, counts or hashes them goes through runTables().
+// The tables of a run, in the order in which people meet them. The columns of rows that a world alone gives are listed
+// in core/observation/run_rows.h, those of other rows beside their tables. Only this file knows all tables: code that
+// writes, reads, copies, compares, counts or hashes them goes through runTables().
 #include <string>
 #include <vector>
 
-#include "connections/connections.h"
 #include "database/record_table.h"
+#include "observation/run_rows.h"
 #include "store/against_tables.h"
 #include "store/records.h"
 #include "store/seal.h"
 
 namespace morula {
-
-template <>
-inline constexpr auto choices<Fate> =
-    std::to_array<Choice<Fate>>({{Fate::alive, "alive", ""}, {Fate::divided, "divided", ""}, {Fate::died, "died", ""}});
-template <>
-inline constexpr auto choices<Scope> =
-    std::to_array<Choice<Scope>>({{Scope::world, "world", ""}, {Scope::cell, "cell", ""}, {Scope::pair, "pair", ""}});
 
 /// Texts that decided runs, each stored once however many runs share it.
 struct StoredText {
@@ -64,11 +58,6 @@ inline constexpr TableInfo tableInfo<StoredRun> = {
     .later = "mother_run_id mother_time",
     .why = "always: which run it is, how it ended, with which program and where"};
 
-struct CellRow {
-  LineageEntry cell;
-  std::string state;
-  std::optional<std::string> name;
-};
 template <>
 inline constexpr TableInfo tableInfo<CellRow> = {
     .name = "cell",
@@ -78,23 +67,6 @@ inline constexpr TableInfo tableInfo<CellRow> = {
     .order = "born, path",
     .csv = "cells",
     .why = "always: the lineage; lineage, render, replay and explain read it"};
-template <IsA<CellRow> T>
-void listFields(T& row, auto&& field) {
-  auto& [cell, state, name] = row;
-  auto& [path, born, ended, bornStep, endedStep, fate, number] = cell;
-  TextOf mother{[&] { return row.cell.path.mother().text(); }, notRead};
-  field({"path", "'' the egg, then A and B"}, path);
-  field({"parent", "NULL for the egg"}, NullIf{path.isEgg(), mother});
-  field({"born", "", "time"}, born);
-  field({"ended", "NULL while alive", "time"}, NullIf{fate == Fate::alive, ended});
-  field({"fate"}, fate);
-  field({"state", "its last substances, sorted, separated by spaces"}, state);
-  field({"name", "what the scenario's names call it"}, name);
-  field({"born_step"}, bornStep);
-  field({"ended_step"}, NullIf{fate == Fate::alive, endedStep});
-}
-
-// Measured numbers are NULL if there was nothing to measure, or if the number was NaN.
 
 template <>
 inline constexpr TableInfo tableInfo<WorldMeasures> = {
@@ -104,19 +76,7 @@ inline constexpr TableInfo tableInfo<WorldMeasures> = {
     .key = "run_id, time",
     .csv = "samples",
     .why = "the organism over time, as often as `record.every` says; replay and queries read it"};
-inline bool isCells(const WorldMeasure& m) { return std::string_view(m.name) == "cells"; }
-template <IsA<WorldMeasures> T>
-void listFields(T& sample, auto&& field) {
-  field({"time", "", "time"}, sample.time);
-  field({"cells"}, measuresIn(sample, isCells));
-  field({"step"}, sample.step);
-  field({"measures"}, measuresIn(sample, [](const WorldMeasure& m) { return !isCells(m); }));
-}
 
-struct CellSampleRow {
-  CellMeasures cell;
-  std::string state;
-};
 template <>
 inline constexpr TableInfo tableInfo<CellSampleRow> = {.name = "cell_sample",
                                                        .part = TablePart::samples,
@@ -124,20 +84,6 @@ inline constexpr TableInfo tableInfo<CellSampleRow> = {.name = "cell_sample",
                                                        .key = "run_id, time, path",
                                                        .csv = "cell_samples",
                                                        .why = "each cell at the times of `sample`"};
-/// Returns true for measures whose columns come before `state`.
-inline bool isOfFirst(const CellMeasure& m) {
-  for (const char* name : {"volume", "area", "pressure", "x", "y", "z", "sphericity", "neighbours"})
-    if (std::string_view(m.name) == name) return true;
-  return false;
-}
-template <IsA<CellSampleRow> T>
-void listFields(T& row, auto&& field) {
-  auto& [cell, state] = row;
-  field({"path"}, cell.path);
-  field({"measures"}, measuresIn(cell, isOfFirst));
-  field({"state"}, state);
-  field({"measures"}, measuresIn(cell, [](const CellMeasure& m) { return !isOfFirst(m); }));
-}
 
 template <>
 inline constexpr TableInfo tableInfo<ContactMeasures> = {
@@ -147,12 +93,6 @@ inline constexpr TableInfo tableInfo<ContactMeasures> = {
     .key = "run_id, time, a, b",
     .csv = "contacts",
     .why = "each pair of touching cells at the times of `sample`, in a scene with contact"};
-template <IsA<ContactMeasures> T>
-void listFields(T& contact, auto&& field) {
-  field({"a"}, contact.a);
-  field({"b"}, contact.b);
-  field({"measures"}, measuresIn(contact, [](const PairMeasure&) { return true; }));
-}
 
 template <>
 inline constexpr TableInfo tableInfo<TakenMeasure> = {
@@ -161,15 +101,6 @@ inline constexpr TableInfo tableInfo<TakenMeasure> = {
     .context = "run_id time",
     .key = "run_id, time, scope, name, a, b",
     .why = "what `record.measures` asks for, at the times of `sample`; replay and queries read it"};
-template <IsA<TakenMeasure> T>
-void listFields(T& taken, auto&& field) {
-  auto& [scope, name, a, b, value] = taken;
-  field({"scope"}, scope);
-  field({"name", "of scenarios/MEASURES.md"}, name);
-  field({"a", "the cell's path, or the pair's first; '' of the world"}, a);
-  field({"b", "the pair's second; '' of the world and a cell"}, b);
-  field({"value"}, AnyReal{value});
-}
 
 template <>
 inline constexpr TableInfo tableInfo<CellSurface> = {
@@ -200,15 +131,6 @@ inline constexpr TableInfo tableInfo<ConnectionRecord> = {
     .key = "run_id, number",
     .csv = "connections",
     .why = "every connection that was ever made, in a scene with connections"};
-template <IsA<ConnectionRecord> T>
-void listFields(T& connection, auto&& field) {
-  auto& [a, b, made, released, cause] = connection;
-  field({"a"}, a);
-  field({"b"}, b);
-  field({"made", "", "time"}, made);
-  field({"released", "NULL while it holds", "time"}, NullIf{released < 0, released});
-  field({"cause", "why it was released; '' while it holds"}, cause);
-}
 
 template <>
 inline constexpr TableInfo tableInfo<DivisionRecord> = {
@@ -219,17 +141,6 @@ inline constexpr TableInfo tableInfo<DivisionRecord> = {
     .order = "step, path",
     .csv = "divisions",
     .why = "every division: its axis and how the volume was shared"};
-template <IsA<DivisionRecord> T>
-void listFields(T& division, auto&& field) {
-  auto& [path, time, step, axis, share, extentRatio, centreA, centreB] = division;
-  field({"path", "of the mother"}, path);
-  field({"time", "", "time"}, time);
-  field({"step"}, step);
-  field({"axis", "unit normal of the plane; points to daughter A"}, axis);
-  field({"share", "of the mother's volume that daughter A has"}, share);
-  field({"extent_ratio", "of the mother's two largest extents; towards 1 it is ambiguous which is the longest"},
-        extentRatio);
-}
 
 template <>
 inline constexpr TableInfo tableInfo<TimeStepRecord> = {
@@ -239,13 +150,6 @@ inline constexpr TableInfo tableInfo<TimeStepRecord> = {
     .key = "run_id, step",
     .csv = "time_steps",
     .why = "in a scene with bodies: the time step and its changes; replay reads it"};
-template <IsA<TimeStepRecord> T>
-void listFields(T& change, auto&& field) {
-  auto& [time, step, timeStep] = change;
-  field({"step"}, step);
-  field({"time", "", "time"}, time);
-  field({"time_step", "in force from here on", "time"}, timeStep);
-}
 
 template <>
 inline constexpr TableInfo tableInfo<SettlingRecord> = {
@@ -255,21 +159,6 @@ inline constexpr TableInfo tableInfo<SettlingRecord> = {
     .key = "run_id, step",
     .csv = "settlings",
     .why = "with physics.integrator fire: how near to equilibrium each settling came, and what it took"};
-template <IsA<SettlingRecord> T>
-void listFields(T& settling, auto&& field) {
-  auto& [time, step, cells, evaluations, residual, energyLeft, displacementLeft] = settling;
-  field({"step"}, step);
-  field({"time", "of the events before it", "time"}, time);
-  field({"cells"}, cells);
-  field({"evaluations", "of the forces"}, evaluations);
-  field({"residual", "tractions left over the pressure in cells; at most physics.settle.tolerance where it ended"},
-        residual);
-  field({"energy_left",
-         "that cells lose until the residual is a hundredth of the tolerance; of samples (physics.settle.sample)",
-         "force·length"},
-        energyLeft);
-  field({"displacement_left", "the farthest that a vertex goes on that way", "length"}, displacementLeft);
-}
 
 template <>
 inline constexpr TableInfo tableInfo<ExperimentRecord> = {
@@ -279,16 +168,6 @@ inline constexpr TableInfo tableInfo<ExperimentRecord> = {
     .key = "run_id, number",
     .csv = "experiments",
     .why = "with `experiments`: what was done to which cell, and when"};
-template <IsA<ExperimentRecord> T>
-void listFields(T& done, auto&& field) {
-  auto& [entry, time, step, to, path, other] = done;
-  field({"entry", "of the scenario's list, from 1"}, entry);
-  field({"time", "", "time"}, time);
-  field({"step"}, step);
-  field({"done_to"}, to);
-  field({"path"}, NullIf{to != DoneTo::cell && to != DoneTo::pair, path});
-  field({"other", "the other end of a connection"}, NullIf{to != DoneTo::pair, other});
-}
 
 template <>
 inline constexpr TableInfo tableInfo<ChainLink> = {

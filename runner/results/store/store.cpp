@@ -70,6 +70,14 @@ Store Store::temporary() {
   return Store(std::move(db));
 }
 
+Store Store::inMemory(std::string_view bytes) {
+  Database db = Database::inMemory("the saved state", bytes);
+  if (bytes.empty()) makeTables(db);
+  else requireTables(db);
+  configure(db);
+  return Store(std::move(db));
+}
+
 Store Store::openForReading(const std::filesystem::path& file, Options options) {
   Database db(file, Database::Mode::existing, options.patience);
   requireTables(db);

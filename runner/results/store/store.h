@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "database/database.h"
@@ -43,6 +44,10 @@ class Store {
 
   /// Returns a temporary database, which ends with the Store: for results that are only to be compared.
   static Store temporary();
+  /// Returns a database in memory: an empty one, or one from the bytes that `bytes` gave. Throws StoreError for others.
+  static Store inMemory(std::string_view bytes = {});
+  /// Returns the database as the bytes of a file.
+  std::string bytes() { return db_.bytes(); }
 
   /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay until
   /// `finish` has compared the two. Unfinished or failed attempts are replaced now, but their checkpoint stays until

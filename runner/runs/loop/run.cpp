@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -69,9 +70,19 @@ RunEnd Run::fail(const std::string& why, Want want) {
 
 RunEnd Run::toEnd() {
   const SignalWatch signals;
+  return until(std::numeric_limits<double>::infinity(), neverDue, SignalWatch::caught);
+}
+
+RunEnd Run::until(double time, std::uint64_t steps, const std::function<bool()>& stops) {
+  const Clock& clock = world_.clock;
+  const auto stepsLeft = [&] {
+    return clock.step < steps && clock.time < time ? std::min(steps - clock.step, stepsUntil(clock, time)) : 0;
+  };
   try {
-    while (advance())
-      if (SignalWatch::caught() && !finished(world_)) return stop();
+    if (!std::exchange(begun_, true)) see();
+    while (stepsLeft() && advance(stepsLeft()))
+      if (stops() && !finished(world_)) return stop();
+    if (!finished(world_)) return endOf(world_, RunStatus::killed);
     return endOf(world_, RunStatus::done);  // hashes the state; throws NumericalError if a number is not finite
   } catch (const BodyFailure& error) {
     // `diagnose` finds the force that drove a cell over the last time steps; settling has no time steps.

@@ -37,6 +37,10 @@ class Run {
   /// Steps until the scene ends. A failure of the scene is told in RunEnd::failure, with the names of cells; after a
   /// signal the status is `killed`.
   RunEnd toEnd();
+  /// Steps until the scene ends, the clock shows `time` [time] or later, or the count of steps reaches `steps`. A
+  /// failure of the scene is told as by toEnd. `stops` is called after every few steps; if it returns true or throws, the
+  /// run stops, and may go on later. The status of a run that has not ended is `killed`.
+  RunEnd until(double time, std::uint64_t steps, const std::function<bool()>& stops);
   /// Takes at most `most` steps, and no more than observers allow, which then see the world. Returns false, without a
   /// step, if the scene has ended. Throws NumericalError if the physics cannot go on.
   bool advance(std::uint64_t most = neverDue);
