@@ -51,7 +51,7 @@ void requireSubstance(const std::string& text, const Dna& dna) {
                    (near.empty() ? "name one that it produces" : "did you mean " + near + "?"));
 }
 
-/// What a word alone may mean: a cell's name, a path, a substance.
+/// Returns the meaning of a word alone, which may be a cell's name, a path or a substance. Throws InputError for two meanings.
 AskedCells meaningOf(const std::string& word, const AskedCells& asked, const CellNames& names, const Dna& dna) {
   const auto named = pathNamed(names, word);
   const bool isPath = asked.kind != Kind::substance;
