@@ -62,7 +62,7 @@ AskedCells meaningOf(const std::string& word, const AskedCells& asked, const Cel
   };
   add(isOther, "the name of a cell (path " + (named && !named->isEgg() ? named->text() : "egg") + ")", "cell");
   add(isPath, "a path", "path");
-  add(isSubstance(dna, word) && !isReserved(word), "a substance", "substance");
+  add(isSubstance(dna, word) && !substance::isReserved(word), "a substance", "substance");
   if (meanings.size() > 1)
     throw InputError("'" + word + "' is " + join(meanings, " and ") + "; write " + join(remedies, " or "));
   if (named) return {{.kind = Kind::cell, .path = *named}};
