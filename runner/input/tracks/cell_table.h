@@ -27,7 +27,7 @@ struct Row {
   double volume = unsaid;               // > 0
   bool dies = false;                    // at its end
   int stage = 0;                        // of a row per stage: its number of cells; 0: `time` is the stage
-  std::string_view contacts;            // of a row per stage: the cells that the cell touches
+  std::string_view contacts{};          // of a row per stage: the cells that the cell touches
   /// A row per cell may give its places while so many cells live.
   std::vector<std::pair<int, Point>> placesAmong = {};
 };

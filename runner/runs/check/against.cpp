@@ -74,7 +74,8 @@ void Against::closeStage(double end) {
 }
 
 AgainstStage Against::compare(const tracks::MeasuredStage& stage, const Moment& moment, std::uint64_t number) {
-  AgainstStage found{.time = moment.time, .cells = moment.places.size(), .contactF1 = moment.f1};
+  AgainstStage found;
+  found.time = moment.time, found.cells = moment.places.size(), found.contactF1 = moment.f1;
   std::vector<Point> here, there, mirrored;
   auto measured = stage.measured.positions;
   for (const auto& [path, place] : moment.places) {
