@@ -5,7 +5,7 @@
 //   find_package(Morula REQUIRED)                         // Morula::morula, and Morula::scenarios for scenario.h
 //   target_link_libraries(mine PRIVATE Morula::scenarios)
 //
-//   morula::Simulator organism(morula::readScene("unique-four.yaml", {"physics.drag=5"}).scene);  // scenario.h
+//   morula::Simulator organism(morula::readScenario("unique-four.yaml", {"physics.drag=5"}).scene);  // scenario.h
 //   while (!organism.finished()) organism.step(64);
 //   std::cout << organism.cells() << ' ' << organism.hash() << '\n';
 //
@@ -43,7 +43,7 @@ struct MeasureInfo {
 
 class Simulator {
  public:
-  /// `scene`: the text that readScene or `morula validate --scene` gives. `threads`: changes no bit of any result.
+  /// `scene`: the text that readScenario or `morula validate --scene` gives. `threads`: changes no bit of any result.
   explicit Simulator(std::string_view scene, int threads = 1);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
