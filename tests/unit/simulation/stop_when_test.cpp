@@ -101,6 +101,7 @@ TEST_CASE("A look follows a death and a cycle without a birth") {
 TEST_CASE("Cells rest at the first look at which every one is slow enough") {
   Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\n", 8);
   scene.mechanics->contact.emplace();
+  scene.mechanics->physics.drag = 3;
   const double bound = 0.05, every = 0.125;
   World plain = makeWorld(scene);
   const auto isSlow = [&] {  // by vertices, one by one
