@@ -127,7 +127,8 @@ void addInit(CLI::App& app, Action& action) {
   verb.showDefault("--model", "mesh");
   verb.takes("--per-time", options.embryo.perTime, "TIME", number(scenario::Range{.low = 1e-30, .high = 1e30}),
              "How many of the table's times one of the scenario's is; default: so that a median life is about 4");
-  verb.takes("--set", options.embryo.settings, "KEY=VALUE", "Write this setting into the scenario");
+  verb.takes("--set", options.embryo.settings, "PATH=VALUE",
+             "Write a setting into the scenario, as physics.drag=5; null removes it; may repeat");
   verb.oneOf({"file", "--output"});
   verb.oneOf({"--dna", "--study", "--from"});
   verb.onlyWith({"--units", "--shell", "--root", "--model", "--per-time", "--set"}, {"--from"});
