@@ -85,7 +85,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
     CHECK(answer.code == 3);
     return answer.err;
   };
-  CHECK_THAT(wrong("shell_share of skni"), ContainsSubstring("record.measures: the DNA has no substance 'skni'; "
+  CHECK_THAT(wrong("shell_share of skni"), ContainsSubstring("record.measures: 'skni' is neither a cell's name nor a substance; "
                                                              "did you mean skin?"));
   CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
   CHECK_THAT(wrong("volume of A*"), ContainsSubstring("'volume of A*' is part of every sample already; remove it"));
@@ -114,7 +114,7 @@ TEST_CASE("A measure of some cells alone may stand wherever one may: recorded, i
   const auto saysOf = [&](const char* what) { return launch({"chart", db, what, "-o", folder / "chart.svg"}).err; };
   CHECK_THAT(saysOf("shell_share of B*"), ContainsSubstring("--set 'record.measures=[shell_share of B*]'"));
   CHECK_THAT(saysOf("age of skn"),
-             ContainsSubstring("age of skn: no cell ever holds a substance 'skn'; did you mean skin?"));
+             ContainsSubstring("'skn' is neither a cell's name nor a substance; did you mean skin?"));
   CHECK_THAT(saysOf("volumee of A"), ContainsSubstring("there is no measure 'volumee'; did you mean volume?"));
   CHECK(succeeds({"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"})
             .err == "");

@@ -50,7 +50,8 @@ std::string contentOf(const std::string& file) {
     Statement names(db, "SELECT name FROM pragma_table_info(?)");
     for (names.start(table); names.next();)
       if (const auto name = names.text(0);
-          name != "started" && name != "ended" && name != "command" && name != "isa" && name != "threads")
+          name != "started" && name != "ended" && name != "made" && name != "command" && name != "isa" &&
+          name != "threads")
         columns += (columns.empty() ? "" : " || '|' || ") + ("quote(\"" + name + "\")");
     text += "== " + table + "\n";
     for (Statement rows(db, "SELECT " + columns + " AS r FROM " + table + " ORDER BY r"); rows.next();)

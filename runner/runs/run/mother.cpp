@@ -50,6 +50,11 @@ Json experimentsOf(const Json& values) { return values.value("experiments", Json
 /// Returns how many experiments `now` has after those of `before`; absent, with the keys in `why`, if the two differ in
 /// more than these and a stop whose conditions are the same or removed.
 std::optional<std::size_t> addedExperiments(Json before, Json now, std::string& why) {
+  const auto isWhole = [](const Json& values) { return values.is_object() && values.value("stop", Json()).is_object(); };
+  if (!isWhole(before) || !isWhole(now)) {
+    why = "the stored scenario cannot be read";
+    return std::nullopt;
+  }
   const Json earlier = experimentsOf(before), later = experimentsOf(now);
   if (earlier.size() <= later.size() && std::equal(earlier.begin(), earlier.end(), later.begin()))
     before.erase("experiments"), now.erase("experiments");
