@@ -190,11 +190,13 @@ mkdir -p "$last" && touch "$last/a.deb" "$last/a.tar.gz"
 END
 mkdir -p "$tree/runner/python"
 printf '#!/bin/sh\ntouch "$3/a.whl"\n' >"$tree/runner/python/package.sh" && chmod +x "$tree/runner/python/package.sh"
+mkdir -p "$tree/runner/install"
+printf '#!/bin/sh\ntouch "$2"\n' >"$tree/runner/install/bundle.sh" && chmod +x "$tree/runner/install/bundle.sh"
 start package
 check "package: everything is built first" \
   "apt-get install --no-install-recommends file python3-wheel;build all;configure release with Python;build python-package;cpack;" "$called"
 made=$tree/build/release/packages/a
-check "package: it says what it made" "$made.deb $made.tar.gz $made.whl" "$(echo $out)"
+check "package: it says what it made" "$made.deb $made.tar.gz $made.whl $tree/build/release/packages/morula-linux-$(uname -m).tar.xz" "$(echo $out)"
 start python
 check "python: what it needs is configured once" "build python-package;" "$called"
 check "python: it says where the package is" "$tree/build/release/python" "$out"
