@@ -113,7 +113,7 @@ StoredRun Store::find(const std::string& id) {
   const std::string file = db_.file().string();
   if (id.empty()) {
     const std::vector<StoredRun> last =
-        allRuns(Statement(db_, sqlTable<StoredRun>().select(db_, "", "started DESC, run_id LIMIT 1")));
+        allRuns(Statement(db_, sqlTable<StoredRun>().select(db_, "", "started DESC, rowid DESC LIMIT 1")));
     if (last.empty()) throw StoreError(file + ": there are no runs in it");
     return last.front();
   }
