@@ -116,7 +116,7 @@ std::vector<Planned> plan(const RunOptions& options) {
     runs.push_back(std::move(run));
   };
   for (const auto& file : options.scenarios) {
-    if (fileExists(file) && isDatabase(file)) {
+    if (isDatabase(file)) {
       add(goOn(file, options), true);
       continue;
     }

@@ -32,8 +32,8 @@ bool isEmpty(Database& db) {
   return false;
 }
 
-/// Returns the statements that add columns which the file's tables lack and may lack; "" if none lack. Throws StoreError
-/// if another column lacks.
+/// Returns the statements that add columns which the file's tables may lack; "" if none lack. Throws StoreError if
+/// another column lacks.
 std::string lackingColumns(Database& db) {
   std::string sql;
   for (const SqlTable* t : runTables()) {

@@ -26,7 +26,9 @@ void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
 }  // namespace
 
 std::optional<std::uint64_t> Store::checkpointStep(const std::string& id) {
-  Statement s(db_, "SELECT step FROM checkpoint JOIN run USING (run_id) WHERE run_id = ? AND status <> 'done'");
+  Statement s(db_,
+              "SELECT step FROM checkpoint WHERE run_id = ? AND NOT EXISTS (SELECT 1 FROM run WHERE run.run_id = "
+              "checkpoint.run_id AND status = 'done')");
   if (!s.start(id).next()) return std::nullopt;
   return s.natural(0);
 }

@@ -31,6 +31,7 @@ std::uint64_t Checkpoints::stepsUntilDue(const World& world) const {
 }
 
 void Checkpoints::see(const World& world) {
+  if (finished(world)) return;  // the last state depends on the scene's stop, so that no other run could go on from it
   keepBeforeEnd(world);
   if (every_ > 0 && world.clock.step > 0 && world.clock.step % every_ == 0) keep(world);
 }
@@ -38,7 +39,6 @@ void Checkpoints::see(const World& world) {
 /// The last step to the planned end may be shorter than others, and in the step that reaches a number of cells no
 /// further cell divides. So runs with a later stop go on from before that step.
 void Checkpoints::keepBeforeEnd(const World& world) {
-  if (finished(world)) return;
   const std::size_t born = world.lineage.entries.size();
   if (!world.bodies) {  // a step takes less than keeping the state of many cells
     if (born_ > 0 && born < born_ + born_ / 4) return;

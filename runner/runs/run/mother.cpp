@@ -64,8 +64,8 @@ std::optional<std::size_t> addedExperiments(Json before, Json now, std::string& 
 }
 
 constexpr const char* withoutCheckpoint =
-    "keeps no state to go on from, as runs of a study, of an exported file or of an older program do, and runs in which "
-    "all cells died or that are larger than 256 MB; run its scenario with the changes, from its start";
+    "keeps no state to go on from, as runs of a study, of an exported file or of an older program do, and runs in "
+    "which all cells died or that are larger than 256 MB; run its scenario with the changes, from its start";
 
 [[noreturn]] void refuseKey(const Override& change) {
   std::vector<std::string> keys;
