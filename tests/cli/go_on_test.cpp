@@ -160,7 +160,7 @@ TEST_CASE("where a run cannot go on, it says why and begins anew with the same r
   anew(scene + "stop: {time: 2.3}\nexperiments: [{kill: path AA, at: 2.1}]\n",
        "experiments[0].kill is due, or may be, before time 2.29");
   anew(replaced(scene, "drag: 2", "drag: 3") + "stop: {time: 2.3}\n", "physics.drag: 2");
-  // Nothing but going on was asked of a run by its id, so the run does not begin anew.
+  // Who names a run wants to go on from that run, so the program does not begin anew.
   const auto no = [&](const std::string& set, const std::string& why) {
     refuses({"run", db, "--resume", "--run", mother["run_id"], "--no-pictures", "--set", "stop.time=2.4", "--set", set},
             2, why);

@@ -38,7 +38,7 @@ record: {every: 0.25, pictures: 1, meshes: 0.625}
 check: {}
 )";
 
-/// Returns all rows and digests of all tables, except when, how and from which run the run was made.
+/// Returns all rows of all tables, except when and how the run was made.
 std::string contentOf(const std::string& file) {
   Database db = opened(file);
   std::string text;
@@ -49,9 +49,8 @@ std::string contentOf(const std::string& file) {
     std::string columns;
     Statement names(db, "SELECT name FROM pragma_table_info(?)");
     for (names.start(table); names.next();)
-      if (const auto name = names.text(0);
-          name != "started" && name != "ended" && name != "made" && name != "command" && name != "isa" &&
-          name != "threads")
+      if (const auto name = names.text(0); name != "started" && name != "ended" && name != "made" &&
+                                           name != "command" && name != "isa" && name != "threads")
         columns += (columns.empty() ? "" : " || '|' || ") + ("quote(\"" + name + "\")");
     text += "== " + table + "\n";
     for (Statement rows(db, "SELECT " + columns + " AS r FROM " + table + " ORDER BY r"); rows.next();)

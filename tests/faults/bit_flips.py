@@ -145,7 +145,7 @@ def rows_of(file):
             columns = [c[0] for c in cursor.description]
             keep = [i for i, c in enumerate(columns) if c not in ("started", "ended", "made")]
             held[table] = sorted(repr([row[i] for i in keep]) for row in cursor
-                                 if not (table == "row_digest" and row[columns.index("name")] == b"run"))
+                                 if not (table == "row_digest" and row[columns.index("name")] in (b"run", b"checkpoint")))
     except (sqlite3.DatabaseError, ValueError) as error:
         held["damaged"] = str(error)
     finally:
