@@ -44,7 +44,7 @@ AskedCells readPath(std::string_view text, bool isExplicit) {
 }
 
 [[noreturn]] void refuse(const std::string& text) {
-  const std::vector<std::string> words{"generation", "cell", "clone", "path", "substance"};
+  const std::vector<std::string> words(selectionWords.begin(), selectionWords.end());
   const auto space = text.find(' ');
   const std::string near = space == text.npos ? "" : closest(text.substr(0, space), words);
   throw InputError(
@@ -79,6 +79,11 @@ bool CellSelection::has(const CellPath& cell, std::string_view substances) const
     case Kind::substance: break;
   }
   return fitsAny(substance, substances);
+}
+
+bool AskedCells::has(const CellPath& cell, std::string_view substances) const {
+  MORULA_CHECK(!isNamed(), "cells are looked for by their paths");
+  return CellSelection::has(cell, substances);
 }
 
 AskedCells parseSelection(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 // The living cells that a measure is taken of: the text behind "of" in "shell_share of AAA*".
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -38,9 +39,14 @@ struct AskedCells : CellSelection {
   bool isExplicit = false;  // after the word "path" or "substance", so that no cell's name is meant
 
   bool isNamed() const { return !name.empty(); }
+  /// As CellSelection::has; throws BugError if the selection isNamed().
+  bool has(const CellPath& cell, std::string_view substances) const;
   /// The selection as a scenario writes it.
   std::string text() const;
 };
+
+/// The words of a selection that another word follows.
+inline constexpr std::array selectionWords{"generation", "cell", "clone", "path", "substance"};
 
 /// The selections that may stand behind "of", for messages.
 inline constexpr const char* selectionAllowed =

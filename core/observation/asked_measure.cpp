@@ -2,7 +2,6 @@
 #include "observation/asked_measure.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -80,9 +79,9 @@ std::string nameOf(const AskedMeasure& m) {
 
 /// Takes the first selection from `text`, with the space behind it.
 AskedCells takeSelection(std::string& text) {
-  const std::array words{"cell", "clone", "path", "substance", "generation"};
   auto end = text.find(' ');
-  if (end != text.npos && std::ranges::find(words, text.substr(0, end)) != words.end()) end = text.find(' ', end + 1);
+  if (end != text.npos && std::ranges::find(selectionWords, text.substr(0, end)) != selectionWords.end())
+    end = text.find(' ', end + 1);
   const AskedCells selection = parseSelection(text.substr(0, end));
   if (selection.kind == CellSelection::Kind::clones)
     throw InputError("a distance is between two selections of cells, and 'clones' are several; name one, as AA*");

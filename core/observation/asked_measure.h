@@ -61,8 +61,8 @@ AskedMeasure withSelections(AskedMeasure measure, const std::function<AskedCells
 /// Returns one measure for each clone, AA*, AB*, BA*, BB*, if `measure` is "of clones"; otherwise the measure itself.
 std::vector<AskedMeasure> eachClone(const AskedMeasure& measure);
 
-/// Returns what is wrong, and what was probably meant, if the measure is of cells that hold a substance and none of
-/// `substances`, all that ever occur, is that substance. Otherwise returns "". All selections of a measure are examined.
+/// Returns what is wrong, and what was probably meant, if the measure selects cells that hold a substance and none of
+/// `substances`, all that ever occur, is that substance. Otherwise returns "".
 std::string unknownSubstance(const AskedMeasure& measure, const std::vector<std::string>& substances);
 
 }  // namespace morula

@@ -36,13 +36,13 @@ bool touch(const Observation& now, const std::vector<int>& ones, const std::vect
   });
 }
 
-/// Returns true if the root mean square speed of every cell's vertices is below the bound [length/time].
+/// Returns true if cells live, and the root mean square speed of every cell's vertices is below the bound [length/time].
 bool rests(const Bodies& bodies, double bound) {
   for (int i = 0; i < bodies.count; ++i) {
     const double energy = measureKineticEnergy(bodies, bodies.slots[i]), mass = bodies.mass(bodies.slots[i]);
     if (!(2 * energy < bound * bound * mass)) return false;
   }
-  return true;
+  return bodies.count > 0;
 }
 
 bool isMet(const Observation& now, const StopWhen& when) {
@@ -60,7 +60,7 @@ bool isMet(const Observation& now, const StopWhen& when) {
       return std::ranges::any_of(takeMeasures(now, {&when.measure, 1}), [&](const TakenMeasure& taken) {
         return (!when.above || taken.value > *when.above) && (!when.below || taken.value < *when.below);
       });
-    case StopEvent::rest: return now.world.clock.step > 0 && rests(*now.world.bodies, *when.below);
+    case StopEvent::rest: return now.world.clock.step > 0 && now.world.bodies && rests(*now.world.bodies, *when.below);
   }
   MORULA_CHECK(false, "every condition can be looked at");
 }

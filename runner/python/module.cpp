@@ -186,6 +186,11 @@ PYBIND11_MODULE(_morula, m) {
              const World& world = o.world();
              return std::tuple(world.clock.time, world.clock.step, world.cells.path.size(), o.finished());
            })
+      .def("measure_info",
+           [](const Organism& o, const std::string& text) {  // its name in tables, its scope and its unit
+             const AskedMeasure asked = o.measureNamed(text);
+             return std::tuple(asked.name, name(asked.scope), asked.unit);
+           })
       .def_property_readonly("name", [](const Organism& o) { return o.scenario().scene.name; })
       .def_property_readonly("seed", [](const Organism& o) { return o.scenario().scene.seed; })
       .def_property_readonly("threads", &Organism::threads)
@@ -196,10 +201,6 @@ PYBIND11_MODULE(_morula, m) {
     py::list all;
     for (const AskedMeasure& a : allMeasures()) all.append(py::make_tuple(a.name, a.unit, name(a.scope), a.onDemand));
     return all;
-  });
-  m.def("measure_info", [](const std::string& text) {
-    const AskedMeasure asked = readMeasure(text, IfSeveral::first);
-    return std::tuple(name(asked.scope), asked.unit);
   });
   m.def("check_database", [](const std::string& file) {
     const py::gil_scoped_release released;

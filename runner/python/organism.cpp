@@ -19,6 +19,7 @@
 #include "store/result_rows.h"
 #include "store/store.h"
 #include "trees/lineage_tree.h"
+#include "values/cell_words.h"
 #include "views/picture_maker.h"
 
 namespace morula {
@@ -152,8 +153,12 @@ DataTable Organism::tableNow(const std::string& name) const {
   return worldTable(now(), name, scenario_.names.function());
 }
 
+AskedMeasure Organism::measureNamed(const std::string& name) const {
+  return resolved(readMeasure(name, IfSeveral::first), scenario_.names, scenario_.scene.dna);
+}
+
 MeasuredNow Organism::measure(const std::string& name) const {
-  const AskedMeasure asked = readMeasure(name, IfSeveral::first);
+  const AskedMeasure asked = measureNamed(name);
   if (asked.scope == Scope::pair)
     throw InputError("'" + name + "' measures pairs of cells; needs a measure of the organism or of cells");
   const auto taken = takeMeasures(now(), std::vector{asked.name});
@@ -185,8 +190,9 @@ std::string Organism::picture(const std::string& colour, int size) const {
   if (size < 64 || size > 4096)
     throw InputError("size: " + std::to_string(size) + " is out of range; needs 64 to 4096 pixels");
   if (!world().bodies) return drawLineage(lineagePictureOf(world(), scenario_)).file(PictureFormat::png);
+  const bool isColoured = !scenario_.colours.empty() || !scenario_.cellColours.empty();
   PictureWishes wishes;
-  wishes.colouring = parseColouring(!colour.empty() ? colour : scenario_.colours.empty() ? "clone" : "substance");
+  wishes.colouring = parseColouring(!colour.empty() ? colour : isColoured ? "substance" : "clone");
   wishes.width = wishes.height = size;
   PictureMaker maker(scenario_, wishes);
   maker.add(world());

@@ -10,6 +10,7 @@
 #include "library/morula.h"
 #include "loop/run.h"
 #include "loop/samples.h"
+#include "observation/asked_measure.h"
 #include "scenario/scenario.h"
 
 namespace morula {
@@ -58,6 +59,8 @@ class Organism {
   /// Returns the table of the world as it is now: "cell_sample", "contact", …
   DataTable tableNow(const std::string& name) const;
   MeasuredNow measure(const std::string& name) const;
+  /// Returns the measure with its cells by path, under its name in tables. Throws InputError.
+  AskedMeasure measureNamed(const std::string& name) const;
   Surfaces surfaces() const;
   /// Draws the organism, or without bodies the lineage, as the content of a PNG file. `colour`: as `--colour` of
   /// `morula render`; "": the scenario's colours, or clones where it has none. `size` [pixel].

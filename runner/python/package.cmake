@@ -27,6 +27,7 @@ add_custom_command(OUTPUT ${package}/_morula.pyi ${about}/WHEEL
   COMMAND ${CMAKE_COMMAND} -E copy ${sources} ${package}
   COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/python/describe.py ${package} ${about} ${CMAKE_CURRENT_SOURCE_DIR}/python/pyproject.toml
   DEPENDS morula_python ${sources} python/describe.py ${CMAKE_CURRENT_SOURCE_DIR}/python/pyproject.toml VERBATIM)
-add_custom_target(python-package DEPENDS ${package}/_morula.pyi ${about}/WHEEL)
-add_dependencies(python-package morula)  # the plugin for pytest starts it
+add_custom_target(python-module DEPENDS ${package}/_morula.pyi ${about}/WHEEL)
+add_custom_target(python-package)  # with the program, which the plugin for pytest starts
+add_dependencies(python-package python-module morula)
 install(TARGETS morula_python LIBRARY DESTINATION morula COMPONENT python EXCLUDE_FROM_ALL)  # for scikit-build-core

@@ -39,26 +39,8 @@ const std::string early = "stop: {time: 2.2999}\n", late = "stop: {time: 3}\n";
 
 /// Returns the rows of a run in all tables of results, and of `run` the columns that the computation decides.
 std::string rowsOf(const std::string& file, const std::string& id) {
-  Database db = opened(file);
-  std::string text;
-  Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
-  while (tables.next()) {
-    const std::string table = tables.text(0);
-    if (table == "row_digest" || table == "checkpoint" || table == "document" || table == "run_document") continue;
-    std::string columns;
-    Statement names(db, "SELECT name FROM pragma_table_info(?)");
-    for (names.start(table); names.next();) {
-      const std::string name = names.text(0);
-      for (const char* occasion : {"started", "ended", "command", "isa", "threads", "mother_run_id", "mother_time"})
-        if (name == occasion) goto next;
-      columns += (columns.empty() ? "" : " || '|' || ") + ("quote(\"" + name + "\")");
-    next:;
-    }
-    text += "== " + table + "\n";
-    Statement rows(db, "SELECT " + columns + " AS r FROM " + table + " WHERE run_id = ? ORDER BY r");
-    for (rows.start(id); rows.next();) text += rows.text(0) + "\n";
-  }
-  return text;
+  return rowsAsText(file, {"row_digest", "checkpoint", "document", "run_document"},
+                    {"started", "ended", "command", "isa", "threads", "mother_run_id", "mother_time"}, id);
 }
 
 /// Runs a scenario in a folder, and tells its results.

@@ -40,23 +40,8 @@ check: {}
 
 /// Returns all rows of all tables, except when and how the run was made.
 std::string contentOf(const std::string& file) {
-  Database db = opened(file);
-  std::string text;
-  Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
-  while (tables.next()) {
-    const std::string table = tables.text(0);
-    if (table == "row_digest") continue;  // it covers when and how, too
-    std::string columns;
-    Statement names(db, "SELECT name FROM pragma_table_info(?)");
-    for (names.start(table); names.next();)
-      if (const auto name = names.text(0); name != "started" && name != "ended" && name != "made" &&
-                                           name != "command" && name != "isa" && name != "threads")
-        columns += (columns.empty() ? "" : " || '|' || ") + ("quote(\"" + name + "\")");
-    text += "== " + table + "\n";
-    for (Statement rows(db, "SELECT " + columns + " AS r FROM " + table + " ORDER BY r"); rows.next();)
-      text += rows.text(0) + "\n";
-  }
-  return text;
+  return rowsAsText(file, {"row_digest"},  // a digest covers when and how, too
+                    {"started", "ended", "made", "command", "isa", "threads"});
 }
 
 /// Returns the last checkpoint's step; 0 while there is no row, no table or no file.

@@ -9,7 +9,7 @@ lack() { echo "skipped: $*" && exit 77; }
 needed="numpy pandas pytest xdist"
 if [ "$part" = examples ]; then needed="numpy pandas pytest scipy matplotlib"; fi
 for module in $needed; do "$python" -c "import $module" 2>/dev/null || lack "$python has no $module"; done
-cmake --build "$build" --config "$configuration" --target python-package >"$build/python.log" 2>&1 || { cat "$build/python.log" && exit 1; }
+cmake --build "$build" --config "$configuration" --target python-module >"$build/python.log" 2>&1 || { cat "$build/python.log" && exit 1; }
 export PYTHONPATH="$folder" PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1
 unset CI
 case $part in

@@ -44,6 +44,23 @@ def test_tables_and_surface(four):
     assert set(four.contacts.columns) >= {"time", "a", "b", "area"}
 
 
+def test_cells_by_name():
+    named = FOUR.read_text() + "\nnames: {cells: {A: AB, B: P1}, daughters: [a, p]}\n"
+    run = morula.run(named)
+    volumes = run.measure("cell.volume")
+    assert list(run.cells.path) == ["AA", "AB", "BA", "BB"]
+    assert run.measure("count of clone P1") == 2 and run.measure("count of cell ABa") == 1
+    by_name = run.measure("cell.volume of cell ABp")
+    assert by_name[1] == volumes[1] and np.isnan(np.delete(by_name, 1)).all()
+    x = run.cells[["x", "y", "z"]].to_numpy()
+    assert run.measure("distance cell ABa cell P1p") == pytest.approx(np.linalg.norm(x[0] - x[3]), rel=1e-12)
+    over_time = run.measures("count of clone P1")
+    assert over_time["count of clone P1"].iloc[-1] == 2 and over_time["count of clone P1"].notna().all()
+    for wrong, why in (("count of cell Q", "no cell is called 'Q'"), ("count of skni", "'skni' is neither")):
+        with pytest.raises(morula.InputError, match=why):
+            run.measure(wrong)
+
+
 def test_copies(four):
     before = four.measure("cell.volume")
     four.surface.vertices[:] = 0

@@ -144,9 +144,9 @@ class Simulator:
         bits. Raises InputError for a name that is not known or measures cells."""
         columns, units = self._organism.table("sample")
         asked, _ = self._organism.table("measure")
-        missing = [name for name in names if name not in columns and name not in asked["name"]]
-        of = {name: _morula.measure_info(name) for name in names if name not in columns}
-        for name, (scope, _) in of.items():
+        of = {name: self._organism.measure_info(name) for name in names if name not in columns}
+        missing = [stored for stored, _, _ in of.values() if stored not in asked["name"]]
+        for name, (_, scope, _) in of.items():
             if scope != "world":
                 raise InputError(f"'{name}' measures a {scope}; needs a measure of the organism. measure() takes it of "
                                  "cells now, and record.measures keeps it in the table 'measure'")
@@ -158,10 +158,10 @@ class Simulator:
             again.run(most=self.steps)
             asked = {key: np.concatenate([values, again.table("measure")[0][key]]) for key, values in asked.items()}
         for name in of:
-            rows = asked["name"] == name
+            rows = asked["name"] == of[name][0]
             columns[name] = np.full(len(columns["time"]), np.nan)
             columns[name][np.searchsorted(columns["time"], asked["time"][rows])] = asked["value"][rows]
-            units[name] = of[name][1]
+            units[name] = of[name][2]
         return frame({name: columns[name] for name in ("time", *names)} if names else columns, units)
 
     def measure(self, name: str) -> float | np.ndarray:

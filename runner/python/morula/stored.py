@@ -112,7 +112,7 @@ class Stored:
     def surfaces(self, time: float | None = None, run: str = "") -> Surface:
         """The surfaces at the last time with surfaces not after `time` [time], by default the end (record.meshes in the
         scenario keeps them). run: the beginning of a run_id; by default the last run. Raises InputError without any."""
-        ids = [r[0] for r in self._rows("SELECT run_id FROM run ORDER BY started, run_id")[1] if r[0].startswith(run)]
+        ids = [r[0] for r in self._rows("SELECT run_id FROM run ORDER BY started, rowid")[1] if r[0].startswith(run)]
         where = (ids[-1] if ids else "", np.inf if time is None else float(time))
         rows = self._rows(
             "SELECT path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "

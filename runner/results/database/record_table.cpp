@@ -78,7 +78,7 @@ std::string SqlTable::select(Database& db, const std::string& where, const std::
   const std::set<std::string> known(there.begin(), there.end());
   std::string names, conditions = where;
   for (const SqlColumn& c : own)
-    names += (names.empty() ? "" : ", ") + std::string(c.mayLack && !known.contains(c.name) ? "NULL AS " : "") +
+    names += (names.empty() ? "" : ", ") + std::string(c.isMeasure && !known.contains(c.name) ? "NULL AS " : "") +
              sqlName(c.name);
   for (const std::string& key : wordsOf(info.context))
     if (key != "number") conditions += (conditions.empty() ? "" : " AND ") + key + " = ?";

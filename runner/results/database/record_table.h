@@ -37,7 +37,6 @@ struct TableInfo {
   const char* order = "";      // the order in which rows are read; "": by the key
   bool hasRowNumbers = false;  // for long rows: without row numbers few fit on a page of SQLite's
   const char* csv = "";        // the name of its file in exports; "": not exported as it stands
-  const char* later = "";      // columns that joined later: an older file may lack them
   const char* why = "";        // the readers of the table, and when it is stored
 };
 template <class Row>
@@ -45,7 +44,7 @@ inline constexpr TableInfo tableInfo = {};
 
 struct SqlColumn {
   std::string name, type, meaning;
-  bool mayLack = false;  // joined later, as measures do: an older file may lack it
+  bool isMeasure = false;  // a measure that joined later: an older file may lack it
 };
 
 struct SqlTable {
@@ -57,8 +56,8 @@ struct SqlTable {
   /// Returns the names of all columns, in the order of `insert`.
   std::string names() const;
   std::string insert() const;
-  /// Returns the statement that reads the row's own columns; the context's values are its parameters. A column that
-  /// an older file may lack reads as NULL. `where`: a further condition. `order`: replaces TableInfo's.
+  /// Returns the statement that reads the row's own columns; the context's values are its parameters. A measure that an
+  /// older file lacks reads as NULL. `where`: a further condition. `order`: replaces TableInfo's.
   std::string select(Database& db, const std::string& where = "", const std::string& order = "") const;
 };
 
@@ -122,9 +121,6 @@ const SqlTable& sqlTable() {
     SqlTable t{tableInfo<Row>, contextColumns(tableInfo<Row>), {}};
     const Row row{};
     listFields(row, [&](const FieldInfo& field, const auto& member) { addColumns(t.own, field, member); });
-    for (const std::string& name : wordsOf(t.info.later))
-      for (SqlColumn& column : t.own)
-        if (column.name == name) column.mayLack = true;
     return t;
   }();
   return made;

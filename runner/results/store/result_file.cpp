@@ -32,9 +32,9 @@ bool isEmpty(Database& db) {
   return false;
 }
 
-/// Returns the statements that add columns which the file's tables may lack; "" if none lack. Throws StoreError if
-/// another column lacks.
-std::string lackingColumns(Database& db) {
+/// Returns the statements that add columns of measures which the file's tables lack; "" if none lack. Throws StoreError
+/// if another column lacks.
+std::string lackingMeasures(Database& db) {
   std::string sql;
   for (const SqlTable* t : runTables()) {
     const std::vector<std::string> there = columnNames(db, t->info.name);
@@ -45,10 +45,10 @@ std::string lackingColumns(Database& db) {
         std::erase(unknown, c.name);
         if (std::ranges::find(there, c.name) != there.end()) continue;
         lacks = c.name;
-        if (!c.mayLack) refuseVersion(db, "its table " + std::string(t->info.name) + " has no column " + c.name);
+        if (!c.isMeasure) refuseVersion(db, "its table " + std::string(t->info.name) + " has no column " + c.name);
         sql += "ALTER TABLE " + sqlName(t->info.name) + " ADD COLUMN " + sqlName(c.name) + " " + c.type + ";\n";
       }
-    // An older program's tables lack columns, and a newer program's have more. A table with both has a renamed column.
+    // An older program's tables lack measures, and a newer program's have more. A table with both has a renamed column.
     if (!lacks.empty() && !unknown.empty())
       refuseVersion(db, "its table " + std::string(t->info.name) + " has a column '" + unknown.front() +
                             "', which this program does not know, and no column " + lacks);
@@ -57,7 +57,7 @@ std::string lackingColumns(Database& db) {
 }
 
 std::string lacking(Database& db, bool withComments) {
-  if (!isEmpty(db)) return lackingColumns(db);
+  if (!isEmpty(db)) return lackingMeasures(db);
   std::string sql;
   for (const SqlTable* t : runTables()) sql += t->create(withComments) + ";\n";
   return sql;
@@ -87,7 +87,7 @@ void makeTables(Database& db, bool withComments) {
 
 void requireTables(Database& db) {
   if (isEmpty(db)) throw StoreError(db.file().string() + ": the file is empty; a database of results is expected");
-  lackingColumns(db);
+  lackingMeasures(db);
 }
 
 }  // namespace morula

@@ -55,7 +55,6 @@ inline constexpr TableInfo tableInfo<StoredRun> = {
     .key = "run_id",
     .hasRowNumbers = true,
     .csv = "runs",
-    .later = "mother_run_id mother_time",
     .why = "always: which run it is, how it ended, with which program and where"};
 
 template <>

@@ -336,6 +336,11 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
       lines.push_back("not sane  " + which + ": " + task.reason + "; the values of this run are included");
     else lines.push_back(nameOf(task.status) + ("  " + which) + (task.reason.empty() ? "" : ": " + task.reason));
   }
+  std::size_t combinations = 1;
+  for (const ResultAxis& axis : r.axes) combinations *= axis.labels.size();
+  if (r.conditions.size() < combinations)
+    lines.push_back(fmt::format("left out  {} of {} combinations: effects of axes and interactions are not known",
+                                combinations - r.conditions.size(), combinations));
   for (const auto& names : namesOfSameRuns(r)) lines.push_back("equal runs  " + join(names, " = "));
   return lines;
 }

@@ -92,7 +92,8 @@ class ClaimReader {
         if (levels[a] && *levels[a] != condition.levels[a]) return false;
       return true;
     };
-    if (!study_.leftOut.empty() && std::ranges::none_of(conditionsOf(study_), fits))
+    const std::vector<Condition> conditions = study_.leftOut.empty() ? std::vector<Condition>() : conditionsOf(study_);
+    if (!conditions.empty() && std::ranges::none_of(conditions, fits))
       problems_.add(node_.place, path_ + "." + key, "names a combination that leave-out leaves out",
                     "needs one that is run");
   }

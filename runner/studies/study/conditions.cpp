@@ -93,7 +93,12 @@ std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
   return files;
 }
 
-bool leavesOut(const LeftOut& out, const std::vector<std::size_t>& levels) {
+/// Returns true if every axis has a level.
+bool hasLevels(const Study& study) {
+  return std::ranges::none_of(study.axes, [](const StudyAxis& axis) { return axis.levels.empty(); });
+}
+
+bool isLeftOut(const LeftOut& out, const std::vector<std::size_t>& levels) {
   for (std::size_t axis = 0; axis < levels.size(); ++axis) {
     const auto& named = out.levels[axis];
     if (!named.empty() && std::ranges::find(named, levels[axis]) == named.end()) return false;
@@ -149,18 +154,20 @@ std::string conditionName(const Study& study, const std::vector<std::string>& la
 
 std::size_t countConditions(const Study& study) {
   std::size_t count = 1;
-  const std::size_t most = study.leftOut.empty() ? maxConditions : 100 * maxConditions;
+  const bool leavesOut = !study.leftOut.empty() && hasLevels(study);
+  const std::size_t most = leavesOut ? 100 * maxConditions : maxConditions;
   for (const StudyAxis& axis : study.axes)
     count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), most + 1);
   if (count > most) return maxConditions + 1;
-  return study.leftOut.empty() ? count : conditionsOf(study, maxConditions + 1).size();
+  return leavesOut ? conditionsOf(study, maxConditions + 1).size() : count;
 }
 
 std::vector<Condition> conditionsOf(const Study& study, std::size_t most) {
   std::vector<Condition> conditions;
+  if (!hasLevels(study)) return conditions;
   std::vector<std::size_t> levels(study.axes.size());
   const auto isRun = [&] {
-    return std::ranges::none_of(study.leftOut, [&](const LeftOut& out) { return leavesOut(out, levels); });
+    return std::ranges::none_of(study.leftOut, [&](const LeftOut& out) { return isLeftOut(out, levels); });
   };
   const auto advance = [&] {
     for (std::size_t axis = levels.size(); axis-- > 0;) {

@@ -15,7 +15,7 @@ namespace morula::study {
 std::string conditionName(const Study& study, const std::vector<std::string>& labels);
 
 /// Returns the number of combinations of levels that are run; counting ends at one more than `maxConditions`. Of more
-/// than 100 times as many combinations none can be left out.
+/// than 100 times as many combinations none can be left out. An axis whose levels could not be read counts as one.
 std::size_t countConditions(const Study& study);
 
 /// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: content of `file`. Files that the
@@ -33,7 +33,7 @@ std::vector<Condition> loadConditions(const Study& study, scenario::Problems& pr
                                       std::vector<std::string>& warnings, const Execution& execution, std::size_t most);
 
 /// Returns the conditions of all combinations that are run, or of the first `most`, with number, labels, levels and
-/// base. The levels of the last axis change fastest.
+/// base. The levels of the last axis change fastest. None if the levels of an axis could not be read.
 std::vector<Condition> conditionsOf(const Study& study, std::size_t most = maxConditions);
 
 /// Makes tasks and replicates from the conditions.

@@ -20,6 +20,7 @@ void readCombination(const Node& node, const std::string& path, Study& study, Pr
   if (node.kind != Node::Kind::map || node.members.empty())
     return problems.add(node.place, path, "is no combination",
                         "needs a map of axes and labels, as {division: random, drag: [8, 16]}");
+  const std::size_t before = problems.size();
   LeftOut combination{std::vector<std::vector<std::size_t>>(study.axes.size()), node.place};
   for (const Member& member : node.members) {
     const auto axis = axisNamed(study, member, path, problems);
@@ -30,7 +31,7 @@ void readCombination(const Node& node, const std::string& path, Study& study, Pr
       if (const auto level = levelNamed(study.axes[*axis], label, at, problems))
         combination.levels[*axis].push_back(*level);
   }
-  study.leftOut.push_back(std::move(combination));
+  if (problems.size() == before) study.leftOut.push_back(std::move(combination));
 }
 
 }  // namespace

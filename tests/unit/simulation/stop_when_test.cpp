@@ -87,6 +87,8 @@ TEST_CASE("Without bodies, conditions that need them do not hold, and nothing is
   }
   const StopWhen touch{.event = StopEvent::touch, .of = {cell("A"), cell("B")}};
   CHECK_FALSE(ranUntil(scenes::lineageOnly(scenes::uniqueFour, 3), touch).stoppedBy);
+  const StopWhen rest{.event = StopEvent::rest, .below = 1e9};
+  CHECK_FALSE(ranUntil(scenes::lineageOnly(scenes::uniqueFour, 3), rest).stoppedBy);
 }
 
 TEST_CASE("A look follows a death and a cycle without a birth") {

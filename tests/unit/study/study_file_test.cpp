@@ -288,6 +288,19 @@ TEST_CASE("Combinations that are left out have no condition, and numbers of the 
   refused("leave-out: [{drga: high}]", "did you mean drag?");
   refused("leave-out: [{drag: hihg}]", "did you mean high?");
   refused("leave-out: [{}]", "is no combination");
+  // A mistake elsewhere is told, and leads to no further one.
+  const auto complaint = [&](const std::string& text) {
+    try {
+      studyOf(text);
+    } catch (const InputError& error) { return std::string(error.what()); }
+    return std::string();
+  };
+  CHECK_THAT(complaint(head + "leave-out: [{drag: [low, high, mxa]}]\n"),
+             Catch::Contains("did you mean max?") && !Catch::Contains("no combination to run"));
+  std::string bad = head + "leave-out: [{drag: high}]\n";
+  bad.replace(bad.find("auto: {}"), 8, "1/2: {}");
+  bad.replace(bad.find("short:"), 6, "1/4:");
+  CHECK_THAT(complaint(bad), Catch::Contains("is no label") && !Catch::Contains("no combination to run"));
   refused("leave-out: [{drag: [low, high, max]}]", "leaves no combination to run");
   refused("leave-out: [{drag: max}]\ncheck: [{measure: world.volume, at: {drag: max, step: auto}, mean: 1, within: 1}]",
           "names a combination that leave-out leaves out");
