@@ -99,7 +99,8 @@ std::string commandComment(const EmbryoOptions& options, const std::string& stem
     words.push_back(option + " " + quoted(value));
   };
   const Units& units = options.units;
-  add("--units", unit(units.length, units.perLength) + "," + unit(units.time, units.perTime));
+  if (!units.length.empty())
+    add("--units", unit(units.length, units.perLength) + "," + unit(units.time, units.perTime));
   if (const auto& axes = options.shell)
     add("--shell", numberText((*axes)[0], 12) + "," + numberText((*axes)[1], 12) + "," + numberText((*axes)[2], 12));
   if (!options.root.empty()) add("--root", options.root);

@@ -44,10 +44,9 @@ class Writer {
   std::string scenario() const {
     std::string text =
         heading_ +
-        comment(fmt::format("{} of {}. What was assumed:",
-                            e_.start.empty() ? cells_[0].name + " and its descendants" : "The cells", table_));
+        comment(fmt::format("{} of {}.{}", e_.start.empty() ? cells_[0].name + " and its descendants" : "The cells",
+                            table_, e_.assumed.empty() ? "" : " What was assumed:"));
     for (const std::string& sentence : e_.assumed) text += comment("- " + sentence + ".");
-    text += comment("Made by:") + commandComment(options_, stem_, table_);
     text +=
         fmt::format("morula: 1\nname: {}\nsummary: {}\nseed: 1\n\n", yamlName(),
                     yamlText(fmt::format("{} tracked cells, with their times and axes of division", cells_.size())));
@@ -256,8 +255,9 @@ std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string
   const Embryo embryo = makeEmbryo(std::move(lineage), options);
   assumed = embryo.assumed;
   const auto slash = file.find_last_of('/');
-  std::vector<EmbryoFile> files =
-      writeEmbryo(embryo, options, stem, slash == file.npos ? file : file.substr(slash + 1), headingOf(text));
+  const std::string name = slash == file.npos ? file : file.substr(slash + 1);
+  const std::string heading = headingOf(text) + comment("Made by:") + commandComment(given, stem, name);
+  std::vector<EmbryoFile> files = writeEmbryo(embryo, options, stem, name, heading);
   std::vector<NamedFile> named;
   for (auto at = files.rbegin(); at != files.rend(); ++at)
     named.push_back({at->role, at->path, at->text});  // the last reference first
