@@ -26,11 +26,11 @@ constexpr int maxCyclesForCells = 1000;
 
 /// The limits of a run, which ends at the first one that is given; at least one is.
 struct StopParameters {
-  std::optional<std::uint64_t> cycles;  // times cycle.length: when cell cycle number `cycles` has run
-  std::optional<double> time;           // [time]
-  std::optional<std::uint64_t> cells;   // as soon as at least this many are alive
-  std::vector<StopWhen> when = {};      // as soon as one of these holds
-  std::optional<double> every = {};     // [time] between looks at `when`; absent: a twentieth of cycle.length
+  std::optional<std::uint64_t> cycles = {};  // times cycle.length: when cell cycle number `cycles` has run
+  std::optional<double> time = {};           // [time]
+  std::optional<std::uint64_t> cells = {};   // as soon as at least this many are alive
+  std::vector<StopWhen> when = {};           // as soon as one of these holds
+  std::optional<double> every = {};          // [time] between looks at `when`; absent: a twentieth of cycle.length
 };
 MORULA_MEMBERS(StopParameters, cycles, time, cells, when, every)
 

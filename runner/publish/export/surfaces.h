@@ -29,11 +29,11 @@ struct SurfaceRequest {
 
 struct ExportedRun {
   StoredRun run;
-  RunResults results;                 // lineage by path; samples as wanted
-  std::map<StateId, Colour> colours;  // the scenario's colours of substances
-  std::map<CellPath, Colour> own;     // the scenario's colours of cells, for those that have one
-  std::vector<std::string> states;    // the distinct texts of states, in their order
-  std::set<std::string> givenNames;   // those in results.names
+  RunResults results{};                 // lineage by path; samples as wanted
+  std::map<StateId, Colour> colours{};  // the scenario's colours of substances
+  std::map<CellPath, Colour> own{};     // the scenario's colours of cells, for those that have one
+  std::vector<std::string> states{};    // the distinct texts of states, in their order
+  std::set<std::string> givenNames{};   // those in results.names
 
   /// Returns the colour of a cell in a state.
   Colour colourOf(const CellPath& cell, StateId state) const;

@@ -15,8 +15,8 @@ struct RunSettings {
   Execution execution;
   std::filesystem::path folder;  // for pictures
   std::filesystem::path database;
-  std::string command;   // as typed, for the record
-  bool changed = false;  // by --set or --seed: its golden file does not apply
+  std::string command = {};  // as typed, for the record
+  bool changed = false;      // by --set or --seed: its golden file does not apply
   bool check = true, draw = true;
   bool quiet = false;
   std::optional<tracks::MeasuredCells> against = {};  // measured cells that the run is compared with
