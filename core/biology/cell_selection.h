@@ -39,7 +39,7 @@ struct AskedCells : CellSelection {
   bool isExplicit = false;  // after the word "path" or "substance", so that no cell's name is meant
 
   bool isNamed() const { return !name.empty(); }
-  /// As CellSelection::has; throws BugError if the selection isNamed().
+  /// Does what CellSelection::has does; throws BugError if the selection isNamed().
   bool has(const CellPath& cell, std::string_view substances) const;
   /// The selection as a scenario writes it.
   std::string text() const;
