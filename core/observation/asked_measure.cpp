@@ -45,10 +45,13 @@ AskedMeasure readRow(const std::string& text, bool hasCells, IfSeveral several) 
   std::string row = text;
   std::ranges::replace(row, '-', '_');
   std::vector<std::string> names, scopes;
+  const auto isMeant = [&](const AskedMeasure& m) {
+    return m.row == row && !(hasCells && m.scope == Scope::world && !m.ofClones);
+  };
+  const bool takesFirst =
+      several == IfSeveral::first || (hasCells && std::ranges::count_if(allMeasures(), isMeant) == 1);
   for (const AskedMeasure& m : allMeasures()) {
-    const bool isFirst = several == IfSeveral::first && m.row == row;
-    if (m.name == row || withScope(m) == row || (isFirst && !(hasCells && m.scope == Scope::world && !m.ofClones)))
-      return m;
+    if (m.name == row || withScope(m) == row || (takesFirst && isMeant(m))) return m;
     names.push_back(m.row);
     if (m.row == row) scopes.push_back(m.name);
   }

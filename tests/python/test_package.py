@@ -93,8 +93,19 @@ def test_measures_that_are_not_recorded():
     assert again.attrs["units"]["membrane_energy"] == "force·length"
 
 
+def test_measures_beside_those_that_a_reference_needs(tmp_path):
+    (tmp_path / "a.yaml").write_text(
+        "morula: 1\nname: a\nseed: 1\ndna: |\n  START: a\n  g(a|a)\nstop: {time: 1}\n"
+        "cells: [{at: [0, 0, 0]}, {at: [3, 0, 0]}, {at: [0, 3, 0]}]\nphysics: {time_step: 0.0078125, cell: {model: sphere}}\n"
+        "check: {reference: {positions: {AA: [0, 0, 0], AB: [3, 0, 0], B: [0, 3, 0]}}}\n"
+        "record: {every: 0.5, measures: [position_rmsd]}\n")
+    table = morula.run(tmp_path / "a.yaml").measures("mean_overlap", "position_rmsd")
+    assert len(table) == 3 and table.mean_overlap.notna().all() and table.position_rmsd.notna().all()
+
+
 def test_picture(four, tmp_path):
-    assert four.picture(tmp_path / "a.png", colour="clone", size=128) == (tmp_path / "a.png").read_bytes()
+    assert four.picture(tmp_path / "a.png", colour="clone", size=128) is None
+    assert four.picture(colour="clone", size=128) == (tmp_path / "a.png").read_bytes()
     assert four._repr_png_()[:4] == b"\x89PNG" and four._repr_png_() == four._repr_png_()
 
 
@@ -131,7 +142,7 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.run(FOUR, set={"physics.drag": float("nan")}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"": 5}), morula.InputError, "is not an assignment"),
     (lambda: morula.run(FOUR, set={"stop": {1, 2}}), TypeError, "set"),
-    (lambda: morula.run(FOUR, set=["physics.drag"]), AttributeError, "items"),
+    (lambda: morula.run(FOUR, set=["physics.drag"]), TypeError, "set: ['physics.drag'] is no dict"),
     (lambda: morula.run(FOUR, set={"physics.time_step": 1.0}), morula.InputError, "physics.time_step"),
     (lambda: morula.run("morula: 1\nname: x\n"), morula.InputError, "scenario:"),
     (lambda: morula.run("a: [\n"), morula.InputError, "scenario:"),
@@ -157,6 +168,7 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.Simulator(GENES).restore(7.5), TypeError, "float"),
     (lambda: morula.Simulator(FOUR).picture(size=10**6), morula.InputError, "size: 1000000"),
     (lambda: morula.Simulator(FOUR).picture(colour="weight"), morula.InputError, "weight"),
+    (lambda: morula.Simulator(FOUR).picture("a.jpg", size=64), morula.InputError, "ends in .png"),
     (lambda: morula.Simulator(FOUR).picture("/no/folder/a.png", size=64), OSError, "/no/folder/a.png"),
     (lambda: morula.Simulator(FOUR).save_scenario("/no/folder/a.yaml"), OSError, "/no/folder"),
     (lambda: morula.open("no.db"), morula.FileError, "no.db"),

@@ -57,7 +57,9 @@ int writeFromTable(const InitOptions& options, const std::filesystem::path& scen
   const auto pathOf = [&](const tracks::EmbryoFile& file) { return scenario.parent_path() / file.path; };
   for (const auto& file : files)
     if (!options.force && fileExists(pathOf(file)))
-      throw FileError("'" + pathOf(file).string() + "' is there already; --force writes over it");
+      throw FileError("'" + pathOf(file).string() +
+                      "' is there already; --force writes over it, and a folder of its own, as " +
+                      (scenario.stem() / scenario.filename()).string() + ", keeps it");
   for (const std::string& sentence : assumed) tell(sentence, false);
   // The scenario comes last: where it is, the files are that it names.
   for (auto file = files.rbegin(); file != files.rend(); ++file) {
@@ -119,6 +121,8 @@ void addInit(CLI::App& app, Action& action) {
       "parent_track_id; name, volume or radius) or a row per cell (cell, parent, birth, division), or man_track.txt");
   verb.takes("--units", options.embryo.units, "LENGTH,TIME", readUnits,
              "Units of the table, as µm,min; with factors, as 0.5µm,2min");
+  verb.takes("--columns", options.embryo.columns, "NAME=HEADER", readColumns,
+             "Headers of the table's columns, as x=POSITION_X,name=CELL");
   verb.takes("--shell", options.embryo.shell, "X,Y,Z", readShell,
              "Semi-axes of the shell along x, y and z, in the table's unit; default: fitted to the cells");
   verb.takes("--root", options.embryo.root, "CELL", "Take only this cell of the table and its descendants");
@@ -131,7 +135,7 @@ void addInit(CLI::App& app, Action& action) {
              "Write a setting into the scenario, as physics.drag=5; null removes it; may repeat");
   verb.oneOf({"file", "--output"});
   verb.oneOf({"--dna", "--study", "--from"});
-  verb.onlyWith({"--units", "--shell", "--root", "--model", "--per-time", "--set"}, {"--from"});
+  verb.onlyWith({"--units", "--columns", "--shell", "--root", "--model", "--per-time", "--set"}, {"--from"});
   verb.onlyWith({"--levels"}, {"--dna"});
   verb.onlyWith({"--base"}, {"--study"});
   verb.takes("--force", options.force, "Replace an existing file");

@@ -159,4 +159,15 @@ Units readUnits(const std::string& text) {
   return units;
 }
 
+std::map<std::string, std::string> readColumns(const std::string& text) {
+  std::map<std::string, std::string> columns;
+  for (const std::string& part : partsOf(text, ',')) {
+    const auto equals = part.find('=');
+    if (equals == 0 || equals >= part.size() - 1)
+      throw InputError("'" + part + "' names no column; needs the column and its header, as x=POSITION_X,y=POSITION_Y");
+    columns[part.substr(0, equals)] = part.substr(equals + 1);
+  }
+  return columns;
+}
+
 }  // namespace morula::cli

@@ -1,6 +1,7 @@
 #pragma once
 // Options that several verbs share, and readers of values.
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,8 @@ std::vector<std::uint64_t> readSeeds(const std::string& text);
 inline constexpr std::uint64_t maxTableBytes = std::uint64_t{1} << 30;
 /// Reads the units of a table, "µm,min"; "0.5µm,2min": one length of the table is 0.5 µm, one time 2 min.
 Units readUnits(const std::string& text);
+/// Reads headers of a table by the names of its columns, "x=POSITION_X,name=CELL".
+std::map<std::string, std::string> readColumns(const std::string& text);
 
 /// Throws InputError unless the file's ending is one that `verb` writes: PNG, and for a `drawing` (a chart or a tree)
 /// also SVG and PDF.

@@ -1,5 +1,4 @@
 // morula run: simulate, store, check, draw.
-#include <map>
 #include <set>
 #include <utility>
 
@@ -88,18 +87,6 @@ std::optional<tracks::MeasuredCells> readAgainst(const RunOptions& options, cons
                      ": its cells have no places, and --against compares places; needs a physics block");
   return tracks::readMeasured(readFile(options.against, maxTableBytes), options.against, scenario.names, scenario.units,
                               options.measured);
-}
-
-/// "x=POSITION_X,name=CELL"
-std::map<std::string, std::string> readColumns(const std::string& text) {
-  std::map<std::string, std::string> columns;
-  for (const std::string& part : partsOf(text, ',')) {
-    const auto equals = part.find('=');
-    if (equals == 0 || equals >= part.size() - 1)
-      throw InputError("'" + part + "' names no column; needs the column and its header, as x=POSITION_X,y=POSITION_Y");
-    columns[part.substr(0, equals)] = part.substr(equals + 1);
-  }
-  return columns;
 }
 
 /// Returns a run that goes on with what a run of the database was, with the changes of --set.
@@ -284,7 +271,7 @@ void addRun(CLI::App& app, Action& action) {
       [](const std::string& text) { return text == "scene" ? Units{} : readUnits(text); },
       "Units of the table, as µm,min or 0.5µm,2min; scene: the scenario's own; default: its units");
   verb.takes("--columns", options.measured.columns, "NAME=HEADER", readColumns,
-             "Headers of the table's columns, as x=POSITION_X");
+             "Headers of the table's columns, as x=POSITION_X,name=CELL");
   verb.onlyWith({"--against-units", "--columns"}, {"--against"});
   verb.excludes("--against", {"--resume"}, "a run that goes on does not see its earlier stages again");
   verb.oneOf({"--seed", "--seeds"});

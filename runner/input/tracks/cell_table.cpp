@@ -54,7 +54,8 @@ class TableReader {
     bool hasHeader = false;
     while (text_.next()) {
       if (hasHeader) readRow();
-      else if (!readHeader()) return std::move(table_);
+      else if (!problems_.empty() || !readHeader())  // a problem: the line of headers could not be read
+        return std::move(table_);
       else if (table_.form == Form::manTrack) readRow();
       hasHeader = true;
     }
@@ -92,6 +93,8 @@ class TableReader {
   const std::vector<std::string_view>& fields() const { return text_.fields(); }
   std::string_view field(int at) const { return fields()[static_cast<std::size_t>(at)]; }
 
+  int knownColumns() const { return options_.mayBeStages ? columnCount : stage; }
+
   bool readHeader() {
     if (isNumber(fields()[0])) {
       table_.form = Form::manTrack;
@@ -107,8 +110,7 @@ class TableReader {
     for (const auto field : fields()) words.push_back(scenario::headerWord(field));
     std::vector<bool> isUsed(words.size(), false);
     for (const auto& [name, header] : options_.columns) takeNamed(name, header, isUsed);
-    const int known = options_.mayBeStages ? columnCount : stage;
-    for (int c = 0; c < known; ++c)
+    for (int c = 0; c < knownColumns(); ++c)
       for (const auto& header : headers[static_cast<std::size_t>(c)]) {
         const auto found = std::ranges::find(words, header);
         const auto at = static_cast<std::size_t>(found - words.begin());
@@ -149,9 +151,12 @@ class TableReader {
     const auto column = std::ranges::find_if(headers, [word = scenario::headerWord(name)](const auto& words) {
       return std::ranges::find(words, std::string_view(word)) != words.end();
     });
-    if (column == headers.end())
+    if (column == headers.end() || column - headers.begin() >= knownColumns())
       problems_.add({1, 1, "--columns"}, "", inQuotes(name) + " is no column that a table can have",
-                    "needs one of cells, time, name, path, contacts, x, y, z, track_id and parent");
+                    options_.mayBeStages
+                        ? "needs one of cells, time, name, path, contacts, x, y, z, track_id and parent"
+                        : "needs one of track_id, parent, name, t, birth, division, x, y, z, axis_x, axis_y, axis_z, "
+                          "volume, radius and fate");
     else if (found == fields().end())
       problems_.add({1, 1, "--columns"}, "", "there is no column " + inQuotes(header), headerInWords());
     else {
@@ -163,11 +168,12 @@ class TableReader {
 
   void require(Column column, const std::string& names) {
     if (column_[column] >= 0) return;
-    text_.complain({}, "there is no column " + names + "; " + headerInWords(),
-                   table_.form == Form::stages
-                       ? "name the columns as cells or time, name or path, x, y, z"
-                       : "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, "
-                         "division");
+    text_.complain(
+        {}, "there is no column " + names + "; " + headerInWords(),
+        table_.form == Form::stages
+            ? "name the columns as cells or time, name or path, x, y, z; or say with --columns x=HEADER which is x"
+            : "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, "
+              "division; or say with --columns x=HEADER which is x");
   }
 
   bool requireStages() {
@@ -195,7 +201,8 @@ class TableReader {
                          inQuotes(field(std::max(column_[birth], column_[end]))) + " as in a table with a row per cell",
                      "remove one of the two");
     table_.form = column_[time] >= 0 ? Form::frames : Form::cells;
-    require(cell, "track_id, cell or id");
+    if (column_[cell] < 0) column_[cell] = column_[name];
+    require(cell, "track_id, cell, id or name");
     if (!hasTimes) require(time, "t, as a row per frame has, nor birth or division, as a row per cell has");
     require(parent, "parent_track_id, parent or mother");
     const bool hasPlaces = column_[x] >= 0 || column_[y] >= 0 || column_[z] >= 0;
@@ -225,7 +232,7 @@ class TableReader {
   }
 
   double number(std::string_view field, const std::string& called, bool must, const scenario::Range& range) {
-    if (field.empty()) {
+    if (field.empty() || (!must && isUnknown(field))) {
       if (must) text_.complain({}, "there is no " + called, "fill it in, or remove the row");
       return unsaid;
     }
@@ -289,7 +296,7 @@ class TableReader {
       return std::ranges::find(words, word) != words.end();
     };
     row.dies = isOneOf({"dies", "died", "die", "death", "dead", "apoptosis"});
-    if (!row.dies && !isOneOf({"", "divides", "divided", "division", "lives", "alive", "end"}))
+    if (!row.dies && !isOneOf({"", "na", "divides", "divided", "division", "lives", "alive", "end"}))
       text_.complain(fieldOf(fate), inQuotes(fieldOf(fate)) + " is no fate", "needs divides, dies or lives, or nothing",
                      "fate");
   }

@@ -53,6 +53,9 @@ struct CellTable {
   std::deque<std::string> unquoted;  // fields that had quotes in quotes
 };
 
+/// Returns true for words that R, pandas and Matlab write where nothing is known.
+inline bool isUnknown(std::string_view field) { return field == "NA" || field == "NaN" || field == "nan"; }
+
 /// Reads a table. Lines that begin with '#' are comments. A byte order mark is passed over. Mistakes are problems with
 /// their places; reading ends after some twenty of them.
 CellTable readCellTable(std::string_view text, scenario::Problems& problems, const TableOptions& options = {});

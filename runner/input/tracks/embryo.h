@@ -1,6 +1,7 @@
 #pragma once
 // From a lineage to what a scenario needs. Lengths and times here are the scene's, if nothing else is said.
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,8 @@ struct EmbryoOptions {
   std::string root = {};                   // its descendants alone; "": all cells
   std::optional<double> perTime = {};      // of the table's times, one of the scene's; absent: by the lives of cells
   std::vector<std::string> settings = {};  // "physics.drag=5", which take precedence over what the table gives
+  /// Headers, as TableOptions::columns.
+  std::map<std::string, std::string> columns = {};
 };
 
 /// The cells between two births or deaths, and where they are in the middle.

@@ -116,7 +116,7 @@ class RowCollector {
     if (parent.empty() || parent == "-1" || parent == track.id) return;
     auto found = byId_.find(parent);
     if (found == byId_.end() && parent.ends_with(".0")) found = byId_.find(parent.substr(0, parent.size() - 2));
-    if (found == byId_.end() && parent == "0") return;
+    if (found == byId_.end() && (parent == "0" || isUnknown(parent))) return;
     if (found != byId_.end()) {
       track.mother = found->second == static_cast<int>(i) ? -1 : found->second;
       return;

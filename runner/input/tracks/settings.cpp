@@ -103,6 +103,9 @@ std::string commandComment(const EmbryoOptions& options, const std::string& stem
     add("--units", unit(units.length, units.perLength) + "," + unit(units.time, units.perTime));
   if (const auto& axes = options.shell)
     add("--shell", numberText((*axes)[0], 12) + "," + numberText((*axes)[1], 12) + "," + numberText((*axes)[2], 12));
+  std::string columns;
+  for (const auto& [name, header] : options.columns) columns += (columns.empty() ? "" : ",") + name + "=" + header;
+  if (!columns.empty()) add("--columns", columns);
   if (!options.root.empty()) add("--root", options.root);
   if (options.areSpheres) add("--model", "sphere");
   if (options.perTime) add("--per-time", numberText(*options.perTime, 12));

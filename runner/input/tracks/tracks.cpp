@@ -190,6 +190,11 @@ class LineageMaker {
     if (lineage_.form == Form::cells) {
       if (cell.dies && !isSaid(cell.end))
         complain(cell, inQuotes(cell.name) + " dies, and the table does not say when", "give its end");
+      if (!cell.dies && cell.end < cell.birth)
+        complain(
+            cell,
+            inQuotes(cell.name) + " ends at " + numberText(cell.end) + ", and is born at " + numberText(cell.birth),
+            "give a later end, or leave it empty where it is not known");
       if (!cell.dies && cell.end < lineage_.end) lost_.push_back(cell.name);
     } else {
       cell.end = cell.last + lineage_.frame;

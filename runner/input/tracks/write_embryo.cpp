@@ -46,10 +46,11 @@ class Writer {
         heading_ +
         comment(fmt::format("{} of {}.{}", e_.start.empty() ? cells_[0].name + " and its descendants" : "The cells",
                             table_, e_.assumed.empty() ? "" : " What was assumed:"));
+    const bool hasAxes = std::ranges::any_of(e_.division, [](const Division& d) { return d.axis.has_value(); });
     for (const std::string& sentence : e_.assumed) text += comment("- " + sentence + ".");
-    text +=
-        fmt::format("morula: 1\nname: {}\nsummary: {}\nseed: 1\n\n", yamlName(),
-                    yamlText(fmt::format("{} tracked cells, with their times and axes of division", cells_.size())));
+    text += fmt::format("morula: 1\nname: {}\nsummary: {}\nseed: 1\n\n", yamlName(),
+                        yamlText(fmt::format("{} tracked cells, with their times{}", cells_.size(),
+                                             hasAxes ? " and axes of division" : "")));
     text +=
         "dna: {file: " + yamlText(stem_ + ".dna") + "}  # a substance for each cell, which it holds while it lives\n";
     if (!e_.start.empty()) text += start();
@@ -240,7 +241,7 @@ std::vector<EmbryoFile> writeEmbryo(const Embryo& embryo, const EmbryoOptions& o
 std::vector<EmbryoFile> embryoFromTable(std::string_view text, const std::string& file, const EmbryoOptions& given,
                                         const std::string& stem, std::vector<std::string>& assumed) {
   scenario::Problems problems(file);
-  const CellTable table = readCellTable(text, problems);
+  const CellTable table = readCellTable(text, problems, {false, given.columns});
   problems.throwIfAny();
   Lineage lineage = makeLineage(table, given.root, problems);
   problems.throwIfAny();

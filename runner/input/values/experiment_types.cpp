@@ -165,9 +165,13 @@ class EntryReader {
                  "needs at or at-cells");
     (when.key == "at" ? entry_.at : entry_.afterBirth) = time;
     const auto end = plannedEnd(scenario_.scene);
-    if (time && when.key == "at" && end && *time > *end)
-      say(when.place, when.key, "comes after the end of the run, " + numberText(*end),
+    if (time && when.key == "at" && end && *time > *end) {
+      const Units& units = scenario_.units;
+      const std::string shown =
+          units.time.empty() ? "" : ", which is " + numberText(*end * units.perTime) + " " + units.time;
+      say(when.place, when.key, "comes after the end of the run, " + numberText(*end) + shown,
           "give an earlier time, or a later stop.time");
+    }
   }
 
   const Node& node_;

@@ -57,6 +57,8 @@ class Simulator:
 
     def __init__(self, scenario: str | os.PathLike[str], *, seed: int | None = None,
                  set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
+        if set is not None and not isinstance(set, Mapping):
+            raise TypeError(f"set: {set!r} is no dict; needs keys and values, as {{'physics.drag': 5}}")
         changes = [f"{key}={_as_typed(value)}" for key, value in (set or {}).items()]
         changes += [] if seed is None else [f"seed={operator.index(seed)}"]
         self._organism = _morula.Organism(os.fspath(scenario), changes, min(operator.index(threads), 2**30))
@@ -153,7 +155,8 @@ class Simulator:
         if missing:
             text, file, changes, files = self._organism.source()
             changes = [c for c in changes if not c.startswith("record.measures=")]
-            changes.append("record.measures=" + json.dumps(missing))
+            kept = json.loads(self._organism.resolved)["record"].get("measures", [])  # check.reference may need them
+            changes.append("record.measures=" + json.dumps([*kept, *missing]))
             again = _morula.Organism.from_source(text, file, changes, files, self.threads)
             again.run(most=self.steps)
             asked = {key: np.concatenate([values, again.table("measure")[0][key]]) for key, values in asked.items()}
@@ -195,13 +198,17 @@ class Simulator:
                 Path(file).with_name(Path(path).name).write_bytes(content)
         Path(file).write_text(json.dumps(scenario, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
-    def picture(self, file: str | os.PathLike[str] | None = None, *, colour: str = "", size: int = 900) -> bytes:
+    def picture(self, file: str | os.PathLike[str] | None = None, *, colour: str = "", size: int = 900) -> bytes | None:
         """The organism as it is now, drawn as `morula render` draws it (without bodies: the lineage), as a PNG picture;
-        with `file` also written. colour: substance, clone, generation or a measure of cells. size [pixel]."""
+        with `file`, a name that ends in .png, written there instead of returned. colour: substance, clone, generation
+        or a measure of cells. size [pixel]. Raises InputError and OSError."""
+        if file is not None and not os.fspath(file).lower().endswith(".png"):
+            raise InputError(f"picture: '{os.fspath(file)}' is no name of a PNG picture; needs a name that ends in .png")
         png = self._organism.picture(colour, size)
-        if file is not None:
-            Path(file).write_bytes(png)
-        return png
+        if file is None:
+            return png
+        Path(file).write_bytes(png)
+        return None
 
     def _repr_png_(self) -> bytes:
         return self.picture(size=480)

@@ -56,7 +56,7 @@ class Check(pytest.Item):
             by = self.config.getoption("morula_by")
             told = tell("review", str(file), "--accept", "--why", why, *(["--by", by] if by else []))
         if told.returncode:
-            raise Different((told.stdout + told.stderr).strip())
+            raise Different((told.stdout + told.stderr).strip().replace("Give --by", "Give --morula-by"))
         self.add_report_section("call", "morula", told.stdout)
 
     def repr_failure(self, excinfo: Any, style: Any = None) -> Any:
@@ -87,6 +87,7 @@ def golden(request: pytest.FixtureRequest) -> Any:
             pytest.fail(f"no numbers are accepted: {file}; --morula-accept WHY accepts these: {now}", pytrace=False)
         elif not same:
             lines = [f"{key}: accepted {before.get(key)}, now {now.get(key)}" for key in sorted({*before, *now})
-                     if key not in before or key not in now or now[key] != pytest.approx(before[key], rel=rel, abs=abs)]
+                     if key not in before or key not in now or now[key] != pytest.approx(before[key], rel=rel, abs=abs,
+                                                                                                nan_ok=True)]
             pytest.fail(f"{file} differs (rel {rel}, abs {abs}):\n" + "\n".join(lines), pytrace=False)
     return compare

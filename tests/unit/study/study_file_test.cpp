@@ -97,6 +97,7 @@ TEST_CASE("Every measure of every table has one name in studies, and finds its r
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
   CHECK(!findMeasure("volume"));  // ambiguous: of the organism, or of a cell
+  CHECK(findMeasure("volume of cell ABp")->name == "cell.volume of cell ABp");  // the organism's takes no cells
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {

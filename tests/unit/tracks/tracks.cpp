@@ -122,6 +122,32 @@ TEST_CASE("headers of trackers, separators, line ends and a byte order mark read
   }
 }
 
+TEST_CASE("columns with headers of one's own are named, and the scenario begins with the command that names them") {
+  const std::string own = "Spot,When,Z,Y,X,Comes from,Volume\n" + smallLineage().substr(header.size());
+  const EmbryoOptions options{.columns = {{"track_id", "Spot"}, {"t", "When"}, {"parent", "Comes from"}}};
+  std::vector<std::string> assumed;
+  const auto files = embryoFromTable(own, "t.csv", options, "small", assumed);
+  CHECK(files[1].text == embryoFromTable(smallLineage(), "t.csv", {}, "small", assumed)[1].text);
+  CHECK(files[0].text.find("--columns 'parent=Comes from,t=When,track_id=Spot'\n") != std::string::npos);
+}
+
+TEST_CASE("cells without an id are told apart by their names, and what R writes for nothing is unknown") {
+  const Made made =
+      make("Cell name,mother,birth,division,x,y,z,volume,fate\nZ,NA,0,4,0,0,0,NA,\na,Z,4,NA,1,NaN,nan,2,NA\nb,Z,4,,,,,1,\n");
+  REQUIRE(made.embryo.lineage.cells.size() == 3);
+  CHECK(made.embryo.lineage.founders == 1);
+  CHECK(made.cell("a").seen.empty());
+  CHECK(*made.embryo.division[0].share == Approx(2.0 / 3));
+  CHECK(!made.says("ends before the table does"));
+}
+
+TEST_CASE("a summary speaks of axes where the table gives some") {
+  std::vector<std::string> assumed;
+  const auto summary = [&](const std::string& text) { return embryoFromTable(text, "t", {}, "t", assumed)[0].text; };
+  CHECK(summary("1 0 3 0\n2 4 9 1\n3 4 9 1\n").find("with their times\"\n") != std::string::npos);
+  CHECK(summary(smallLineage()).find("with their times and axes of division\"\n") != std::string::npos);
+}
+
 TEST_CASE("the fitted shell holds all centres, and a cell's ball beyond the farthest along each axis") {
   std::vector<Point> centres;
   for (int i = 0; i < 200; ++i) centres.push_back({20 * std::sin(i), 9 * std::sin(2.0 * i), 7 * std::cos(3.0 * i)});
