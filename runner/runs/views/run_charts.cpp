@@ -25,9 +25,9 @@ std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
   if (const auto unknown = unknownSubstance(measure, scenario.scene.dna.substances); !unknown.empty())
     throw InputError(measure.name + ": " + unknown);
   throw InputError("no sample of " + scenario.scene.name + " has " + measure.name +
-                   (!measure.onDemand
-                        ? "; the scene has no parts that this measure needs"
-                        : "; name it in record.measures, as --set 'record.measures=[" + measure.name + "]'"));
+                   (!measure.onDemand ? "; the scene has no parts that this measure needs"
+                                      : "; name it in record.measures, as morula run --set 'record.measures=[" +
+                                            measure.name + "]'"));
 }
 
 std::string wordsOf(const MeasuredThing& key, const AskedMeasure& measure, const Scenario& scenario) {
