@@ -175,7 +175,7 @@ TEST_CASE("Measures of some cells alone: rows of these, how many they are, and w
                                            {"generation", 8},
                                            {"generation of AAB", 1},
                                            {"kinship of AA*", 2}});
-  for (const char* wrong : {"volume of AA*", "cells of AA*", "count", "clone_radius of AA*", "age of a b"})
+  for (const char* wrong : {"volume", "cells of AA*", "count", "clone_radius of AA*", "age of a b"})
     CHECK_THROWS_AS(taken(eight, {wrong}), BugError);
 }
 
