@@ -243,8 +243,9 @@ def test_the_interpreter_may_end_at_any_time():
 def test_a_full_disk(four):
     if not os.path.exists("/dev/full"):
         pytest.skip("no /dev/full")
-    with pytest.raises(OSError):
-        four.save_scenario("/dev/full")
+    for write in (four.save_scenario, four.picture):
+        with pytest.raises(OSError, match="No space left"):
+            write("/dev/full")
 
 
 def test_warnings():
