@@ -86,14 +86,14 @@ def flush_to_zero():
 
 x86_64 = pytest.mark.skipif(os.uname().machine != "x86_64", reason="sets the mode of x86-64")
 every = pytest.mark.skipif(not os.environ.get("MORULA_TEST_ALL"), reason="MORULA_TEST_ALL is not set")
-shipped = pytest.mark.parametrize("name", sorted(
-    str(p.relative_to(scenarios))[:-5] for p in scenarios.glob("*/*.yaml")
-    if not p.name.endswith(".study.yaml") and p.parent.name not in ("hard", "bullet") and "1024" not in p.name
-    and "128" not in p.name))
+shipped = sorted(str(p.relative_to(scenarios))[:-5] for p in scenarios.glob("*/*.yaml")
+                 if not p.name.endswith(".study.yaml") and p.parent.name not in ("hard", "bullet")
+                 and "1024" not in p.name and "128" not in p.name)
+LONG = ["urchin/cleavage", "worm/embryo"]  # as long as all others together
 
 
 @every
-@shipped
+@pytest.mark.parametrize("name", shipped)
 def test_every_shipped_scenario(stored, name):
     for threads in (1, 2):
         run = morula.run(path(name), threads=threads)
@@ -125,7 +125,7 @@ def _by_detours(begun):
 
 
 @every
-@shipped
+@pytest.mark.parametrize("name", [name for name in shipped if name not in LONG])
 @x86_64
 def test_every_shipped_scenario_by_detours(stored, name):
     """In threads, after fork, pickle, save, restore and interrupt, and with flush-to-zero set."""
