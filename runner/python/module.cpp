@@ -139,14 +139,30 @@ void endWork() {
   while (working > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+/// Makes a kind of error one of Python's. Its text may hold the name of a file that is not UTF-8.
+template <class Error>
+void translate(py::module_& m, const char* name, PyObject* base) {
+  static PyObject* const type = py::exception<Error>(m, name, base).release().ptr();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      const std::string_view text = error.what();
+      PyErr_SetObject(type, py::reinterpret_steal<py::object>(
+                                PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "backslashreplace"))
+                                .ptr());
+    }
+  });
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_morula, m) {
   m.doc() = "The compiled part of morula; the package morula is for people.";
-  py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
-  py::register_exception<NumericalError>(m, "NumericalError", PyExc_ArithmeticError);
-  py::register_exception<FileError>(m, "FileError", PyExc_OSError);
-  py::register_exception<BugError>(m, "BugError", PyExc_RuntimeError);
+  translate<InputError>(m, "InputError", PyExc_ValueError);
+  translate<NumericalError>(m, "NumericalError", PyExc_ArithmeticError);
+  translate<FileError>(m, "FileError", PyExc_OSError);
+  translate<BugError>(m, "BugError", PyExc_RuntimeError);
   py::module_::import("atexit").attr("register")(py::cpp_function(endWork));
 
   py::class_<Organism>(m, "Organism")

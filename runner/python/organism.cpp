@@ -27,6 +27,8 @@ namespace {
 
 Scenario read(const std::string& source, const std::vector<std::string>& sets) {
   const auto overrides = overridesOf(sets, {});
+  if (source.find('\n') == source.npos && source.find('\0') != source.npos)
+    throw InputError("scenario: the name of a file holds no character 0");
   if (source.find('\n') != source.npos || !isDatabase(source)) return readSource(source, overrides);
   const Scenario stored = storedScenario(source, "");
   return overrides.empty() ? stored : readScenario(stored.bytes, source, "", overrides, stored.files);
@@ -68,8 +70,6 @@ Organism::Organism(const ScenarioSource& s, int threads)
 }
 
 void Organism::begin() {
-  if (execution_.threads < 1 || execution_.threads > 1024)
-    throw InputError("threads: " + std::to_string(execution_.threads) + " is out of range; needs 1 to 1024");
   World world = makeScenarioWorld(scenario_, execution_);
   now_.reset(), ended_.reset(), failure_.clear();
   samples_.emplace(recordingOf(scenario_, false));
@@ -112,8 +112,12 @@ void Organism::restore(const std::string& state) {
   try {
     store = Store::inMemory(state.empty() ? "no state" : state);
     saved = store->resume(identityOf(scenario_));
-  } catch (const FileError& error) { throw InputError(std::string("the bytes are no saved state: ") + error.what()); }
-  if (!saved) throw InputError("the saved state is of another scenario, seed or Morula than " + scenario_.file);
+  } catch (const FileError&) {
+    throw InputError("the bytes are no saved state, or a damaged one; needs what save() returned");
+  }
+  if (!saved)
+    throw InputError("the saved state is of another scenario, seed or Morula; needs one of '" + scenario_.scene.name +
+                     "', seed " + std::to_string(scenario_.scene.seed) + ", with the same keys and program");
   begin();
   run_->resume(saved->checkpoint.state, {[&](const RecordSink& take) { store->eachRecord(saved->id, take); }, {}});
   if (morula::finished(world())) end(endOf(world(), RunStatus::done));
@@ -187,8 +191,6 @@ Surfaces Organism::surfaces() const {
 }
 
 std::string Organism::picture(const std::string& colour, int size) const {
-  if (size < 64 || size > 4096)
-    throw InputError("size: " + std::to_string(size) + " is out of range; needs 64 to 4096 pixels");
   if (!world().bodies) return drawLineage(lineagePictureOf(world(), scenario_)).file(PictureFormat::png);
   const bool isColoured = !scenario_.colours.empty() || !scenario_.cellColours.empty();
   PictureWishes wishes;

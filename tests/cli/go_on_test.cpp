@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/isa.h"
 #include "catch.h"
 #include "launch.h"
 #include "stored.h"
@@ -92,6 +93,10 @@ TEST_CASE("gone on with a change, a run is that of the scenario with the experim
   Folder folder;
   const std::string db = folder / "run.db";
   const Json mother = folder.run(folder.file("early.yaml", scene + early), {"--db", db});
+  std::vector<Words> ways{{"--isa", "scalar"}, {"--isa", "scalar", "--threads", "2"}, {"--isa", "narrow"}};
+  if (morula::bestIsa() == morula::Isa::avx512)
+    ways.insert(ways.end(), {{"--isa", "avx512"}, {"--isa", "avx512", "--threads", "2"}});
+  else WARN("skipped: this processor has no AVX-512");
   const auto expected = [&](const std::string& experiments) {
     return folder.run(folder.file("changed.yaml", scene + late + "experiments: [" + experiments + "]\n"),
                       {"--db", folder / "changed.db"});
@@ -99,7 +104,8 @@ TEST_CASE("gone on with a change, a run is that of the scenario with the experim
   const auto goesOn = [&](const Words& changes, const std::string& experiments) {
     CAPTURE(experiments);
     const Json whole = expected(experiments);
-    for (const Words& way : {Words{"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow", "--threads", "2"}}) {
+    for (const Words& way : ways) {
+      CAPTURE(way);
       const Json on =
           folder.run(db, joined(joined({"--resume", "--run", mother["run_id"], "--set", "stop.time=3"}, changes), way));
       CHECK(on["mother_run_id"] == mother["run_id"]);

@@ -118,41 +118,55 @@ def test_help():
     assert "def measure(self, arg0: str) -> object" in stub
 
 
-class Closed:
-    """A database that was closed."""
-
-
 WRONG = [  # call, error, part of the text
     (lambda: morula.run("no.yaml"), morula.FileError, "no.yaml"),
     (lambda: morula.run(scenarios), morula.FileError, "scenarios"),
     (lambda: morula.run(""), morula.FileError, ""),
-    (lambda: morula.run(None), TypeError, "NoneType"),
-    (lambda: morula.run(3), TypeError, "int"),
-    (lambda: morula.run(FOUR, seed=-1), morula.InputError, "--set seed"),
-    (lambda: morula.run(FOUR, seed=1.5), TypeError, "float"),
-    (lambda: morula.run(FOUR, seed=2**70), morula.InputError, "--set seed"),
+    (lambda: morula.run(None), TypeError, "scenario: None is not a str or bytes or PathLike"),
+    (lambda: morula.run(3), TypeError, "scenario: 3 is not a str"),
+    (lambda: morula.run("a\0b"), morula.InputError, "the name of a file holds no character 0"),
+    (lambda: morula.run("a\udcff.yaml"), morula.FileError, r"'a\xff.yaml' cannot be read"),
+    (lambda: morula.run(), TypeError, "scenario"),
+    (lambda: morula.run(FOUR, 7), TypeError, "positional"),
+    (lambda: morula.run(FOUR, sed=7), TypeError, "sed"),
+    (lambda: morula.run(FOUR, seed=-1), morula.InputError, "seed: -1 is out of range; needs 0 to 9223372036854775807"),
+    (lambda: morula.run(FOUR, seed=1.5), TypeError, "seed: 1.5 is not a whole number"),
+    (lambda: morula.run(FOUR, seed="1"), TypeError, "seed: '1' is not a whole number"),
+    (lambda: morula.run(FOUR, seed=2**70), morula.InputError, "seed: 1180591620717411303424 is out of range"),
     (lambda: morula.run(FOUR, seed=1, set={"seed": 2}), morula.InputError, "given twice"),
     (lambda: morula.run(FOUR, threads=0), morula.InputError, "threads: 0 is out of range; needs 1 to 1024"),
-    (lambda: morula.run(FOUR, threads=10**30), morula.InputError, "out of range"),
-    (lambda: morula.run(FOUR, threads="2"), TypeError, "str"),
+    (lambda: morula.run(FOUR, threads=10**30), morula.InputError, f"threads: {10**30} is out of range"),
+    (lambda: morula.run(FOUR, threads="2"), TypeError, "threads: '2' is not a whole number"),
     (lambda: morula.run(FOUR, set={"physics.drg": 5}), morula.InputError,
      "--set physics.drg: unknown key; did you mean drag?"),
     (lambda: morula.run(FOUR, set={"physics.drag": -5}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"physics.drag": "fast"}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"physics.drag": float("nan")}), morula.InputError, "physics.drag"),
     (lambda: morula.run(FOUR, set={"": 5}), morula.InputError, "is not an assignment"),
-    (lambda: morula.run(FOUR, set={"stop": {1, 2}}), TypeError, "set"),
-    (lambda: morula.run(FOUR, set=["physics.drag"]), TypeError, "set: ['physics.drag'] is no dict"),
+    (lambda: morula.run(FOUR, set={"stop": {1, 2}}), TypeError, "set stop: {1, 2} is not a number, text, list or dict"),
+    (lambda: morula.run(FOUR, set={"stop": {"cycles": 1j}}), TypeError, "is not a number, text"),
+    (lambda: morula.run(FOUR, set={"stop.cycles": float("inf")}), morula.InputError, "'Infinity' is not a number"),
+    (lambda: morula.run(FOUR, set={"stop.time": np.ones(2)}), morula.InputError, "stop.time: is a list"),
+    (lambda: morula.run(FOUR, set={5: 3}), morula.InputError, "--set 5: unknown key"),
+    (lambda: morula.run(FOUR, set=["physics.drag"]), TypeError, "set: ['physics.drag'] is not a dict; needs one, as {"),
+    (lambda: morula.run(FOUR, set="physics.drag=5"), TypeError, "set: 'physics.drag=5' is not a dict"),
     (lambda: morula.run(FOUR, set={"physics.time_step": 1.0}), morula.InputError, "physics.time_step"),
     (lambda: morula.run("morula: 1\nname: x\n"), morula.InputError, "scenario:"),
     (lambda: morula.run("a: [\n"), morula.InputError, "scenario:"),
     (lambda: morula.run("\0\n\xff"), morula.InputError, ""),
     (lambda: morula.run(scenarios / "policies/clones.study.yaml"), morula.InputError, "is a study, not a scenario"),
     (lambda: morula.run(__file__), morula.InputError, "test_package.py"),
-    (lambda: morula.Simulator(GENES).step(-1), morula.InputError, "needs 0 or more"),
-    (lambda: morula.Simulator(GENES).step(0.5), TypeError, "float"),
-    (lambda: morula.Simulator(GENES).run(until="end"), ValueError, "end"),
-    (lambda: morula.Simulator(GENES).run(until=1j), TypeError, "complex"),
+    (lambda: morula.Simulator(GENES).step(-1), morula.InputError, "steps: -1 is out of range; needs 0 to"),
+    (lambda: morula.Simulator(GENES).step(0.5), TypeError, "steps: 0.5 is not a whole number"),
+    (lambda: morula.Simulator(GENES).step(None), TypeError, "steps: None is not a whole number"),
+    (lambda: morula.Simulator(GENES).run(until="end"), TypeError, "until: 'end' is not a number"),
+    (lambda: morula.Simulator(GENES).run(until=1j), TypeError, "until: 1j is not a number"),
+    (lambda: morula.Simulator(GENES).run(until=float("nan")), morula.InputError, "until: NaN is not a time"),
+    (lambda: setattr(morula.Simulator(GENES), "time", 2), AttributeError, "no setter"),
+    (lambda: morula.Simulator(GENES).table(3), TypeError, "name: 3 is not a str"),
+    (lambda: morula.Simulator(GENES).measure(None), TypeError, "name: None is not a str"),
+    (lambda: morula.Simulator(GENES).measure("a\udcff"), morula.InputError, "is not Unicode"),
+    (lambda: morula.Simulator(GENES).measures(3), TypeError, "name: 3 is not a str"),
     (lambda: morula.Simulator(GENES).table("cells"), morula.InputError, "there is no table 'cells'; needs one of cell"),
     (lambda: morula.Simulator(GENES).cel, AttributeError, "there is no table 'cel'"),
     (lambda: morula.Simulator(GENES).measure("weight"), morula.InputError, "weight"),
@@ -162,17 +176,27 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.Simulator(FOUR).measures("cell.volume"), morula.InputError, "measures a cell"),
     (lambda: morula.Simulator(GENES).restore(b""), morula.InputError, "no saved state"),
     (lambda: morula.Simulator(GENES).restore(b"SQLite format 3\0" + bytes(4096)), morula.InputError, "no saved state"),
-    (lambda: morula.Simulator(GENES).restore(morula.Simulator(FOUR).save()), morula.InputError, "another scenario"),
+    (lambda: morula.Simulator(GENES).restore(morula.Simulator(FOUR).save()), morula.InputError,
+     "another scenario, seed or Morula; needs one of 'genes', seed 1"),
     (lambda: morula.Simulator(GENES).restore(morula.Simulator(GENES).save()[:-700]), morula.InputError,
      "no saved state"),
-    (lambda: morula.Simulator(GENES).restore(7.5), TypeError, "float"),
-    (lambda: morula.Simulator(FOUR).picture(size=10**6), morula.InputError, "size: 1000000"),
+    (lambda: morula.Simulator(GENES).restore(7), TypeError, "state: 7 is not a bytes or bytearray or memoryview"),
+    (lambda: morula.Simulator(GENES).restore("abc"), TypeError, "state: 'abc' is not a bytes"),
+    (lambda: pickle.loads(pickle.dumps(morula.Simulator(GENES))[:-50]), pickle.UnpicklingError, "truncated"),
+    (lambda: morula.Simulator(FOUR).picture(size=10**6), morula.InputError,
+     "size: 1000000 is out of range; needs 64 to 4096"),
+    (lambda: morula.Simulator(FOUR).picture(size="big"), TypeError, "size: 'big' is not a whole number"),
+    (lambda: morula.Simulator(FOUR).picture(colour=3), TypeError, "colour: 3 is not a str"),
     (lambda: morula.Simulator(FOUR).picture(colour="weight"), morula.InputError, "weight"),
     (lambda: morula.Simulator(FOUR).picture("a.jpg", size=64), morula.InputError, "ends in .png"),
     (lambda: morula.Simulator(FOUR).picture("/no/folder/a.png", size=64), OSError, "/no/folder/a.png"),
     (lambda: morula.Simulator(FOUR).save_scenario("/no/folder/a.yaml"), OSError, "/no/folder"),
     (lambda: morula.open("no.db"), morula.FileError, "no.db"),
+    (lambda: morula.open(3), TypeError, "file: 3 is not a str or PathLike"),
+    (lambda: morula.open(scenarios), morula.FileError, "the path is a directory"),
     (lambda: morula.open(FOUR), morula.FileError, "unique-four.yaml"),
+    (lambda: repr(morula.Simulator.__new__(morula.Simulator)), AttributeError, "a simulator has no '_organism'"),
+    (lambda: morula.Stored.__new__(morula.Stored).cell, AttributeError, "results have no 'tables'"),
 ]
 
 
@@ -231,8 +255,9 @@ def test_the_interpreter_may_end_at_any_time():
 def test_a_full_disk(four):
     if not os.path.exists("/dev/full"):
         pytest.skip("no /dev/full")
-    with pytest.raises(OSError):
-        four.save_scenario("/dev/full")
+    for write in (four.save_scenario, four.picture):
+        with pytest.raises(OSError, match="No space left"):
+            write("/dev/full")
 
 
 def test_warnings():

@@ -1,11 +1,13 @@
 """Hash, tables and measures are those of the program's database, however the run came about."""
 import concurrent.futures
+import contextlib
 import copy
 import ctypes
 import multiprocessing
 import os
 import pickle
 import signal
+import subprocess
 import threading
 
 import morula
@@ -50,14 +52,108 @@ def test_program(stored, name, threads):
     assert_equals_database(morula.run(path(name), threads=threads), stored(name))
 
 
-@pytest.mark.skipif(not os.environ.get("MORULA_TEST_ALL"), reason="MORULA_TEST_ALL is not set")
-@pytest.mark.parametrize("name", sorted(
-    str(p.relative_to(scenarios))[:-5] for p in scenarios.glob("*/*.yaml")
-    if not p.name.endswith(".study.yaml") and p.parent.name not in ("hard", "bullet") and "1024" not in p.name
-    and "128" not in p.name))
+def assert_measures_equal(run, file):
+    """What is measured now is what the database holds of the last sample."""
+    results = morula.open(file)
+    sample, cells = results.sample.iloc[-1], results.cell_sample
+    cells = cells[cells.time == sample.time]
+    for name, of, demand in zip(*(morula.measures()[column] for column in ("name", "of", "on_demand"))):
+        if not demand and of == "world" and name in sample:
+            assert run.measure(name) == sample[name] or np.isnan(run.measure(name)) and pandas.isna(sample[name]), name
+        elif not demand and of == "cell" and len(cells):
+            column = name.removeprefix("cell.")
+            assert np.array_equal(run.measure(name), cells[column].to_numpy(float), equal_nan=True), name
+
+
+@contextlib.contextmanager
+def flush_to_zero():
+    """What a library built with -ffast-math does to the thread that loads it: tiny numbers become 0."""
+    libm = ctypes.CDLL("libm.so.6")
+    before, now = (ctypes.c_uint32 * 8)(), (ctypes.c_uint32 * 8)()  # fenv_t of x86-64; its last word is MXCSR
+    libm.fegetenv(before)
+    now[:] = before
+    now[7] |= 0x8040  # results, and operands
+    libm.fesetenv(now)
+    try:
+        tiny = np.array([5e-324])
+        assert (tiny + tiny)[0] == 0
+        yield
+        libm.fegetenv(now)
+        assert now[7] & 0x8040 == 0x8040  # given back
+    finally:
+        libm.fesetenv(before)
+
+
+x86_64 = pytest.mark.skipif(os.uname().machine != "x86_64", reason="sets the mode of x86-64")
+every = pytest.mark.skipif(not os.environ.get("MORULA_TEST_ALL"), reason="MORULA_TEST_ALL is not set")
+shipped = sorted(str(p.relative_to(scenarios))[:-5] for p in scenarios.glob("*/*.yaml")
+                 if not p.name.endswith(".study.yaml") and p.parent.name not in ("hard", "bullet")
+                 and "1024" not in p.name and "128" not in p.name)
+LONG = ["urchin/cleavage", "worm/embryo"]  # as long as all others together
+
+
+@every
+@pytest.mark.parametrize("name", shipped)
 def test_every_shipped_scenario(stored, name):
     for threads in (1, 2):
-        assert_equals_database(morula.run(path(name), threads=threads), stored(name))
+        run = morula.run(path(name), threads=threads)
+        assert_equals_database(run, stored(name))
+        assert_measures_equal(run, stored(name))
+
+
+def _interrupted(name, threads):
+    """Begins a scenario in a child process, where it is interrupted, and pickles it."""
+    run = morula.Simulator(path(name), threads=threads)
+    signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with flush_to_zero():
+            run.run()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+    return pickle.dumps(run)
+
+
+def _by_detours(begun):
+    """Goes to the end from a pickled state, back to a state in between, and to the end again."""
+    with flush_to_zero():
+        run = pickle.loads(begun)
+        state = run.step(50).save()
+        return run.run().restore(state).run()
+
+
+@every
+@pytest.mark.parametrize("name", [name for name in shipped if name not in LONG])
+@x86_64
+def test_every_shipped_scenario_by_detours(stored, name):
+    """In threads, after fork, pickle, save, restore and interrupt, and with flush-to-zero set."""
+    with multiprocessing.get_context("fork").Pool(2) as children, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        begun = children.starmap_async(_interrupted, [(name, 1), (name, 2)]).get(600)
+        for run in pool.map(_by_detours, begun):
+            assert_equals_database(run, stored(name))
+
+
+# Balls in a medium become so slow that only denormal numbers hold their speed.
+SLOW = ("morula: 1\nname: slow\ndna: |\n  START: a\n  keep(a|a)\nstop: {time: 2}\n"
+        "physics: {cell: {model: sphere}, drag: 10, time_step: 0.01}\n"
+        "cells: [{at: [-3, 0, 0], velocity: [1e-306, 0, 0]}, {at: [3, 0, 0], velocity: [0, -1e-302, 0]}]\n")
+
+
+@x86_64
+@pytest.mark.parametrize("threads", [1, 2])
+def test_flush_to_zero_of_others(program, tmp_path, threads):
+    (tmp_path / "slow.yaml").write_text(SLOW)
+    words = ["run", "slow.yaml", "--db", "slow.db", "--no-pictures", "--quiet"]
+    subprocess.run([program, *words], check=True, cwd=tmp_path, capture_output=True)
+    with flush_to_zero():
+        run = morula.run(SLOW, threads=threads)
+    assert_equals_database(run, tmp_path / "slow.db")
+    with flush_to_zero():
+        run = morula.Simulator(SLOW, threads=threads).step(50)
+        run.run().restore(run.save()).run()
+    assert_equals_database(run, tmp_path / "slow.db")
 
 
 def test_set_and_seed(stored):

@@ -39,9 +39,22 @@ def test_surfaces(tmp_path, program):
         results.weights
     with pytest.raises(morula.InputError, match="keeps no surfaces"):
         results.surfaces(time=-1)
-    results.close()
-    with pytest.raises(morula.FileError, match="closed"):
-        results.cell
+    wrong = [(lambda: results.sql(5), TypeError, "query: 5 is not a str"),
+             (lambda: results.sql("SELECT ?"), morula.FileError, "bindings"),
+             (lambda: results.sql("SELECT 1; SELECT 2"), morula.FileError, "one statement"),
+             (lambda: results.surfaces(time="x"), TypeError, "time: 'x' is not a number"),
+             (lambda: results.surfaces(run=5), TypeError, "run: 5 is not a str"),
+             (lambda: results.surfaces(run="zz"), morula.InputError, "no run whose id begins with 'zz'"),
+             (lambda: results.tidy("cells"), morula.InputError, "but of no study"),
+             (lambda: results.tidy(5), TypeError, "rows: 5 is not a str")]
+    closed = [lambda: results.cell, lambda: results.sql("SELECT 1"), results.surfaces, lambda: results.tables]
+    for call, error, text in wrong + [(call, morula.FileError, "closed") for call in closed]:
+        if error is morula.FileError and text == "closed":
+            results.close()
+        with pytest.raises(error) as told:
+            call()
+        assert text in str(told.value)
+    assert "closed" in repr(results)
 
 
 def test_changed_rows_are_found(stored, tmp_path):

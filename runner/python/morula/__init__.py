@@ -22,7 +22,7 @@ import numpy as np
 
 from . import _morula
 from ._morula import BugError, FileError, InputError, NumericalError, __version__
-from .stored import Stored, Surface, frame, open, program
+from .stored import Stored, Surface, _checked, _real, frame, open, program
 
 __all__ = ["BugError", "FileError", "InputError", "NumericalError", "Simulator", "Stored", "Surface", "measures",
            "open", "program", "run"]
@@ -30,12 +30,25 @@ for _error in (BugError, FileError, InputError, NumericalError):
     _error.__module__ = "morula"
 
 
-def _as_typed(value: Any) -> str:
+def _as_typed(key: str, value: Any) -> str:
     """Spells a value as a scenario file would; a str stands as it is."""
     if isinstance(value, str):
         return value
     plain = lambda x: x.tolist() if isinstance(x, (np.ndarray, np.generic)) else os.fspath(x)
-    return json.dumps(value, default=plain)
+    try:
+        return json.dumps(value, default=plain)
+    except (TypeError, ValueError):
+        raise TypeError(f"set {key}: {value!r} is not a number, text, list or dict") from None
+
+
+def _whole(name: str, value: Any, least: int, most: int) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: {value!r} is not a whole number") from None
+    if not least <= number <= most:
+        raise InputError(f"{name}: {number} is out of range; needs {least} to {most}")
+    return number
 
 
 def _restored(source: tuple, threads: int, state: bytes) -> Simulator:
@@ -57,24 +70,23 @@ class Simulator:
 
     def __init__(self, scenario: str | os.PathLike[str], *, seed: int | None = None,
                  set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
-        if set is not None and not isinstance(set, Mapping):
-            raise TypeError(f"set: {set!r} is no dict; needs keys and values, as {{'physics.drag': 5}}")
-        changes = [f"{key}={_as_typed(value)}" for key, value in (set or {}).items()]
-        changes += [] if seed is None else [f"seed={operator.index(seed)}"]
-        self._organism = _morula.Organism(os.fspath(scenario), changes, min(operator.index(threads), 2**30))
+        if not isinstance(set, (Mapping, type(None))):
+            raise TypeError(f"set: {set!r} is not a dict; needs one, as {{'physics.drag': 5}}")
+        changes = [f"{key}={_as_typed(key, value)}" for key, value in (set or {}).items()]
+        changes += [] if seed is None else [f"seed={_whole('seed', seed, 0, 2**63 - 1)}"]
+        source = _checked("scenario", scenario, (str, bytes, os.PathLike))
+        self._organism = _morula.Organism(os.fsencode(source), changes, _whole("threads", threads, 1, 1024))
         for text in self._organism.warnings:
             warnings.warn(text, stacklevel=2)
 
     def step(self, steps: int = 1) -> Simulator:
         """Takes so many time steps, but not past the end. Raises NumericalError."""
-        if operator.index(steps) < 0:
-            raise InputError(f"step: {steps} steps cannot be taken; needs 0 or more")
-        self._organism.run(most=min(operator.index(steps), 2**63))
+        self._organism.run(most=_whole("steps", steps, 0, 2**63))
         return self
 
     def run(self, until: float | None = None) -> Simulator:
         """Runs until the clock shows `until` [time] or later, or to the end of the scenario. Raises NumericalError."""
-        self._organism.run(*([] if until is None else [float(until)]))
+        self._organism.run(*([] if until is None else [_real("until", until)]))
         return self
 
     @property
@@ -105,11 +117,11 @@ class Simulator:
     def table(self, name: str) -> Any:
         """A table of the database, with the rows so far: cell, sample, cell_sample, contact, measure, division, …
         Also as an attribute: run.cell_sample. Raises InputError for another name."""
-        return frame(*self._organism.table(name))
+        return frame(*self._organism.table(_checked("name", name)))
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
-            raise AttributeError(name)
+            raise AttributeError(f"a simulator has no '{name}'")
         try:
             return self.table(name)
         except InputError as error:
@@ -146,7 +158,7 @@ class Simulator:
         bits. Raises InputError for a name that is not known or measures cells."""
         columns, units = self._organism.table("sample")
         asked, _ = self._organism.table("measure")
-        of = {name: self._organism.measure_info(name) for name in names if name not in columns}
+        of = {name: self._organism.measure_info(_checked("name", name)) for name in names if name not in columns}
         missing = [stored for stored, _, _ in of.values() if stored not in asked["name"]]
         for name, (_, scope, _) in of.items():
             if scope != "world":
@@ -171,7 +183,7 @@ class Simulator:
         """Takes a measure now: a float of the organism ("energy", "count of skin*"), or an array with one value for
         each living cell, by path ("cell.volume", "sphericity of AB*"). NaN: nothing to measure. morula.measures() lists
         names and units. Cells are measured once and kept until the next step. Raises InputError."""
-        return self._organism.measure(name)
+        return self._organism.measure(_checked("name", name))
 
     @property
     def surface(self) -> Surface:
@@ -184,7 +196,7 @@ class Simulator:
 
     def restore(self, state: bytes) -> Simulator:
         """Goes to a state that a simulator of the same scenario has saved. Raises InputError for another one."""
-        self._organism.restore(bytes(state))
+        self._organism.restore(bytes(_checked("state", state, (bytes, bytearray, memoryview))))
         return self
 
     def save_scenario(self, file: str | os.PathLike[str]) -> None:
@@ -204,7 +216,7 @@ class Simulator:
         or a measure of cells. size [pixel]. Raises InputError and OSError."""
         if file is not None and not os.fspath(file).lower().endswith(".png"):
             raise InputError(f"picture: '{os.fspath(file)}' is no name of a PNG picture; needs a name that ends in .png")
-        png = self._organism.picture(colour, size)
+        png = self._organism.picture(_checked("colour", colour), _whole("size", size, 64, 4096))
         if file is None:
             return png
         Path(file).write_bytes(png)

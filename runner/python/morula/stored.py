@@ -37,6 +37,26 @@ def frame(columns: dict[str, Any], units: dict[str, str]) -> Any:
     return table
 
 
+def _checked(name: str, value: Any, kinds: Any = str) -> Any:
+    """Returns an argument of one of these types. Raises TypeError, and InputError for half of a surrogate pair."""
+    if not isinstance(value, kinds):
+        kinds = kinds if isinstance(kinds, tuple) else (kinds,)
+        raise TypeError(f"{name}: {value!r} is not a {' or '.join(kind.__name__ for kind in kinds)}")
+    if kinds is str and value.encode(errors="replace").decode() != value:
+        raise _morula.InputError(f"{name}: {value!r} is not Unicode")
+    return value
+
+
+def _real(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {value!r} is not a number") from None
+    if number != number:
+        raise _morula.InputError(f"{name}: NaN is not a time")
+    return number
+
+
 def program() -> str:
     """The path of the program morula. Raises FileError if there is none."""
     here = Path(__file__).resolve()
@@ -64,7 +84,7 @@ class Stored:
     """A database of results, to read from. Its tables are attributes: results.run, results.cell_sample, …"""
 
     def __init__(self, file: str | os.PathLike[str], check: bool = True) -> None:
-        self.file = os.fspath(file)
+        self.file = os.fspath(_checked("file", file, (str, os.PathLike)))
         if check:
             _morula.check_database(self.file)
         uri = f"file:{quote(os.path.abspath(self.file))}?mode=ro"
@@ -76,7 +96,7 @@ class Stored:
 
     def _rows(self, query: str, values: Sequence[Any] = ()) -> tuple[list[str], list]:
         try:
-            cursor = self._db.execute(query, values)
+            cursor = self._db.execute(_checked("query", query), values)
             return [c[0] for c in cursor.description or ()], cursor.fetchall()
         except sqlite3.Error as error:
             raise _morula.FileError(f"{self.file}: {error}") from None
@@ -102,8 +122,8 @@ class Stored:
         return self.sql(f'SELECT * FROM "{name}" {order}', _declared=declared)
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
+        if name.startswith("_") or hasattr(type(self), name):
+            raise AttributeError(f"results have no '{name}'")
         try:
             return self.table(name)
         except _morula.InputError as error:
@@ -112,13 +132,16 @@ class Stored:
     def surfaces(self, time: float | None = None, run: str = "") -> Surface:
         """The surfaces at the last time with surfaces not after `time` [time], by default the end (record.meshes in the
         scenario keeps them). run: the beginning of a run_id; by default the last run. Raises InputError without any."""
-        ids = [r[0] for r in self._rows("SELECT run_id FROM run ORDER BY started, rowid")[1] if r[0].startswith(run)]
-        where = (ids[-1] if ids else "", np.inf if time is None else float(time))
+        rows = self._rows("SELECT run_id FROM run ORDER BY started, rowid")[1]
+        ids = [r[0] for r in rows if r[0].startswith(_checked("run", run))]
+        if not ids:
+            raise _morula.InputError(f"{self.file} has no run whose id begins with '{run}'")
+        where = (ids[-1], np.inf if time is None else _real("time", time))
         rows = self._rows(
             "SELECT path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "
             "WHERE run_id = ?1 AND time = (SELECT max(time) FROM mesh_sample WHERE run_id = ?1 AND time <= ?2) ORDER BY path", where)[1]
         if not rows:
-            raise _morula.InputError(f"{self.file}: run '{where[0] or run}' keeps no surfaces up to time {where[1]}; "
+            raise _morula.InputError(f"{self.file}: run {ids[-1]} keeps no surfaces up to time {where[1]}; "
                                      f"record.meshes keeps them, and morula.run('{self.file}') runs it again")
         faces = dict(self._rows("SELECT path, content FROM run_document JOIN document USING (hash) "
                                 "WHERE run_id = ? AND role = 'faces'", where[:1])[1])
@@ -135,7 +158,8 @@ class Stored:
     def tidy(self, rows: str = "runs") -> Any:
         """The tidy table of a study, as `morula compare --tidy` writes it: a row per run, sample or cell, with the
         labels of its condition. Raises InputError with the program's words."""
-        told = subprocess.run([program(), "compare", self.file, "--tidy", rows], capture_output=True, text=True)
+        words = [program(), "compare", self.file, "--tidy", _checked("rows", rows)]
+        told = subprocess.run(words, capture_output=True, text=True)
         if told.returncode:
             raise _morula.InputError(told.stderr.strip())
         table = np.genfromtxt(io.StringIO(told.stdout), delimiter=",", names=True, dtype=None, encoding="utf-8",
@@ -143,7 +167,10 @@ class Stored:
         return frame({name: np.atleast_1d(table[name]) for name in table.dtype.names}, {})
 
     def __repr__(self) -> str:
-        return f"<morula results {self.file}: {len(self._rows('SELECT 1 FROM run')[1])} runs>"
+        try:
+            return f"<morula results {self.file}: {len(self._rows('SELECT 1 FROM run')[1])} runs>"
+        except _morula.FileError as error:
+            return f"<morula results {error}>"
 
 
 def open(file: str | os.PathLike[str], check: bool = True) -> Stored:
