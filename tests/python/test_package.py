@@ -188,6 +188,7 @@ WRONG = [  # call, error, part of the text
     (lambda: morula.Simulator(FOUR).picture(size="big"), TypeError, "size: 'big' is not a whole number"),
     (lambda: morula.Simulator(FOUR).picture(colour=3), TypeError, "colour: 3 is not a str"),
     (lambda: morula.Simulator(FOUR).picture(colour="weight"), morula.InputError, "weight"),
+    (lambda: morula.Simulator(FOUR).picture(b"a.png"), TypeError, "file: b'a.png' is not a str or PathLike"),
     (lambda: morula.Simulator(FOUR).picture("a.jpg", size=64), morula.InputError, "ends in .png"),
     (lambda: morula.Simulator(FOUR).picture("/no/folder/a.png", size=64), OSError, "/no/folder/a.png"),
     (lambda: morula.Simulator(FOUR).save_scenario("/no/folder/a.yaml"), OSError, "/no/folder"),

@@ -110,6 +110,7 @@ class TableReader {
     for (const auto field : fields()) words.push_back(scenario::headerWord(field));
     std::vector<bool> isUsed(words.size(), false);
     for (const auto& [name, header] : options_.columns) takeNamed(name, header, isUsed);
+    if (!problems_.empty()) return false;  // what else is missing may follow from a header that was given wrong
     for (int c = 0; c < knownColumns(); ++c)
       for (const auto& header : headers[static_cast<std::size_t>(c)]) {
         const auto found = std::ranges::find(words, header);
@@ -171,9 +172,10 @@ class TableReader {
     text_.complain(
         {}, "there is no column " + names + "; " + headerInWords(),
         table_.form == Form::stages
-            ? "name the columns as cells or time, name or path, x, y, z; or say with --columns x=HEADER which is x"
+            ? "name the columns as cells or time, name or path, x, y, z; or give their headers with --columns "
+              "x=HEADER,y=HEADER"
             : "name the columns as track_id, t, z, y, x, parent_track_id, or as cell, parent, birth, "
-              "division; or say with --columns x=HEADER which is x");
+              "division; or give their headers with --columns parent=HEADER,x=HEADER");
   }
 
   bool requireStages() {

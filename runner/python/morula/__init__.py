@@ -214,12 +214,13 @@ class Simulator:
         """The organism as it is now, drawn as `morula render` draws it (without bodies: the lineage), as a PNG picture;
         with `file`, a name that ends in .png, written there instead of returned. colour: substance, clone, generation
         or a measure of cells. size [pixel]. Raises InputError and OSError."""
-        if file is not None and not os.fspath(file).lower().endswith(".png"):
-            raise InputError(f"picture: '{os.fspath(file)}' is no name of a PNG picture; needs a name that ends in .png")
+        name = "" if file is None else os.fspath(_checked("file", file, (str, os.PathLike)))
+        if file is not None and not name.lower().endswith(".png"):
+            raise InputError(f"picture: '{name}' is no name of a PNG picture; needs a name that ends in .png")
         png = self._organism.picture(_checked("colour", colour), _whole("size", size, 64, 4096))
         if file is None:
             return png
-        Path(file).write_bytes(png)
+        Path(name).write_bytes(png)
         return None
 
     def _repr_png_(self) -> bytes:
