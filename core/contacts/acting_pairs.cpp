@@ -24,7 +24,7 @@ constexpr double maxRenewed = 0.1;
 // After this many new lists per row of a block, all pairs are chosen and cut anew, so that slices stay full.
 constexpr std::int64_t maxReplaced = 2;
 
-double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
+double delayOf(const Contacts& c) { return c.damping / c.parameters.stiffness; }
 
 /// Finds the acting pairs of one block's `chosen` rows. `radius`: the smallest influence radius [length].
 void findActing(const Contacts& c, const Bodies& bodies, int block, double radius, BlockLists& lists) {

@@ -47,19 +47,24 @@ void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
   const BlockLists& lists = c.list.perBlock[block];
   AlignedVector<double>& ofPairs = c.adhesion.ofPairs[block];
   ofPairs.resize(lists.indices.size());
+  const bool saturates = !b.areSpheres();
+  AlignedVector<double>& perWork = c.adhesion.perWork[block];
+  if (saturates) perWork.resize(lists.indices.size());
   for (const NeighbourSlice& slice : lists.slices) {
     for (int lane = 0; lane < blockLanes; ++lane) {
       const int own = block * blockLanes + slice.vertex[lane] % blockLanes;
       int other = -1;  // neighbours are mostly of one cell
-      double strength = 0;
+      double strength = 0, factor = 0;
       for (int k = 0; k < slice.length; ++k) {
         const std::int64_t at = (slice.start + k) * blockLanes + lane;
         const VertexNumber g = lists.indices[at];
         if (g != far && slotOf(g) != other) {
           other = slotOf(g);
-          strength = workOfAdhesion(c, own, other) * pairFactor(c, b, own, other);
+          factor = pairFactor(c, b, own, other);
+          strength = workOfAdhesion(c, own, other) * factor;
         }
         ofPairs[at] = g == far ? 0 : strength;
+        if (saturates) perWork[at] = g == far ? 0 : factor;
       }
     }
   }
@@ -102,9 +107,33 @@ void setAdhesionKinds(Contacts& c, AdhesionKinds kinds) {
 
 void findPairStrengths(Contacts& c, const Bodies& b, int threads) {
   c.adhesion.ofPairs.resize(b.blockCount());
+  c.adhesion.perWork.resize(b.blockCount());
   const VertexNumber far = b.lineCount() * blockLanes;
   parallelFor(b.blockCount(), threads, [&](int block) { fillBlock(c, b, block, far); });
   c.adhesion.isCurrent = true;
+}
+
+double saturationAt(double density) {
+  if (density <= 1) return 1;
+  const double left = 1 - std::min((density - 1) / (3 * (maxHeld - 1)), 1.0);
+  return (maxHeld - (maxHeld - 1) * (left * left * left)) / density;
+}
+
+void findCrowding(Contacts& c, const Bodies& b, int threads) {
+  if (!c.parameters.adhesion || b.areSpheres()) return;
+  c.adhesion.saturation.assign(2 * c.rows.size(), 0);
+  parallelFor(b.blockCount(), threads, [&](int block) {
+    const BlockLists& lists = c.list.perBlock[block];
+    BlockSlices slices{};
+    slices.slices = lists.slices.data(), slices.count = std::ssize(lists.slices);
+    ContactConstants constants{};
+    constants.vertices = b.lineCount() * blockLanes;
+    constants.adhesion = c.adhesion.ofPairs[block].data(), constants.adhesionPerWork = c.adhesion.perWork[block].data();
+    double areas[blockLanes];
+    for (int lane = 0; lane < blockLanes; ++lane)  // any area will do for lanes without a cell, which have no pairs
+      areas[lane] = lane < b.liveLanes(block) ? restAreaOfVertex(c, b, block * blockLanes + lane) : 1;
+    c.kernels->findCrowding(slices, lists.indices.data(), c.rows.data(), constants, areas, c.adhesion.saturation.data());
+  });
 }
 
 double adhesionStiffness(const Contacts& c, const Bodies& b) {

@@ -114,7 +114,7 @@ constexpr double minShare = 0.005;
 /// Returns c of one vertex. Surfaces that touch, with n vertices per area of rest area a each, hold −W (a n)² per area
 /// of both sides.
 double coverOf(const PairSum& p, double work, double own, double atRest) {
-  const double held = -2 * p.adhesion * own / (work * atRest * atRest);
+  const double held = 2 * p.held * own / (work * atRest * atRest);
   return std::clamp((held - minHeld) / (1 - minHeld), 0.0, 1.0);
 }
 

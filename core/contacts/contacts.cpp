@@ -55,7 +55,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
   const bool rubs = parameters.friction > 0, sticks = c.parameters.adhesion.has_value();
-  if (sticks) c.list.bytesPerNeighbour += sizeof(double);
+  if (sticks) c.list.bytesPerNeighbour += 2 * sizeof(double);
   const auto take = !kindOf(model).hasMesh                 ? &ContactKernels::takeSphereSnapshot
                     : parameters.law == ContactLaw::thesis ? &ContactKernels::takeSnapshot
                     : sticks                               ? &ContactKernels::takeSurface
@@ -99,6 +99,9 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
     c.inverseRadiusSquared[slot] = bodies.areSpheres() ? inverse : static_cast<float>(inverse);
     smallest = std::min(smallest, radii[cell]);
   }
+  c.lightestVertex = INFINITY;
+  for (int slot : bodies.slots) c.lightestVertex = std::min(c.lightestVertex, bodies.vertexMass[slot]);
+  c.damping = bodies.count > 0 ? c.parameters.damping.of(c.parameters.stiffness, c.lightestVertex) : 0;
   c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
   c.listIsValid = false;
   c.adhesion.isCurrent = false;
@@ -158,11 +161,8 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   if (choose) (search ? choosePairs : renewPairs)(c, bodies, threads);
   ++c.acting.age;
   if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
+  findCrowding(c, bodies, threads);
   c.pairEvaluations += c.list.pairs;  // for the forces, which come next
-  if (c.parameters.friction > 0) {
-    c.lightestVertex = INFINITY;
-    for (int slot : bodies.slots) c.lightestVertex = std::min(c.lightestVertex, bodies.vertexMass[slot]);
-  }
 }
 
 double hardeningAt(double b) {
@@ -192,7 +192,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const BlockLists& lists = c.list.perBlock[block];
   const BlockPlace& place = bodies.blocks[block];
   const std::int64_t count = std::ssize(lists.slices), lines = bodies.verticesPerLane(block);
-  const bool onSurface = !c.scratch.empty();
+  const bool onSurface = !c.scratch.empty(), sticks = c.parameters.adhesion.has_value();
   const RealPointer none{nullptr};
   const BlockSlices slices{.slices = lists.slices.data(),
                            .count = count,
@@ -209,13 +209,15 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                            .surfaceTurn = onSurface ? c.scratch[threadNumber()].turn.from(0) : none,
                            .deepest = &c.deepest[block]};
   const ContactConstants constants{.stiffness = c.parameters.stiffness,
-                                   .damping = c.parameters.damping,
+                                   .damping = c.damping,
                                    .friction = c.parameters.friction,
                                    .slipSpeed = c.parameters.slipSpeed,
                                    .strongestGrip = strongestGrip(c, timeStep),
                                    .timeStep = timeStep,
                                    .vertices = bodies.lineCount() * blockLanes,
-                                   .adhesion = c.parameters.adhesion ? c.adhesion.ofPairs[block].data() : nullptr};
+                                   .adhesion = sticks ? c.adhesion.ofPairs[block].data() : nullptr,
+                                   .adhesionPerWork = sticks ? c.adhesion.perWork[block].data() : nullptr,
+                                   .saturation = sticks ? c.adhesion.saturation.data() : nullptr};
   c.addForces(slices, lists.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
 }
 

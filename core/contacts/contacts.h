@@ -23,10 +23,11 @@ struct Contacts {
   const ContactKernels* kernels = nullptr;
   std::array<ContactKernels::TakeSnapshot, blockLanes> takeSnapshot{};  // [living cells of a block − 1]
   ContactKernels::AddForces addForces = nullptr;                        // of the scene's cell model and law
-  double lightestVertex = 0;                                            // [mass] current value, for friction only
   double skinShare = 0;                                                 // [SearchSettings]
 
   // State between rebuilds; nothing of it is part of the result
+  double lightestVertex = 0;                   // [mass] the smallest of all cells
+  double damping = 0;                          // C [force·time/length] for this mass
   AlignedVector<double> radius;                // [slot] influence radius [length]
   AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
   AlignedVector<RowMemory> rows;               // rows of every vertex, and the far row

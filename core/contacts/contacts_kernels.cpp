@@ -2,6 +2,7 @@
 #include "contacts/contacts_kernels.h"
 
 #include "contacts/acting_kernel.h"
+#include "contacts/crowding_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/sphere_law_kernel.h"
@@ -24,6 +25,7 @@ const ContactKernels contacts = {
     .addStickyPairForcesWithFriction = addPairForces<true, true>,
     .addStickySphereForces = addSphereForces<false, true>,
     .addStickySphereForcesWithFriction = addSphereForces<true, true>,
+    .findCrowding = findCrowding,
     .findSteepest = findSteepest,
     .findActing = findActing,
 };

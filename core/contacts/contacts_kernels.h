@@ -41,7 +41,9 @@ struct ContactConstants {
   double strongestGrip;                 // [force·time/length] max friction per slip speed
   double timeStep;                      // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
   std::int32_t vertices;                // number of rows, and the number of the far row behind them
-  const double* adhesion;               // [as indices] of each pair (adhesion.h); null without adhesion
+  // Of scenes with adhesion, else null (adhesion.h)
+  const double *adhesion, *adhesionPerWork;  // [as indices] T [energy] of each pair, and T for W = 1
+  const double* saturation;                  // [vertex][2] ½ s [1] and q [force/length]; not for spheres
 };
 
 /// The change of a block's snapshots since pairs were chosen (acting_kernel.h).
@@ -87,6 +89,11 @@ struct ContactKernels {
   // Kernels with adhesion, without and with friction.
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
+
+  /// Sets saturation[vertex] of the block's vertices that have neighbours (adhesion.h). `areas`: a of the block's cells,
+  /// [lane] [length²]. `ContactConstants::saturation` is not used.
+  void (*findCrowding)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows, const ContactConstants&,
+                       const double* areas, double* saturation);
 
   /// Sets largest[lane] to the largest S of this cell's pairs (pair law). `vertices`: the far row's number.
   void (*findSteepest)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows, std::int32_t vertices,

@@ -17,15 +17,22 @@ Point6 read(const Contacts& c, const Bodies& b, VertexNumber g) {
   return {{r.x, r.y, r.z}, {r.nx, r.ny, r.nz}, r.inverseRadiusSquared};
 }
 
-void add(const Point6& i, const Point6& j, double stiffness, double adhesion, PairSum& sum) {
+/// T [energy] of a pair, T_eff, and T for W = 1.
+struct Attraction {
+  double strength = 0, effective = 0, perWork = 0;
+};
+
+/// Adds a pair. Adds its share of 6 a ρ to `density`.
+void add(const Point6& i, const Point6& j, double stiffness, const Attraction& attraction, PairSum& sum,
+         double& density) {
   const Vector a = i.y - j.y, h = 0.5 * (j.n - i.n);
   const double curvature = 0.5 * (i.curvature + j.curvature), nearness = curvature * dot(a, a);
   const double perReach = 1 / (attractionReach * attractionReach), w = std::max(1 - perReach * nearness, 0.0);
   const bool near = nearness < 1;
-  if (!near && !(adhesion != 0 && w > 0)) return;
+  if (!near && !(attraction.perWork != 0 && w > 0)) return;
   const double u = near ? (1 - nearness) * (1 + nearness) : 0;
   const double m = 1 - dot(i.n, j.n), t = std::min(m / minFacing, 1.0), s = t * t * (3 - 2 * t);
-  const double z = 0.25 * m * m * (3 - m), held = adhesion * w * w;
+  const double z = 0.25 * m * m * (3 - m), held = attraction.effective * w * w;
   const double depth = near ? std::max(0.0, -dot(a, h)) : 0.0, b = curvature * depth * depth * u;
   const double barrier = stiffness * depth * depth, hardened = 1 + b * (hardening1 + hardening2 * b);
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
@@ -33,10 +40,18 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
       nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * perReach * z * held;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
   sum.repulsion += 0.25 * s * barrier * u * u * hardened;
-  sum.adhesion -= z * held * w / 12;
+  sum.held += z * attraction.strength * (w * w * w) / 12;
+  density += z * attraction.perWork * (w * w * w);
   sum.deepest = std::max(sum.deepest, b);
   sum.force += f;
   if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));
+}
+
+Attraction attractionOf(const Contacts& c, int block, std::size_t at, VertexNumber i, VertexNumber j) {
+  if (!c.parameters.adhesion) return {};
+  const double *ofI = &c.adhesion.saturation[2 * std::size_t(i)], *ofJ = &c.adhesion.saturation[2 * std::size_t(j)];
+  const double strength = c.adhesion.ofPairs[block][at], perWork = c.adhesion.perWork[block][at];
+  return {strength, strength * (ofI[0] + ofJ[0]) + perWork * (ofI[1] + ofJ[1]), perWork};
 }
 
 }  // namespace
@@ -55,6 +70,7 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
         const VertexNumber g = slice.vertex[lane];
         if (g == far) continue;
         const Point6 i = read(c, b, g);
+        double density = 0;
         own.clear();
         for (int k = 0; k < slice.length; ++k) {
           const std::size_t at = (slice.start + k) * blockLanes + lane;
@@ -64,8 +80,11 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
           auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
           if (sum == own.end())
             sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}});
-          add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[block][at] : 0.0,
-              *sum);
+          add(i, read(c, b, j), c.parameters.stiffness, attractionOf(c, block, at, g, j), *sum, density);
+        }
+        if (density > 0) {
+          const double saturation = saturationAt(density / (6 * restAreaOfVertex(c, b, slotOf(g))));
+          for (PairSum& sum : own) sum.adhesion = -saturation * sum.held;
         }
         sums.insert(sums.end(), own.begin(), own.end());
       }

@@ -18,7 +18,8 @@
 // is 4.5 K R². Surfaces that are pressed deeper would pass through each other, so the run ends before (deepestHeld). β₁
 // and β₂ multiply B, not κ D². Otherwise vertices far beside each other, where u ends, would be so stiff that many
 // cells together never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of
-// separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h). Attraction reaches farther than
+// separation W per area, whatever the mesh; T [energy] follows from W. Where vertices crowd it saturates: the force is
+// that of T_eff in place of T, and no arrangement holds more than 1.1 W per area (adhesion.h). Attraction reaches farther than
 // repulsion: with α = 1 each vertex attracts only the next few, and vertices hold each other one by one. Then the
 // border of a contact stays where it is, and the contact's size depends on the way that cells came to it.
 //
@@ -59,6 +60,7 @@
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
 // potentials [Li et al. 2020; Li et al. 2023]; here pairs are of vertices, so that each vertex only gathers forces.
+#include "contacts/crowding_kernel.h"
 #include "contacts/surface_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -74,7 +76,7 @@ struct PairLaw {
         slipSpeed(c.slipSpeed),
         strongestGrip(c.strongestGrip) {}
 
-  /// Adds what j does to i. `adhesion`: T [energy]. `deepest`: 4B.
+  /// Adds what j does to i. `adhesion`: T_eff [energy]. `deepest`: 4B.
   MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum, Lanes& deepest) const {
     const Vec toward = j.x - i.x, relative = j.v - i.v, apartNormals = j.n - i.n;  // −a, −(v_i − v_j), 2h
     const Lanes square = dot(toward, toward);
@@ -168,11 +170,16 @@ inline void addPairForces(const BlockSlices& block, const std::int32_t* indices,
     for (int lane = 0; lane < blockLanes; lane += width) {
       const Rows i = loadRows(rows, slice.vertex + lane);
       SurfaceForce sum;
+      [[maybe_unused]] Saturation own;
+      if constexpr (withAdhesion) own = loadSaturation(c.saturation, slice.vertex + lane);
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
         prefetchRows(rows, index);
-        law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0), sum,
-                deepest);
+        Lanes adhesion = 0.0;
+        if constexpr (withAdhesion)
+          adhesion = saturate(load(c.adhesion + (index - indices)), load(c.adhesionPerWork + (index - indices)), own,
+                              loadSaturation(c.saturation, index));
+        law.add(i, loadRows(rows, index), adhesion, sum, deepest);
       }
       storeOnSurface(block, depths, slice.vertex + lane, c.vertices, i, sum);
     }

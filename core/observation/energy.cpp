@@ -5,6 +5,7 @@
 #include "contacts/pair_energy.h"
 #include "observation/body_measures.h"
 #include "observation/membrane_edges.h"
+#include "physics/bending.h"
 
 namespace morula {
 namespace {
@@ -31,7 +32,7 @@ double membranePower(const Bodies& b, int slot) {
     const double square = dot(e.d, e.d), along = dot(e.rate, e.d);
     if (square > 0) sum += e.weight * (along * along / square);
   });
-  return b.parameters.membrane.damping * sum;
+  return b.parameters.membrane.damping.of(b.parameters.membrane.stiffness, b.vertexMass[slot]) * sum;
 }
 
 /// Returns −Σ F·v of the forces that damping and friction add to contact.
@@ -40,7 +41,7 @@ double contactPower(const World& world) {
   Bodies b = *world.bodies;
   const auto powerOf = [&](double damping, double friction) {
     Contacts c = *world.contacts;
-    c.parameters.damping = damping;
+    c.damping = damping;
     c.parameters.friction = friction;
     b.acceleration.assign(b.acceleration.size(), 0);
     for (int block = 0; block < b.blockCount(); ++block) addContactForces(c, b, block, world.clock.timeStep);
@@ -50,8 +51,8 @@ double contactPower(const World& world) {
         power += dot(b.read(b.acceleration, slot, v), b.read(b.velocity, slot, v));
     return power;
   };
-  const ContactParameters& p = world.contacts->parameters;
-  return p.damping > 0 || p.friction > 0 ? powerOf(0, 0) - powerOf(p.damping, p.friction) : 0;
+  const double damping = world.contacts->damping, friction = world.contacts->parameters.friction;
+  return damping > 0 || friction > 0 ? powerOf(0, 0) - powerOf(damping, friction) : 0;
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ Energy measureEnergy(const Bodies& b) {
   Energy e;
   for (int slot : b.slots) {
     e.kinetic += measureKineticEnergy(b, slot);
-    e.membrane += membraneEnergy(b, slot);
+    e.membrane += membraneEnergy(b, slot) + measureBendingEnergy(b, slot);
     e.contents += contentsEnergy(b, slot);
   }
   return e;

@@ -8,7 +8,8 @@ namespace morula {
 /// The parts of the energy [force·length] of all cells.
 struct Energy {
   double kinetic = 0;      // ½ Σ m v²
-  double membrane = 0;     // ½ k_s (l − l₀)² of every edge, times its weight [Nilsson 2008, eq. 4.2]
+  // ½ k_s (l − l₀)² of every edge, times its weight [Nilsson 2008, eq. 4.2], and bending (physics/bending_kernel.h)
+  double membrane = 0;
   double contents = 0;     // k_p (r − 1 − ln r), r = P₀V/k_p: nothing at rest [Nilsson 2008, eq. 4.3]
   double connections = 0;  // k_c |v| [Nilsson 2008, eq. 4.9], or of springs ½ k (d − rest)²
   double contact = 0;      // energy of overlaps: at least 0 (contacts/pair_law_kernel.h); not measured for spheres

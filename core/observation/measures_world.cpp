@@ -69,7 +69,8 @@ constexpr WorldMeasure ofWorld[] = {
      .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).total(); }},
     {.name = "membrane_energy", .unit = "force·length",
-     .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2]",
+     .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2], and the energy "
+                "of membrane.bending",
      .taken = Taken::onDemand, .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).membrane; }},
     {.name = "contents_energy", .unit = "force·length",
      .meaning = "k_p (r − 1 − ln r) with r = P₀V/k_p, of every cell: 0 at rest [Nilsson 2008, eq. 4.3]",

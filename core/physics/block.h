@@ -31,6 +31,9 @@ struct TemplateView {
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
   const double* ringShare;  // [as ring] 1 over the number of the neighbour's own neighbours; 0 for a repeated one
+  // Bending only, at scale 1
+  const double* bendingWeights;  // [as ring] [1] w; 0 for a repeated neighbour
+  const double* inverseAreas;    // [vertex] [1/length²] 1/a
   // Shape matching only, at scale 1
   const double* restShape;    // [vertex][3] [length] from the mean of the vertices
   const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
@@ -63,6 +66,7 @@ struct BlockView {
   RealPointer predicted;    // [v] velocity estimate at the new time, for damping
   RealPointer gradient;     // [v] 6∇V: six times the outward area vector that belongs to the vertex
   RealPointer coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
+  RealPointer curvature;    // [v] curvature vectors; bending only, else null
   // Runge–Kutta only, else null: [4][v] position and velocity at the start of the step, sums of both slopes
   RealPointer substeps;
 };
@@ -74,7 +78,9 @@ enum class ShellShape { none, sphere, ellipsoid, surface, aroundSpheres, planes,
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {
-  double stiffness, damping;                         // springs: MembraneParameters
+  double stiffness;                                  // springs: MembraneParameters
+  double damping, dampingPerRoot;                    // k_d = damping + dampingPerRoot √m (damping.h)
+  double bending;                                    // κ: MembraneParameters
   double outsidePressure;                            // [force/length²]
   double drag;                                       // [1/time]
   double semiAxes[3];                                // [length] shell

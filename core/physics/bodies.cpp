@@ -69,7 +69,9 @@ KernelParameters kernelParametersOf(const PhysicsParameters& parameters) {
   const double* a = parameters.shell ? parameters.shell->semiAxes.data() : nullptr;
   const auto* planes = parameters.shell && parameters.shell->mesh ? &parameters.shell->mesh->planes : nullptr;
   return {.stiffness = parameters.membrane.stiffness,
-          .damping = parameters.membrane.damping,
+          .damping = parameters.membrane.damping.fixed(),
+          .dampingPerRoot = parameters.membrane.damping.perRoot(parameters.membrane.stiffness),
+          .bending = parameters.membrane.bending,
           .outsidePressure = parameters.pressure.outside,
           .drag = parameters.drag,
           .semiAxes = {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
@@ -95,15 +97,22 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.coarser.push_back(std::move(next));
   }
   b.kernelParameters = kernelParametersOf(b.parameters);
+  const bool bends = b.model().hasMembrane && parameters.membrane.bending > 0;
+  if (bends) {
+    b.mesh.bending = makeBending(b.mesh);
+    for (CoarserMesh& mesh : b.coarser) mesh.mesh.bending = makeBending(mesh.mesh);
+  }
   if (b.model().hasRestShape) {
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
-  b.scratch.assign(threads, {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
+  const Reals none(parameters.precision);
+  b.scratch.assign(threads, {none, none, none, none});
   for (auto& s : b.scratch) {
     s.predicted.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
     s.gradient.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
+    if (bends) s.curvature.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
     s.coefficient.assign(std::size_t(b.mesh.edgeCount() + 1) * blockLanes, 0);  // the slack edge stays 0
   }
   return b;
@@ -134,6 +143,7 @@ BlockView Bodies::block(int index, int thread) {
           .predicted = s.predicted.from(0),
           .gradient = s.gradient.from(0),
           .coefficient = s.coefficient.from(coefficients),
+          .curvature = s.curvature.size() > 0 ? s.curvature.from(0) : RealPointer{nullptr},
           .substeps = substeps.size() > 0 ? substeps.from(4 * v) : RealPointer{nullptr}};
 }
 

@@ -68,7 +68,7 @@ struct Bodies {
 
   // Scratch, one per thread
   struct Scratch {
-    Reals predicted, gradient, coefficient;
+    Reals predicted, gradient, coefficient, curvature;
   };
   std::vector<Scratch> scratch;
 

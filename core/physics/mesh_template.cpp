@@ -22,6 +22,8 @@ TemplateView MeshTemplate::view() const {
           .ringStart = ringStart.data(),
           .ring = ring.data(),
           .ringShare = ringShare.data(),
+          .bendingWeights = bending.weights.data(),
+          .inverseAreas = bending.inverseAreas.data(),
           .restShape = rest.vertices.data(),
           .restInverse = rest.inverse.data(),
           .restVolume = rest.volume};

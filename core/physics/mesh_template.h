@@ -17,6 +17,13 @@ struct RestShape {
   double volume = 0;                // [length³]
 };
 
+/// The mesh at rest as bending needs it (bending_kernel.h).
+struct Bending {
+  std::vector<double> weights;       // [as ring] [1] w; 0 for a repeated neighbour
+  std::vector<double> inverseAreas;  // [vertex] [1/length²] 1/a
+  double stiffest = 0;               // [1/length²] largest stiffness of all vertices together for κ = 1
+};
+
 struct MeshTemplate {
   Mesh mesh;                        // the egg as loaded, in its size: what rest lengths refer to
   std::vector<std::int32_t> edges;  // [edge][2], first < second
@@ -33,6 +40,7 @@ struct MeshTemplate {
   double restSquares = 0;               // [length²] sum over the springs of L₀² times the weight
   double meanRestLength = 0;            // [length]
   RestShape rest;                       // empty without shape matching
+  Bending bending;                      // empty without bending
 
   int vertexCount() const { return static_cast<int>(mesh.vertices.size()); }
   int edgeCount() const { return static_cast<int>(edges.size() / 2); }
@@ -57,6 +65,9 @@ std::vector<double> makeSpringWeights(const Mesh& mesh, const std::vector<std::i
 
 /// Makes the shape at rest of a mesh, which must enclose a volume.
 RestShape makeRestShape(const Mesh& mesh);
+
+/// Makes the mesh at rest as bending needs it, with the weights of makeSpringWeights over √3.
+Bending makeBending(const MeshTemplate& mesh);
 
 /// Makes the template of a sphere, its centre. The mean rest length is the diameter, so that spheres touch at the mean
 /// of their diameters, as vertices touch at the mean of their influence radii.

@@ -10,6 +10,7 @@
 #include "base/members.h"
 #include "base/precision.h"
 #include "mesh/convex_shell.h"
+#include "physics/damping.h"
 
 namespace morula {
 
@@ -58,12 +59,13 @@ inline constexpr auto choices<Springs> = std::to_array<Choice<Springs>>({
 /// Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2].
 struct MembraneParameters {
   double stiffness = 10;  // k_s [force/length]; higher: rounder cells, shorter steps
-  double damping = 0.02;  // k_d [force·time/length] along the edge
+  Damping damping;        // k_d along the edge
   // Membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension.
   double areaFactor = 1.26;
   Springs springs = Springs::dual;  // factor of k_s and k_d of each edge
+  double bending = 0;  // κ [force·length], Helfrich's rigidity (bending_kernel.h); higher: fewer folds; 0: none
 };
-MORULA_MEMBERS(MembraneParameters, stiffness, damping, areaFactor, springs)
+MORULA_MEMBERS(MembraneParameters, stiffness, damping, areaFactor, springs, bending)
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
 struct PressureParameters {

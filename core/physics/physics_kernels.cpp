@@ -1,6 +1,7 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see physics_dispatch.cpp for the choice.
 #include "physics/physics_kernels.h"
 
+#include "physics/bending_kernel.h"
 #include "physics/euler_kernel.h"
 #include "physics/isolated_kernel.h"
 #include "physics/pressure_kernel.h"
@@ -72,6 +73,7 @@ const PhysicsKernels physics = {
     .findWeightedTensions = {findTensions<false, true>, findTensions<true, true>},
     .accumulateRings = accumulateRings<true>,
     .accumulateAreaVectors = accumulateRings<false>,
+    .addBendingForces = addBendingForces,
     .addPressureForces = addPressureForces<false>,
     .addPressureAndDragForces = addPressureForces<true>,
     .findPressure = findPressure,

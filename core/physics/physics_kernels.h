@@ -31,6 +31,7 @@ struct PhysicsKernels {
   Stage findTensions, findDampedTensions;
   Stage findWeightedTensions[2];                 // [damped]
   Stage accumulateRings, accumulateAreaVectors;  // with spring forces, and without
+  Stage addBendingForces;
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;

@@ -20,22 +20,30 @@ MORULA_INLINE void prefetchNextBlock(const TemplateView& mesh, const BlockView& 
   prefetch<line>(b.acceleration.place, from);
 }
 
+/// Sets `damping` to k_d of a block's cells, whose vertices have the masses of the moment (damping.h).
+MORULA_INLINE void findSpringDamping(const BlockView& b, const KernelParameters& p, Lanes (&damping)[blockLanes / width]) {
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+    damping[group] = p.damping + p.dampingPerRoot * sqrt(load(b.vertexMass + lane));
+}
+
 template <bool damped, bool weighted>
 inline void findTensions(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const Lanes stiffness = p.stiffness, damping = p.damping;
+  const Lanes stiffness = p.stiffness;
   Real* coefficient = b.coefficient;
+  Lanes damping[blockLanes / width];
+  if constexpr (damped) findSpringDamping(b, p, damping);
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
     prefetchNextBlock(mesh, b, e);
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec d = loadVec(b.position, second, lane) - loadVec(b.position, first, lane);
       const Lanes length = sqrt(dot(d, d) + tiny);
       const Lanes inverse = 1.0 / length;
       Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
       if constexpr (damped) {
         const Vec dw = loadVec(b.predicted, second, lane) - loadVec(b.predicted, first, lane);
-        tension += damping * (dot(dw, d) * inverse);
+        tension += damping[group] * (dot(dw, d) * inverse);
       }
       if constexpr (weighted) tension = Lanes(mesh.springWeights[e]) * tension;
       store(coefficient + e * blockLanes + lane, tension * inverse);

@@ -1,5 +1,7 @@
 #pragma once
 // The largest stable time step of one cell, by mode. Measured limits are 0.94 to 1.15 of these.
+#include <limits>
+
 #include "physics/bodies.h"
 
 namespace morula {
@@ -7,6 +9,7 @@ namespace morula {
 struct StabilityLimits {
   double spring = 0;    // [time] all springs of a vertex against its mass, or its goal's pull
   double pressure = 0;  // [time] breathing: the whole membrane against the enclosed fluid
+  double bending = std::numeric_limits<double>::infinity();  // [time] the sharpest mode of bending; infinite without
 };
 
 /// Spring mode, 6 k_s/m_p with damping (with weighted springs the largest sum of a ring's weights for 6), and
@@ -15,6 +18,8 @@ struct StabilityLimits {
 ///   Δt = 2/ω,  ω² = u (k_p/V²) A²/m         V from the last evaluation, A the area of the sphere that holds it,
 ///                                           m the cell's mass, u = n Σ |∂V/∂x_v|²/A² of the mesh at rest, 1 at
 ///                                           least: more where few of the n vertices bear much of the surface
+/// Bending mode, undamped: Δt = 2/ω, ω² = κ λ/m_p, λ the largest eigenvalue of W A⁻¹ W (bending_kernel.h).
+///
 /// Runge–Kutta: where its amplification reaches 1, for an undamped mode Δt = √8/ω.
 ///
 /// Explicit Euler amplifies undamped modes at any step: its limit is γ/ω² (less where a mode is overdamped). Springs

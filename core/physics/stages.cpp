@@ -24,7 +24,7 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
                               : shape == ShellShape::planes              ? KickShell::planes
                               : shape == ShellShape::planesAroundSpheres ? KickShell::planesAroundSpheres
                                                                          : KickShell::anyShape;
-  const Movement move = kindOf(p.integrator).movement(k, static_cast<int>(shape), p.membrane.damping > 0);
+  const Movement move = kindOf(p.integrator).movement(k, static_cast<int>(shape), p.membrane.damping.acts());
   PhysicsStages stages{
       .drift = move.drift, .kick = move.kick[static_cast<int>(kickShell)], .furtherDrifts = move.furtherDrifts};
   kindOf(p.cell.model).chooseForces(stages, k, p, surfaces);
@@ -52,6 +52,7 @@ void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView&
   stages.drift(mesh, block, p, timeStep);
   stages.findTensions(mesh, block, p);
   stages.accumulateRings(mesh, block, p);
+  stages.addBending(mesh, block, p);
   stages.finishForces(mesh, block, p);
 }
 
@@ -90,6 +91,7 @@ bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const 
     for (;; --steps) {
       stages.findTensions(mesh, block, p);
       stages.accumulateRings(mesh, block, p);
+      stages.addBending(mesh, block, p);
       if (steps == 1) break;
       stages.endAndDrift(mesh, block, p, timeStep);
       if (!areSound(block)) return false;

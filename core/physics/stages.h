@@ -19,6 +19,7 @@ struct PhysicsStages {
   // The inner forces, in this order
   PhysicsKernels::Stage findTensions = noOp;     // per edge: coefficient ← spring force over edge vector
   PhysicsKernels::Stage accumulateRings = noOp;  // per one-ring: gradient, volume; acceleration ← springs
+  PhysicsKernels::Stage addBending = noOp;       // acceleration += bending
   PhysicsKernels::Stage finishForces = noOp;     // all other forces, and the pressure; acceleration ← whole force
 
   // finishForces, the kick and the next step's drift in one, for isolated cells; null where there is no such kernel.

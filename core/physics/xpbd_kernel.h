@@ -24,6 +24,7 @@
 #include "physics/lane_matrix.h"
 #include "physics/ring_kernel.h"
 #include "physics/shell_kernel.h"
+#include "physics/spring_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -53,12 +54,15 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
 /// Step 2: solves the springs.
 template <bool damped, bool weighted>
 inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
-  const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
+  const Lanes stiffness = p.stiffness, step = h;
+  Lanes damping[blockLanes / width];
+  findSpringDamping(b, p, damping);
   Lanes perTension[blockLanes / width];  // velocity over k_s (l − L0) + k_d l'
   const auto findPerTension = [&](double weight) MORULA_INLINE_LAMBDA {
-    const Lanes yielding = 2 * h * (h * p.stiffness + p.damping) * weight;
-    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Lanes yielding = 2 * h * (h * p.stiffness + damping[group]) * weight;
       perTension[group] = Lanes(h * weight) / (load(b.vertexMass + lane) + yielding);
+    }
   };
   findPerTension(1);
   for (int e = 0; e < mesh.edgeCount; ++e) {
@@ -71,7 +75,7 @@ inline void solveEdges(const TemplateView& mesh, const BlockView& b, const Kerne
       const Lanes length = sqrt(dot(d, d) + tiny);
       const Lanes inverse = 1.0 / length;
       Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
-      if constexpr (damped) tension += damping * (dot(w - v, d) * inverse);
+      if constexpr (damped) tension += damping[group] * (dot(w - v, d) * inverse);
       const Vec change = (perTension[group] * tension * inverse) * d, move = step * change;
       storeVec(b.velocity, first, lane, v + change);
       storeVec(b.velocity, second, lane, w - change);

@@ -30,8 +30,9 @@ namespace {
 
 /// Sets parameters to 0 that act on moving cells only, and so do not change where cells come to rest.
 void leaveOutMotion(MechanicsScene& m) {
-  m.physics.drag = m.physics.membrane.damping = 0;
-  if (m.contact) m.contact->damping = m.contact->friction = 0;
+  m.physics.drag = 0;
+  m.physics.membrane.damping = 0;
+  if (m.contact) m.contact->damping = 0, m.contact->friction = 0;
 }
 
 }  // namespace

@@ -115,14 +115,16 @@ MemoryUse measureMemory(const World& world) {
                    b.mesh.ringStart, b.mesh.ring);
     m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.vertexMass, b.restScale, b.pressureConstant,
                      b.sag, b.volume, b.pressure, b.slots, b.blocks);
-    for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
+    for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient, s.curvature);
   }
   if (world.contacts) {
     const Contacts& k = *world.contacts;
     m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
                         k.acting.speeds, k.acting.marked, k.list.reference);
     for (const ActingPairs::OfBlock& block : k.acting.blocks) m.snapshots += bytes(block.ended);
-    for (const auto& strengths : k.adhesion.ofPairs) m.listPairs += bytes(strengths);
+    for (const auto* strengths : {&k.adhesion.ofPairs, &k.adhesion.perWork})
+      for (const auto& ofBlock : *strengths) m.listPairs += bytes(ofBlock);
+    m.snapshots += bytes(k.adhesion.saturation);
     for (const BlockLists& lists : k.list.perBlock) {
       for (const RowLists* rows : {static_cast<const RowLists*>(&lists), &lists.acting}) {
         m.listRows += bytes(rows->begin, rows->length);

@@ -42,6 +42,7 @@ void restoreContacts(const SavedContacts& s, World& world) {
     b.volume = volume;
     setInfluenceRadii(c, b, s.radius);
     if (c.parameters.adhesion) findPairStrengths(c, b, world.execution.threads);
+    findCrowding(c, b, world.execution.threads);
   }
   c.listIsValid = s.listIsValid && b.count > 0;
   auto counter = s.counters.begin();

@@ -28,18 +28,20 @@ constexpr double maxSteps = 1e12;  // more than a week of one small cell
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
   double connection;                 // [time] infinite without springs between cells
+  double bending;                    // [time] infinite without bending
   int cell;
 };
 
 /// Combines the limits of all modes: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
-  const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
+  if (kindOf(integrator).needsDrag) 
+    return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection + 1 / l.bending);
+  const double least = std::min({l.spring, l.pressure, l.contact, l.connection, l.bending});
   if (!(least < INFINITY)) return INFINITY;
   const double a = least / l.spring, b = least / l.pressure, c = least / l.contact,
-               d = least / l.connection;  // no square is too small
-  return least / std::sqrt(a * a + b * b + c * c + d * d);
+               d = least / l.connection, e = least / l.bending;  // no square is too small
+  return least / std::sqrt(a * a + b * b + c * c + d * d + e * e);
 }
 
 /// Returns the stiffness [force/length] of all springs to a cell, with the partners' motion. Counts the springs of the
@@ -85,11 +87,12 @@ double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
 Limit limitOf(const World& world, int cell, int slot, double held, double contact, double steepness) {
   const Bodies& b = *world.bodies;
   const StabilityLimits own = measureLimits(b, slot);
-  Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
+  Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), own.bending, cell};
   if (!world.contacts || world.contacts->parameters.law == ContactLaw::thesis) return l;
   const ContactParameters& c = world.contacts->parameters;
   const auto limit = [&](double stiffness, double pairs) {
-    return contactLimit(b.parameters.integrator, stiffness, c.damping, b.vertexMass[slot], b.parameters.drag, pairs);
+    return contactLimit(b.parameters.integrator, stiffness, world.contacts->damping, b.vertexMass[slot],
+                        b.parameters.drag, pairs);
   };
   l.contact = limit(contact, usualPairs);
   // A pair that is stiffer than all others together, ω² = 2 k/m: both of its vertices move. The vertices that its other
@@ -104,7 +107,7 @@ double excess(double hardening) { return std::max(1.0, hardening / heldByLimit);
 
 /// Returns the limits of the cell with the smallest combined limit. `steepness`: room for what contacts measure.
 Limit tightestLimit(const World& world, std::vector<double>& steepness, double& combined) {
-  Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
+  Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
   const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
@@ -328,6 +331,7 @@ void chooseTimeStep(World& world) {
     refuseAboveRun(world, timeStep);
     refuseAbove(limit.spring, kindOf(p.cell.model).limitedBy, world, limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
+    refuseAbove(limit.bending, "bending", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(limit.connection, "connections' springs", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);

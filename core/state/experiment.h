@@ -49,15 +49,23 @@ struct ChangeableParameter {
   /// Returns the parameter; null if the scene has no such part. `contact`: null without contact.
   double* (*of)(PhysicsParameters& physics, ContactParameters* contact);
 };
+/// Return the number of a damping that counts; null where the other one does.
+inline double* constantOf(Damping& damping) { return damping.ratio > 0 ? nullptr : &damping.constant; }
+inline double* ratioOf(Damping& damping) { return damping.ratio > 0 ? &damping.ratio : nullptr; }
+
 inline constexpr auto changeableParameters = std::to_array<ChangeableParameter>({
     {"physics.drag", true, [](auto& physics, auto*) { return &physics.drag; }},
     {"physics.membrane.stiffness", false, [](auto& physics, auto*) { return &physics.membrane.stiffness; }},
-    {"physics.membrane.damping", true, [](auto& physics, auto*) { return &physics.membrane.damping; }},
+    {"physics.membrane.damping", true, [](auto& physics, auto*) { return constantOf(physics.membrane.damping); }},
+    {"physics.membrane.damping.ratio", false, [](auto& physics, auto*) { return ratioOf(physics.membrane.damping); }},
     {"physics.pressure.outside", true, [](auto& physics, auto*) { return &physics.pressure.outside; }},
     {"physics.growth.rate", false,
      [](auto& physics, auto*) { return physics.growth ? &physics.growth->rate : nullptr; }},
     {"physics.contact.stiffness", false, [](auto&, auto* contact) { return contact ? &contact->stiffness : nullptr; }},
-    {"physics.contact.damping", true, [](auto&, auto* contact) { return contact ? &contact->damping : nullptr; }},
+    {"physics.contact.damping", true,
+     [](auto&, auto* contact) { return contact ? constantOf(contact->damping) : nullptr; }},
+    {"physics.contact.damping.ratio", false,
+     [](auto&, auto* contact) { return contact ? ratioOf(contact->damping) : nullptr; }},
     {"physics.contact.adhesion.strength", true,
      [](auto&, auto* contact) { return contact && contact->adhesion ? &contact->adhesion->strength : nullptr; }},
 });

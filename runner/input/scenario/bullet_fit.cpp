@@ -36,6 +36,8 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
         "use physics.cell.model: shell, or remove check.bullet");
   differs(isB3 && physics.membrane.springs != Springs::equal, "b3's springs are all equally stiff",
           "set physics.membrane.springs to equal, or use b1");
+  lacks(physics.membrane.bending > 0, "Bullet's membranes do not bend by our law",
+        "remove physics.membrane.bending, or check.bullet");
   lacks(mechanics.connections.has_value(), "Bullet's cells cannot be connected", "remove connections, or check.bullet");
   lacks(contact && contact->friction > 0, "Bullet has no Coulomb friction between soft bodies",
         "set physics.contact.friction to 0, or remove check.bullet");

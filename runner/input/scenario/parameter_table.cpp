@@ -120,12 +120,15 @@ std::vector<Parameter> parameters() {
            "Stiffness k_s of an edge; higher: rounder "
            "cells, shorter time steps",
            PHYSICS(membrane.stiffness)),
-      real("physics.membrane.damping", "force·time/length", notNegative, "Damping k_d along an edge",
-           PHYSICS(membrane.damping)),
+      damping("physics.membrane.damping", "Damping k_d along an edge", PHYSICS(membrane.damping)),
       real("physics.membrane.production", "", positive,
            "Membrane area of both daughters over their mother's; 1.26 keeps a sphere's tension",
            PHYSICS(membrane.areaFactor)),
       later(choice("physics.membrane.springs", PHYSICS(membrane.springs))),
+      later(real("physics.membrane.bending", "force·length", notNegative,
+                 "Bending rigidity κ of the membrane: its energy is ½ κ (2H)² per area, with the mean curvature H. "
+                 "Higher: fewer folds, rounder cells; not for integrator xpbd",
+                 PHYSICS(membrane.bending))),
 
       real("physics.pressure.constant", "force·length", notNegative,
            "Constant k_p of the egg; daughters share it "
@@ -164,8 +167,8 @@ std::vector<Parameter> parameters() {
       choice("physics.contact.law", MECHANICS(contact->law)),
       real("physics.contact.stiffness", "force/length", positive, "Stiffness K of a vertex pair; not for law thesis",
            MECHANICS(contact->stiffness)),
-      real("physics.contact.damping", "force·time/length", notNegative,
-           "Damping C of the approach of a vertex pair; not for law thesis", MECHANICS(contact->damping)),
+      damping("physics.contact.damping", "Damping C of the approach of a vertex pair; not for law thesis",
+              MECHANICS(contact->damping)),
       real("physics.contact.friction", "", notNegative, "Coulomb's coefficient of friction; not for law thesis",
            MECHANICS(contact->friction)),
       real("physics.contact.slip-speed", "length/time", positive,

@@ -110,6 +110,29 @@ Parameter timeStep() {
   return p;
 }
 
+Parameter damping(const char* path, const char* meaning, Field<Damping> at) {
+  Parameter p;
+  p.path = path;
+  p.unit = "force·time/length";
+  p.allowed = numberAllowed(notNegative, p.unit) + ", or {ratio: 0.1}, with any number > 0";
+  p.meaning = meaning +
+              std::string("; {ratio: 0.1}: a tenth of critical damping, 2 √(stiffness × mass of a vertex), which follows "
+                          "masses, so that small cells do not need short time steps");
+  p.schema = {{"oneOf", Json::array({numberSchema(notNegative), onlySchema("ratio", numberSchema(positive))})}};
+  p.read = [path = p.path, allowed = p.allowed, at](Scenario& s, const Node& node, Reading& reading) {
+    if (node.kind != Node::Kind::map) {
+      if (const auto value = readReal(node, notNegative, path, allowed, reading.problems)) at(s) = *value;
+    } else if (readOnly(node, path, {"ratio"}, allowed, reading.problems)) {
+      if (const auto ratio = readMember(node, "ratio", positive, "", path, reading.problems)) at(s).ratio = *ratio;
+    }
+  };
+  p.write = [at](const Scenario& s) {
+    const Damping& damping = at(const_cast<Scenario&>(s));
+    return damping.ratio > 0 ? Json{{"ratio", damping.ratio}} : Json(damping.constant);
+  };
+  return p;
+}
+
 Parameter shellSphere() {
   auto p = real("physics.shell.sphere", "length", positive, "Radius of a sphere about the origin", nullptr);
   p.absent = "see ellipsoid";

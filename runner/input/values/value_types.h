@@ -71,6 +71,8 @@ Parameter choice(std::string path, Field<E> field) {
 // Parameters that are one of a kind.
 Parameter dna();
 Parameter timeStep();
+/// A damping: a constant, or {ratio: ζ}.
+Parameter damping(const char* path, const char* meaning, Field<Damping> field);
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter shellMesh();

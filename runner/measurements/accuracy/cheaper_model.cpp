@@ -30,7 +30,9 @@ ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& e
   const double stretching = 0.4 * edges / inertia;
   const double breathing =
       (shell.membrane.stiffness * edges + 3 * shell.pressure.constant + 6 * shell.pressure.outside * volume) / inertia;
-  return {breathing, 1 - stretching * shell.membrane.stiffness / breathing, stretching * shell.membrane.damping};
+  const double damping = shell.membrane.damping.of(shell.membrane.stiffness,
+                                                   shell.cell.mass / static_cast<double>(egg.vertices.size()));
+  return {breathing, 1 - stretching * shell.membrane.stiffness / breathing, stretching * damping};
 }
 
 }  // namespace morula

@@ -16,6 +16,7 @@ OrdinaryCell makeOrdinaryCell(const MeshTemplate& mesh, const Body& body) {
 
 void findForces(OrdinaryCell& cell, const PhysicsParameters& p) {
   auto& vertices = cell.vertices;
+  const double damping = p.membrane.damping.of(p.membrane.stiffness, vertices[0].mass);
   for (auto& v : vertices) v.force = (-p.drag * v.mass) * v.velocity;
 
   for (const auto& spring : cell.springs) {
@@ -24,7 +25,7 @@ void findForces(OrdinaryCell& cell, const PhysicsParameters& p) {
     const double length = norm(d);
     const Vector direction = d / length;
     const double opening = dot(b.velocity - a.velocity, direction);
-    const double tension = p.membrane.stiffness * (length - spring.restLength) + p.membrane.damping * opening;
+    const double tension = p.membrane.stiffness * (length - spring.restLength) + damping * opening;
     const Vector force = (spring.weight * tension) * direction;
     a.force += force;
     b.force -= force;

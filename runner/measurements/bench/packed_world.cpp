@@ -139,10 +139,10 @@ Hash keyOf(const PackedScene& packed, const Scene& scene) {
   const MechanicsScene& m = *scene.mechanics;
   Hasher h;
   h.field("packed").add(recipe).add(packed.cells).add(packed.level);
-  h.field("membrane").add(m.physics.membrane.stiffness).add(m.physics.membrane.damping);
+  h.field("membrane").add(m.physics.membrane.stiffness).add(m.physics.membrane.damping.fixed());
   h.field("pressure").add(m.physics.pressure.constant).add(m.physics.pressure.outside);
   h.field("drag").add(m.physics.drag);
-  h.field("contact").add(m.contact->stiffness).add(m.contact->damping).add(m.contact->radius);
+  h.field("contact").add(m.contact->stiffness).add(m.contact->damping.fixed()).add(m.contact->radius);
   return h.digest();
 }
 

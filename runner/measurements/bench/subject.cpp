@@ -109,6 +109,7 @@ double Subject::timeInternal(Isa isa) {
     const BlockView block = b.block(i, 0);
     world_.stages.findTensions(mesh, block, b.kernelParameters);
     world_.stages.accumulateRings(mesh, block, b.kernelParameters);
+    world_.stages.addBending(mesh, block, b.kernelParameters);
     world_.stages.finishForces(mesh, block, b.kernelParameters);
   });
 }

@@ -16,7 +16,7 @@ InternalWork count(const MeshTemplate& mesh, const PhysicsParameters& p) {
   const double vertices = mesh.vertexCount(), edges = mesh.edgeCount();
   // Per edge: d 3, |d|² 5, Δl 2, k_s Δl 1, over l 1; and with damping Δw 3, Δw·d 5, over l 1, k_d 1, sum 1.
   double perEdge = 12;
-  if (p.membrane.damping > 0) perEdge += 11;
+  if (p.membrane.damping.acts()) perEdge += 11;
   InternalWork work;
   // Per ring of n neighbours (n even): n differences 3n, forces c d 6n − 3, n/2 differences and products
   // d × (d' − d") summed (3 + 9 + 3) n/2 − 3; and once G·(x − x_0) with its sum 9.

@@ -48,11 +48,12 @@ void addModel(PartList& list, const PhysicsParameters& p) {
   const CellModelKind& model = kindOf(p.cell.model);
   if (model.hasMembrane) {
     list.add("springs", "", {"physics.membrane.stiffness"});
-    list.add("damping", p.membrane.damping > 0, ofMotion(p), {"physics.membrane.damping"},
+    list.add("damping", p.membrane.damping.acts(), ofMotion(p), {"physics.membrane.damping"},
              "physics.membrane.damping > 0");
+    list.add("bending", p.membrane.bending > 0, "", {"physics.membrane.bending"}, "physics.membrane.bending > 0");
     list.add("pressure", "", {"physics.pressure"});
   } else {
-    list.absent({"springs", "damping", "pressure"}, "physics.cell.model: shell");
+    list.absent({"springs", "damping", "bending", "pressure"}, "physics.cell.model: shell");
   }
   list.add("shape-matching", model.hasRestShape, "", {"physics.cell.model"}, "physics.cell.model: shape-matching");
 }
@@ -65,7 +66,7 @@ std::string shapeOf(const ShellParameters& shell) {
 
 void addBodies(PartList& list, const Scenario& scenario) {
   if (!scenario.scene.mechanics)
-    return list.absent({"bodies", "springs", "damping", "pressure", "shape-matching", "drag", "integration", "motility",
+    return list.absent({"bodies", "springs", "damping", "bending", "pressure", "shape-matching", "drag", "integration", "motility",
                         "growth", "shell"},
                        "physics");
   const MechanicsScene& m = *scenario.scene.mechanics;

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "loop/simulate.h"
 #include "observation/measures.h"
+#include "parts/binding_limit.h"
 #include "parts/rates.h"
 #include "physics/integrator.h"
 #include "store/recorder.h"
@@ -104,12 +105,26 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
   }
 }
 
+/// Adds a remark that names the part without which steps could be longest.
+void tellWhatBinds(Prediction& f, World& world) {
+  const PhysicsParameters& p = world.bodies->parameters;
+  if (world.bodies->count == 0 || p.timeStep || kindOf(p.integrator).settles || kindOf(p.integrator).solvesForces) return;
+  const BindingLimit binding = findBindingLimit(world);
+  if (!(binding.factor < INFINITY)) return;
+  f.remarks.push_back(fmt::format("{} bounds the time step: without it steps could be {:.1f} times as long{}",
+                                  binding.part, binding.factor,
+                                  binding.part.starts_with("the damping")
+                                      ? "; damping: {ratio: …} lets its limit follow that of stiffness"
+                                      : ""));
+}
+
 /// Returns the costs of the steps themselves.
 Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
   const double lanes = sums.laneSteps * vertices;
   Costs costs;
   costs["springs"].seconds = rates.springs * lanes;
   costs["damping"].seconds = rates.damping * lanes;
+  costs["bending"].seconds = rates.bending * lanes;
   costs["pressure"].seconds = rates.pressure * lanes;
   costs["shape-matching"].seconds = rates.shapeMatching * lanes;
   costs["drag"].seconds = rates.drag * lanes;
@@ -172,6 +187,7 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
+  tellWhatBinds(f, world);
   if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
     f.remarks.push_back("senses and sizes for division are not predicted; divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)

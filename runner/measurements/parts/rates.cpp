@@ -107,9 +107,11 @@ void measureOwnStep(World& world, StepRates& rates) {
     if (!engaged) return 0.0;
     return std::max(whole - timing.ofStep([&](World& w) { keepAlone(w), leaveOut(w); }), 0.0);
   };
-  rates.damping = costOf(shells && p.membrane.damping > 0, [](World& w) {
-    w.bodies->parameters.membrane.damping = w.bodies->kernelParameters.damping = 0;
+  rates.damping = costOf(shells && p.membrane.damping.acts(), [](World& w) {
+    w.bodies->parameters.membrane.damping = 0;
+    w.bodies->kernelParameters = kernelParametersOf(w.bodies->parameters);
   });
+  rates.bending = costOf(shells && p.membrane.bending > 0, [](World& w) { w.bodies->parameters.membrane.bending = 0; });
   rates.drag = costOf(p.drag > 0, [](World& w) { w.bodies->parameters.drag = w.bodies->kernelParameters.drag = 0; });
   rates.shell = costOf(p.shell.has_value(), [](World& w) { w.bodies->parameters.shell.reset(); });
   rates.integration = timing.of(
@@ -119,9 +121,10 @@ void measureOwnStep(World& world, StepRates& rates) {
         w.bodies->acceleration.assign(w.bodies->acceleration.size(), 0);
       },
       integrateOnly);
-  const double rest = std::max(whole - rates.damping - rates.drag - rates.shell - rates.integration, 0.0);
+  const double rest = std::max(whole - rates.damping - rates.bending - rates.drag - rates.shell - rates.integration, 0.0);
   PhysicsParameters plain = p;
-  plain.membrane.damping = plain.drag = 0;
+  plain.membrane.damping = 0;
+  plain.drag = 0;
   const double share = shells ? springShare(world.bodies->mesh, plain) : 0;
   if (world.bodies->areSpheres()) rates.integration += rest;  // finding the volumes counts as integration
   else if (!shells) rates.shapeMatching = rest;
@@ -187,7 +190,7 @@ StepRates measureRates(World& world) {
                                    world.execution);
     measureContact(packed, rates);
   }
-  for (double* rate : {&rates.springs, &rates.damping, &rates.pressure, &rates.shapeMatching, &rates.drag,
+  for (double* rate : {&rates.springs, &rates.damping, &rates.bending, &rates.pressure, &rates.shapeMatching, &rates.drag,
                        &rates.integration, &rates.shell})
     *rate /= share;
   return rates;

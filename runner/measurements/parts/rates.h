@@ -6,7 +6,7 @@ namespace morula {
 
 /// The times of mechanisms for one vertex and step [s], of one thread. A mechanism that the scene lacks costs 0.
 struct StepRates {
-  double springs = 0, damping = 0, pressure = 0, shapeMatching = 0, drag = 0;
+  double springs = 0, damping = 0, bending = 0, pressure = 0, shapeMatching = 0, drag = 0;
   double integration = 0, shell = 0, connections = 0;
   double snapshots = 0;
   double pair = 0, frictionOfPair = 0;  // for one evaluation of a pair of vertex and neighbour

@@ -188,10 +188,11 @@ std::string describeLimit(const World& world, const CellPath& cell) {
   const StabilityLimits own = measureLimits(b, slot);
   std::vector<Limit> limits{{b.model().hasMembrane ? "its springs" : "its shape", own.spring},
                             {"its pressure", own.pressure},
+                            {"its bending", own.bending},
                             {"drag", dragLimit(p.integrator, p.drag)}};
   if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
     limits.push_back({"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
-                                               world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});
+                                               world.contacts->damping, b.vertexMass[slot], p.drag)});
   const Limit lowest =
       *std::min_element(limits.begin(), limits.end(), [](const Limit& x, const Limit& y) { return x.time < y.time; });
   if (!(lowest.time > 0 && lowest.time < INFINITY)) return "";

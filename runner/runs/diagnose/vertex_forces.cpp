@@ -8,6 +8,7 @@
 #include "connections/connections.h"
 #include "contacts/contacts.h"
 #include "observation/membrane_edges.h"
+#include "physics/bending.h"
 #include "physics/integrator.h"
 #include "physics/stages.h"
 #include "simulation/motility.h"
@@ -22,10 +23,11 @@ namespace {
 std::vector<Vector> springForces(const Bodies& b, int slot) {
   std::vector<Vector> force(b.vertexCount(slot));
   const MembraneParameters& m = b.parameters.membrane;
+  const double damping = m.damping.of(m.stiffness, b.vertexMass[slot]);
   forEachEdge(b, slot, [&](const MembraneEdge& edge) {
     const double length = norm(edge.d);
     if (!(length > 0)) return;
-    const double tension = m.stiffness * (length - edge.rest) + m.damping * (dot(edge.rate, edge.d) / length);
+    const double tension = m.stiffness * (length - edge.rest) + damping * (dot(edge.rate, edge.d) / length);
     const Vector f = (edge.weight * tension / length) * edge.d;
     force[edge.i] += f;
     force[edge.j] -= f;
@@ -114,12 +116,12 @@ OuterForces outerForces(World& world) {
   };
   if (world.contacts) outer.contact = addedToAll(b, addContacts);
   if (world.contacts && world.contacts->parameters.adhesion) {
-    auto& strengths = world.contacts->adhesion.ofPairs;
-    auto bare = strengths;
-    for (auto& ofBlock : bare) std::ranges::fill(ofBlock, 0.0);
-    std::swap(strengths, bare);
+    Adhesion& adhesion = world.contacts->adhesion;
+    Adhesion kept = adhesion;
+    for (auto& ofBlock : adhesion.ofPairs) std::ranges::fill(ofBlock, 0.0);
+    std::ranges::fill(adhesion.saturation, 0.0);
     outer.bareContact = addedToAll(b, addContacts);
-    std::swap(strengths, bare);
+    adhesion = std::move(kept);
   }
   if (world.connections)
     outer.connections = addedToAll(b, [&] { addConnectionForces(*world.connections, world.cells.path, b); });
@@ -139,6 +141,7 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
   };
   if (b.model().hasMembrane) {
     at(ForceKind::spring) = springForces(b, slot);
+    addTo(at(ForceKind::spring), measureBendingForces(b, slot));
     at(ForceKind::pressure) =
         scaled(b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside, volumeGradients(b, slot));
     at(ForceKind::other) = dragForces(b, slot);
@@ -182,6 +185,7 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
   if (b.model().hasMembrane) {
     const std::vector<Vector> gradient = volumeGradients(b, slot);
     all.push_back({"springs", springForces(b, slot)});
+    if (b.parameters.membrane.bending > 0) all.push_back({"bending", measureBendingForces(b, slot)});
     all.push_back({"contents", scaled(b.pressureConstant[slot] / b.volume[slot], gradient)});
     all.push_back({"outer pressure", scaled(-b.parameters.pressure.outside, gradient)});
   }

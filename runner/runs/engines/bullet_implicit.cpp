@@ -56,6 +56,13 @@ class ContentsForce final : public btDeformableLagrangianForce {
   const BulletScene& scene_;
 };
 
+/// Returns k_d of the first cell's springs: Bullet has one damping for all.
+double springDamping(const BulletScene& scene) {
+  const MembraneParameters& membrane = scene.physics.membrane;
+  const double vertices = static_cast<double>(scene.mesh.vertices.size());
+  return membrane.damping.of(membrane.stiffness, scene.cells.empty() ? 0 : scene.cells[0].mass / vertices);
+}
+
 struct ImplicitWorld final : BulletWorld {
   BulletScene scene;
   btSoftBodyRigidBodyCollisionConfiguration configuration;
@@ -69,7 +76,7 @@ struct ImplicitWorld final : BulletWorld {
   std::vector<std::unique_ptr<btSoftBody>> bodies;
 
   explicit ImplicitWorld(const BulletScene& asked)
-      : scene(asked), springs(asked.physics.membrane.stiffness, asked.physics.membrane.damping, true) {
+      : scene(asked), springs(asked.physics.membrane.stiffness, springDamping(asked), true) {
     MORULA_CHECK(!scene.contact && !scene.physics.shell, "B3 has neither contact nor shell");
     constraints.setDeformableSolver(&deformables);
     world.setGravity({0, 0, 0});

@@ -46,7 +46,8 @@ void listFields(T& request, auto&& field) {
   field({"iterations"}, iterations);
   field({"integrator"}, physics.integrator);
   field({"stiffness"}, physics.membrane.stiffness);
-  field({"damping"}, physics.membrane.damping);
+  field({"damping"}, physics.membrane.damping.constant);
+  field({"damping_ratio"}, physics.membrane.damping.ratio);
   field({"springs"}, physics.membrane.springs);
   field({"outside"}, physics.pressure.outside);
   field({"drag"}, physics.drag);

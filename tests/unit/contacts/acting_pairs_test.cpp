@@ -64,8 +64,8 @@ struct WorstMotion {
     const double most = 0.999 * margin, strayed = ofStraying * most / (2 * longest),
                  turned = ofTurning * most / c.acting.largestRadius,
                  spedUp =
-                     ofSpeeding * most / (2 * longest * std::max(c.parameters.damping / c.parameters.stiffness, 1e-6));
-    const double delay = c.parameters.damping / c.parameters.stiffness;
+                     ofSpeeding * most / (2 * longest * std::max(c.damping / c.parameters.stiffness, 1e-6));
+    const double delay = c.damping / c.parameters.stiffness;
     const Vector a{i.x - j.x, i.y - j.y, i.z - j.z};
     const Vector h = 0.5 * Vector{j.nx - i.nx, j.ny - i.ny, j.nz - i.nz};
     const Vector u = Vector{i.vx, i.vy, i.vz} - Vector{j.vx, j.vy, j.vz};

@@ -106,12 +106,11 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
     for (const auto& [v, j, k] : oracle.rings.faces[i.v])
       around += norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) / 6;
     for (int other = 0; other < b.count; ++other) {
-      double pressing = 0, energy = 0;
+      double pressing = 0, held = 0;
       for (const SeenVertex& j : oracle.all) {
         const Vector h = (j.normal - i.normal) / 2.0;
         const Vector a = i.x - j.x;
-        if (j.slot == other && other != i.slot && PairOracle::kappa(i, j) * dot(a, a) < 1.5 * 1.5)
-          energy += oracle.energyOf(i, j, oracle.holds(i, j)).adhesion / 2;
+        if (law.adhesion && j.slot == other && other != i.slot) held += oracle.crowdingBy(i, j).held;
         if (j.slot == other && other != i.slot && dot(a, h) < 0 && PairOracle::kappa(i, j) * dot(a, a) < 1)
           pressing += std::max(0.0, dot(oracle.pushOf(i, j).force, h) / norm(h));
       }
@@ -120,7 +119,7 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
       double area = std::min(pressing / pressure, 2 * around);
       pressed[std::minmax(i.slot, other)] += area / 2;
       if (law.adhesion && other != i.slot) {
-        const double cover = -2 * energy * around / (law.adhesion->strength * std::pow(oracle.restArea(i.slot), 2));
+        const double cover = 2 * held * around / (law.adhesion->strength * std::pow(oracle.restArea(i.slot), 2));
         const double kappa = PairOracle::kappa(i, oracle.all[other * b.vertexCount()]);
         const double stress = 3 * law.adhesion->strength * std::sqrt(kappa) / 1.5;
         area = (pressure * area + stress * around * std::clamp((cover - 0.1) / 0.9, 0.0, 1.0)) / (pressure + stress);

@@ -82,7 +82,7 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
     int every;  // one vertex in this many is tested
   };
   Worst worst;
-  std::uint32_t touching = 0;
+  std::uint32_t touching = 0, saturated = 0;
   for (const auto& [mesh, spacing, states, every] :
        {Kind{makeIcosphere(1), 1.8, 500, 5}, {makeIcosphere(2), 1.9, 100, 17}, {ring, 0.8, 200, 5}, {box, 1.0, 200, 1}})
     for (std::uint32_t key = 0; key < states; ++key) {
@@ -95,6 +95,7 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
       const Crowd crowd = evaluated({limp(), law, mesh, cells});
       const PairOracle oracle(crowd.lab.bodies, law);
       const double largest = largestForce(crowd.lab);
+      for (const PairOracle::Crowding& of : oracle.crowding) saturated += of.density > 1.02;
       touching += largest > 0;
       for (int slot = 0; slot < crowd.lab.bodies.count; ++slot)
         for (int v = static_cast<int>(key) % every; v < crowd.lab.bodies.vertexCount(); v += every) {
@@ -104,6 +105,7 @@ TEST_CASE("Forces are the gradient of an energy: its differences at 1000 random 
         }
     }
   CHECK(touching > 900);
+  CHECK(saturated > 200);  // vertices of which adhesion saturates
   CHECK(worst < 1e-6);
 }
 
@@ -296,7 +298,7 @@ TEST_CASE("No pair is stiffer with its distance than hardening and steepness say
     const double distance = 0.5 + 0.499 * std::abs(noise(4, key)), step = 1e-4 * (1 - distance);
     const auto energyAt = [&](double way) {
       i.x = way * away;
-      return oracle.energyOf(i, j, 0).repulsion;
+      return oracle.repulsionOf(i, j);
     };
     const double stiffness =
         (energyAt(distance + step) - 2 * energyAt(distance) + energyAt(distance - step)) / (step * step);

@@ -48,7 +48,7 @@ inline double bulletsLaw(double length, double rest) {
 template <class Law>
 void stepByHand(const BulletScene& scene, const MeshTemplate& mesh, Body& cell, const Law& law) {
   const double m = cell.mass / mesh.vertexCount(), ks = scene.physics.membrane.stiffness,
-               kd = scene.physics.membrane.damping;
+               kd = scene.physics.membrane.damping.constant;
   std::vector<Vector> force(cell.position.size());
   for (int e = 0; e < mesh.edgeCount(); ++e) {
     const int i = mesh.edges[2 * e], j = mesh.edges[2 * e + 1];

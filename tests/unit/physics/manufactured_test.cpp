@@ -110,7 +110,7 @@ std::vector<Vector> shellForces(const PhysicsParameters& p, const Mesh& mesh, do
   for (const auto& [i, j] : makeConnectivity(mesh).edges) {
     const Vector d = at[j].position - at[i].position, e = d / norm(d);
     const double tension = p.membrane.stiffness * (norm(d) - norm(mesh.vertices[j] - mesh.vertices[i])) +
-                           p.membrane.damping * dot(at[j].velocity - at[i].velocity, e);
+                           p.membrane.damping.constant * dot(at[j].velocity - at[i].velocity, e);
     f[i] += tension * e, f[j] -= tension * e;
   }
   std::vector<Point> x;

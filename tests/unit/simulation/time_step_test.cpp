@@ -319,7 +319,7 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none"));
   scene.mechanics->contact = scenes::pairContact;
   World world = makeWorld(scene);
-  const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness, scenes::pairContact.damping,
+  const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness, scenes::pairContact.damping.constant,
                                     world.bodies->vertexMass[0]);
   CHECK(world.clock.timeStep == powerOfTwoBelow(0.8 * limit));
   runToEnd(world);
