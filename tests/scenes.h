@@ -77,7 +77,7 @@ inline Scene packed() {
   return s;
 }
 
-/// Returns a scene of eight cells in an ellipsoid, with viscosity, drag, random planes, and sisters that stay connected.
+/// Returns a scene of eight cells in an ellipsoid, with viscosity, drag, random planes and sisters that stay connected.
 inline Scene ellipsoid() {
   Scene s = withBodies(everybodyDivides, 3);
   s.name = "ellipsoid";

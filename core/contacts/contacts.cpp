@@ -10,9 +10,9 @@ namespace morula {
 namespace {
 
 /// Returns the max force of viscosity per slip speed [force·time/length]. Slow cells feel this bound alone, whatever
-/// their viscosity: it is a damper, and not Coulomb's friction. It follows from the cells and not from the time step, or each step would have another law. m is the
-/// lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all
-/// directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
+/// their viscosity: it is a damper, and not Coulomb's friction. It follows from the cells and not from the time step, or
+/// each step would have another law. m is the lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit;
+/// dampers c along lines in all directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
 /// quarter of critical damping. They do not reverse its slip within a time step, 5c Δt < m, up to steps of 0.53 √(m/K),
 /// as the automatic steps of velocity Verlet are. A longer step lowers the bound.
 double strongestGrip(const Contacts& c, double timeStep) {

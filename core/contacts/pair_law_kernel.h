@@ -52,13 +52,13 @@
 // which cancels in the sum over a surface: damping takes energy from surfaces, although a single pair may add some. It
 // may push a little before surfaces overlap, so that no force is discontinuous.
 //
-// Viscosity μ acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and
+// Viscosity acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face and
 // v_t the speed along the surface. A central force of the pair keeps both momenta and only takes energy. Over a
 // surface, where neighbours lie on all sides of a vertex, half of it acts along the slip: hence the factor 2. Two
-// vertices face to face have a along the normal and so no viscosity; the limit μN holds in the mean over positions of meshes,
-// for fast slip. c_max (strongestGrip in contacts.cpp) keeps it from reversing the slip within a step. At the slip
-// speeds of cells c_max alone acts, a damper that does not depend on μ and N, so nothing sticks, and what it resists
-// does not converge with the mesh: this is no friction of Coulomb's.
+// vertices face to face have a along the normal and so no viscosity; the limit μN holds in the mean over positions of
+// meshes, for fast slip. c_max (strongestGrip in contacts.cpp) keeps it from reversing the slip within a step. At the
+// slip speeds of cells c_max alone acts, a damper that does not depend on μ and N: nothing sticks, and the resistance
+// does not converge with the mesh. It is not Coulomb's friction.
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
 // potentials [Li et al. 2020; Li et al. 2023]; here pairs are of vertices, so that each vertex only gathers forces.

@@ -171,8 +171,8 @@ std::vector<Parameter> parameters() {
               MECHANICS(contact->damping)),
       real(
           "physics.contact.viscosity", "", notNegative,
-          "Contact viscosity: limit of the force against sliding, per normal force; below it, as nearly always, sliding is "
-          "damped alike for any number above 0; not for law thesis",
+          "Contact viscosity: max force against sliding, per normal force; slow cells feel a weaker damper, nearly alike "
+          "for all values above 0; not for law thesis",
           MECHANICS(contact->viscosity)),
       real("physics.contact.slip-speed", "length/time", positive,
            "Speed of slip up to which the limit grows in proportion; the force of a pair is at most 0.3 "

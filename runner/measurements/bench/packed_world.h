@@ -46,7 +46,7 @@ World makeWorldOf(const Scene& scene, const std::vector<CellPath>& paths, const 
                   const Execution& execution);
 
 /// Returns the packed cells at rest in their shell: small spheres that Morula lets swell and settle, or those stored in
-/// `folder` by an earlier call ("": neither read nor stored). The bits are the same in both cases. Viscosity and contact
+/// `folder` by an earlier call ("": neither read nor stored). The bits are equal in both cases. Viscosity and contact
 /// do not matter for them. `tell`: is called before long work.
 std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem::path& folder,
                                 const std::function<void(const std::string&)>& tell);

@@ -60,8 +60,8 @@ TEST_CASE("mistakes in overrides name the option") {
 
 TEST_CASE("a key of an earlier version is refused with its new name, also where it would be taken away") {
   const std::string now =
-      "is called physics.contact.viscosity now: at the slip speeds of cells it is a damper, and not Coulomb's friction; "
-      "write the new key, with the value as it is";
+      "is called physics.contact.viscosity now: at the slip speeds of cells it is a damper, and not Coulomb's "
+      "friction; write the new key, with the value as it is";
   for (const char* change : {"physics.contact.friction=0.3", "physics.contact.friction=null"})
     CHECK(complaints(small, {parseOverride(change)}) == "--set physics.contact.friction: " + now);
   CHECK(complaints(small, {{"physics.contact.friction", "0", "a.study.yaml:7:14"}}) ==
