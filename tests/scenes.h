@@ -64,7 +64,7 @@ inline Scene withBodies(const std::string& dna, std::uint64_t cycles,
 }
 
 inline const ContactParameters pairContact{ContactLaw::pair, 30, 0.02, 0, 0.01, 1};
-inline const ContactParameters pairContactWithFriction{ContactLaw::pair, 30, 0.02, 0.3, 0.01, 1};
+inline const ContactParameters pairContactWithViscosity{ContactLaw::pair, 30, 0.02, 0.3, 0.01, 1};
 inline const ContactParameters thesisContact{ContactLaw::thesis, 30, 0.02, 0, 0.01, 1};
 
 /// Returns a scene of sixteen cells that touch each other in a spherical shell.
@@ -77,13 +77,13 @@ inline Scene packed() {
   return s;
 }
 
-/// Returns a scene of eight cells in an ellipsoid, with friction, drag, random planes, and sisters that stay connected.
+/// Returns a scene of eight cells in an ellipsoid, with viscosity, drag, random planes and sisters that stay connected.
 inline Scene ellipsoid() {
   Scene s = withBodies(everybodyDivides, 3);
   s.name = "ellipsoid";
   s.mechanics->physics.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->physics.drag = 0.5;
-  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->contact = pairContactWithViscosity;
   s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.5;
@@ -114,7 +114,7 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   PhysicsParameters& p = s.mechanics->physics;
   p.drag = 0.3;
   p.growth = GrowthParameters{0.1};
-  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->contact = pairContactWithViscosity;
   s.mechanics->connections = ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 1.6};
   return s;
 }
@@ -150,7 +150,7 @@ inline Scene byShapes(Scene s) {
   return s;
 }
 
-/// Returns a scene of sixteen spheres in a tight ellipsoid, with friction, drag and connections.
+/// Returns a scene of sixteen spheres in a tight ellipsoid, with viscosity, drag and connections.
 inline Scene spheres() {
   Scene s = withBodies(everybodyDivides, 5);
   s.name = "spheres";
@@ -159,7 +159,7 @@ inline Scene spheres() {
   p.timeStep = 0x1p-8;
   p.drag = 2;
   p.shell = ShellParameters{{1.2, 1, 0.96}};
-  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->contact = pairContactWithViscosity;
   s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
   s.stop.time = 4.5;
@@ -198,7 +198,7 @@ inline Scene mixedMeshes() {
   s.mechanics->coarser = {makeIcosphere(1)};
   s.mechanics->physics.coarsen = 1;
   s.mechanics->physics.drag = 2;
-  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->contact = pairContactWithViscosity;
   return s;
 }
 
@@ -216,7 +216,7 @@ inline Scene coarsening() {
   m.physics.coarsen = 0.2;
   m.physics.drag = 2;
   m.physics.shell = ShellParameters{{1.1, 1, 1}};
-  m.contact = pairContactWithFriction;
+  m.contact = pairContactWithViscosity;
   m.connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.25;
   return s;
@@ -230,7 +230,7 @@ inline Scene turning() {
   MechanicsScene& m = *s.mechanics;
   m.physics.drag = 5;
   m.physics.shell = ShellParameters{{1.2, 1, 0.96}};
-  m.contact = pairContactWithFriction;
+  m.contact = pairContactWithViscosity;
   m.division.otherwise = {.plane = DivisionPlane::polarity, .axis = {1, 2, 3}, .substance = "a2"};
   m.division.chirality = Chirality{-30, 0.3};
   s.stop.time = 3.25;

@@ -9,10 +9,10 @@
 namespace morula {
 namespace {
 
-/// Returns the max of friction per slip speed [force·time/length]. Slow cells feel this bound alone: their friction is
-/// a damper. It follows from the cells and not from the time step, or each step would have another law. m is the
-/// lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit; dampers c along lines in all
-/// directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
+/// Returns the max force of viscosity per slip speed [force·time/length]. Slow cells feel this bound alone, whatever
+/// their viscosity: it is a damper, and not Coulomb's friction. It follows from the cells and not from the time step, or
+/// each step would have another law. m is the lightest vertex' mass. A vertex rubs against up to ten others, as in contactLimit;
+/// dampers c along lines in all directions of a surface sum up to 5c along each. 0.3 √(K m) damp its swing against these ten, ω² = 10 K/m, by a
 /// quarter of critical damping. They do not reverse its slip within a time step, 5c Δt < m, up to steps of 0.53 √(m/K),
 /// as the automatic steps of velocity Verlet are. A longer step lowers the bound.
 double strongestGrip(const Contacts& c, double timeStep) {
@@ -54,7 +54,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   c.skinShare = search.skinShare;
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
-  const bool rubs = parameters.friction > 0, sticks = c.parameters.adhesion.has_value();
+  const bool slips = parameters.viscosity > 0, sticks = c.parameters.adhesion.has_value();
   if (sticks) c.list.bytesPerNeighbour += 2 * sizeof(double);
   const auto take = !kindOf(model).hasMesh                 ? &ContactKernels::takeSphereSnapshot
                     : parameters.law == ContactLaw::thesis ? &ContactKernels::takeSnapshot
@@ -64,18 +64,18 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
     c.takeSnapshot[cells - 1] = contactKernels(narrowestIsa(cells, isa, precision), precision).*take;
   if (!kindOf(model).hasMesh) {
     if (sticks) c.list.reach = sphereAdhesionReach;
-    c.addForces = sticks && rubs ? c.kernels->addStickySphereForcesWithFriction
-                  : sticks       ? c.kernels->addStickySphereForces
-                  : rubs         ? c.kernels->addSphereForcesWithFriction
-                                 : c.kernels->addSphereForces;
+    c.addForces = sticks && slips ? c.kernels->addStickySphereForcesWithViscosity
+                  : sticks        ? c.kernels->addStickySphereForces
+                  : slips         ? c.kernels->addSphereForcesWithViscosity
+                                  : c.kernels->addSphereForces;
     return c;
   }
   if (parameters.law == ContactLaw::pair && sticks) c.list.reach = attractionReach;
   if (parameters.law == ContactLaw::pair && !sticks) c.list.bytesPerNeighbour += sizeof(VertexNumber);
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
-                : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
+                : sticks && slips                    ? c.kernels->addStickyPairForcesWithViscosity
                 : sticks                             ? c.kernels->addStickyPairForces
-                : rubs                               ? c.kernels->addPairForcesWithFriction
+                : slips                              ? c.kernels->addPairForcesWithViscosity
                                                      : c.kernels->addPairForces;
   return c;
 }
@@ -210,7 +210,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                            .deepest = &c.deepest[block]};
   const ContactConstants constants{.stiffness = c.parameters.stiffness,
                                    .damping = c.damping,
-                                   .friction = c.parameters.friction,
+                                   .viscosity = c.parameters.viscosity,
                                    .slipSpeed = c.parameters.slipSpeed,
                                    .strongestGrip = strongestGrip(c, timeStep),
                                    .timeStep = timeStep,

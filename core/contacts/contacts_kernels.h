@@ -36,11 +36,11 @@ struct BlockSlices {
 };
 
 struct ContactConstants {
-  double stiffness, damping, friction;  // ContactParameters
-  double slipSpeed;                     // [length/time] below which friction fades out linearly
-  double strongestGrip;                 // [force·time/length] max friction per slip speed
-  double timeStep;                      // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
-  std::int32_t vertices;                // number of rows, and the number of the far row behind them
+  double stiffness, damping, viscosity;  // ContactParameters
+  double slipSpeed;                      // [length/time] below which viscosity fades out linearly
+  double strongestGrip;                  // [force·time/length] max force of viscosity per slip speed
+  double timeStep;                       // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
+  std::int32_t vertices;                 // number of rows, and the number of the far row behind them
   // Of scenes with adhesion, else null (adhesion.h)
   const double *adhesion, *adhesionPerWork;  // [as indices] T [energy] of each pair, and T for W = 1
   const double* saturation;                  // [vertex][2] ½ s [1] and q [force/length]; not for spheres
@@ -84,11 +84,11 @@ struct ContactKernels {
   /// Adds contact forces on one block's vertices to `force` [all blocks]: vertex g is at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,
                              const ContactConstants&, RealPointer force);
-  AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
-  AddForces addSphereForces, addSphereForcesWithFriction;
-  // Kernels with adhesion, without and with friction.
-  AddForces addStickyPairForces, addStickyPairForcesWithFriction;
-  AddForces addStickySphereForces, addStickySphereForcesWithFriction;
+  AddForces addPairForces, addPairForcesWithViscosity, addThesisForces;
+  AddForces addSphereForces, addSphereForcesWithViscosity;
+  // Kernels with adhesion, without and with viscosity.
+  AddForces addStickyPairForces, addStickyPairForcesWithViscosity;
+  AddForces addStickySphereForces, addStickySphereForcesWithViscosity;
 
   /// Sets saturation[vertex] of the block's vertices that have neighbours (adhesion.h). `areas`: a of the block's cells,
   /// [lane] [length²]. `ContactConstants::saturation` is not used.

@@ -4,7 +4,7 @@
 
 namespace morula {
 
-/// The sum over vertex i's pairs with vertices of one other cell, without damping and friction.
+/// The sum over vertex i's pairs with vertices of one other cell, without damping and viscosity.
 struct PairSum {
   VertexNumber vertex;   // i
   int slot, other;       // of i and of the other cell

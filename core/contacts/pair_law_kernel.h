@@ -52,11 +52,13 @@
 // which cancels in the sum over a surface: damping takes energy from surfaces, although a single pair may add some. It
 // may push a little before surfaces overlap, so that no force is discontinuous.
 //
-// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and
+// Viscosity acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face and
 // v_t the speed along the surface. A central force of the pair keeps both momenta and only takes energy. Over a
 // surface, where neighbours lie on all sides of a vertex, half of it acts along the slip: hence the factor 2. Two
-// vertices face to face have a along the normal and so no friction; Coulomb's limit holds in the mean over positions of
-// meshes. c_max keeps friction from reversing the slip within a step (strongestGrip in contacts.cpp).
+// vertices face to face have a along the normal and so no viscosity; the limit μN holds in the mean over positions of
+// meshes, for fast slip. c_max (strongestGrip in contacts.cpp) keeps it from reversing the slip within a step. At the
+// slip speeds of cells c_max alone acts, a damper that does not depend on μ and N: nothing sticks, and the resistance
+// does not converge with the mesh. It is not Coulomb's friction.
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
 // potentials [Li et al. 2020; Li et al. 2023]; here pairs are of vertices, so that each vertex only gathers forces.
@@ -67,12 +69,12 @@ namespace morula::MORULA_ISA {
 
 // PairLaw computes 2D in place of D and 4B in place of B, with powers of two in its constants: the same bits with fewer
 // operations.
-template <bool withFriction, bool withAdhesion>
+template <bool withViscosity, bool withAdhesion>
 struct PairLaw {
   MORULA_INLINE explicit PairLaw(const ContactConstants& c)
       : stiffness(c.stiffness / 4),
         damping(c.damping / 4),
-        friction(4 * c.friction),  // 2 μ E_D = 4 μ E_D/2
+        viscosity(4 * c.viscosity),  // 2 μ E_D = 4 μ E_D/2
         slipSpeed(c.slipSpeed),
         strongestGrip(c.strongestGrip) {}
 
@@ -114,15 +116,15 @@ struct PairLaw {
     sum.force += half * apartNormals - (curvature * byFade) * toward;
     if (withAdhesion || turned) sum.turn += byTurn * j.n + half * toward;
     else sum.turn += half * toward;
-    if constexpr (withFriction) {
+    if constexpr (withViscosity) {
       const Lanes slipSquare = max(dot(relative, relative) - 0.25 * (closing * closing), Lanes(0.0));
       const Lanes slip = max(sqrt(slipSquare), slipSpeed);
-      const Lanes grip = min(friction * half, strongestGrip * slip);
+      const Lanes grip = min(viscosity * half, strongestGrip * slip);
       sum.force += (grip * dot(relative, toward) / (slip * square + tiny)) * toward;
     }
   }
 
-  Lanes stiffness, damping, friction, slipSpeed, strongestGrip;  // the first two over 4
+  Lanes stiffness, damping, viscosity, slipSpeed, strongestGrip;  // the first two over 4
 };
 
 /// [ContactKernels::findSteepest]
@@ -157,10 +159,10 @@ inline void findSteepest(const BlockSlices& block, const std::int32_t* indices, 
 }
 
 /// [ContactKernels::addPairForces]
-template <bool withFriction, bool withAdhesion>
+template <bool withViscosity, bool withAdhesion>
 inline void addPairForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                           const ContactConstants& c, RealPointer force) {
-  const PairLaw<withFriction, withAdhesion> law(c);
+  const PairLaw<withViscosity, withAdhesion> law(c);
   const SurfaceDepths depths(block);
   clearSurface(block);
   Lanes deepest = 0.0;

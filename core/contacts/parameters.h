@@ -44,7 +44,7 @@ constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // 
 constexpr double minFacing = 0.5;                                            // m₀
 constexpr double attractionReach = 1.5;                                      // α
 constexpr double maxHeld = 1.1;  // c, the max energy of a vertex over W a/2, to which adhesion saturates (adhesion.h)
-constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
+constexpr double hardening1 = 6, hardening2 = 200;  // β₁, β₂
 // B of two vertices face to face where the energy is about to fall again, and κ D² at that depth. Surfaces farther in
 // each other pass through.
 constexpr double deepestHeld = 0.37, deepestBulk = 0.54;
@@ -56,11 +56,11 @@ struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
   double stiffness = 30;    // K [force/length] of one vertex pair; not the thesis' law
   Damping damping;          // C against approach, of the lightest vertex' mass; not the thesis' law
-  double friction = 0;      // [1] Coulomb's coefficient; not the thesis' law
-  double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
+  double viscosity = 0;     // [1] max force against sliding, per normal force; not the thesis' law
+  double slipSpeed = 0.01;  // [length/time] below it viscosity fades out linearly
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
   std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; not the thesis' law
 };
-MORULA_MEMBERS(ContactParameters, law, stiffness, damping, friction, slipSpeed, radius, adhesion)
+MORULA_MEMBERS(ContactParameters, law, stiffness, damping, viscosity, slipSpeed, radius, adhesion)
 
 }  // namespace morula

@@ -3,7 +3,7 @@
 //
 //   f = max(0, K (r − |x_i − x_j|) − C v·n) n,   v = v_i − v_j
 //
-// on i, and friction as in pair_law_kernel.h. Exchanging i and j negates f bit for bit. Two spheres with
+// on i, and viscosity as in pair_law_kernel.h. Exchanging i and j negates f bit for bit. Two spheres with
 // one centre feel no force: it would have no direction.
 //
 // Adhesion pulls with S [force] of the pair (adhesion.h) where they overlap, and beyond over a gap g with S (1 −
@@ -18,7 +18,7 @@ struct Spheres {
   Lanes radius;
 };
 
-template <bool withFriction, bool withAdhesion>
+template <bool withViscosity, bool withAdhesion>
 struct SphereLaw {
   // Rows of spheres hold the velocity where a mesh's have the normal, and the radius behind the velocity.
   static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index) {
@@ -50,9 +50,9 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
   return largestOf(farthest);
 }
 
-template <bool withFriction, bool withAdhesion>
-MORULA_INLINE Vec SphereLaw<withFriction, withAdhesion>::force(const Spheres& i, const Spheres& j,
-                                                               const ContactConstants& c, Lanes adhesion) {
+template <bool withViscosity, bool withAdhesion>
+MORULA_INLINE Vec SphereLaw<withViscosity, withAdhesion>::force(const Spheres& i, const Spheres& j,
+                                                                const ContactConstants& c, Lanes adhesion) {
   const Vec apart = i.x - j.x, relative = i.v - j.v;
   const Lanes distance = sqrt(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
   const Vec n = (1.0 / (distance + tiny)) * apart;
@@ -65,10 +65,10 @@ MORULA_INLINE Vec SphereLaw<withFriction, withAdhesion>::force(const Spheres& i,
     const Lanes fade = 1.0 - overReach * overReach;
     f -= (adhesion * (fade * fade)) * n;
   }
-  if constexpr (withFriction) {
+  if constexpr (withViscosity) {
     const Vec slip = relative - opening * n;
     const Lanes slipSpeed = max(sqrt(dot(slip, slip)), Lanes(c.slipSpeed));
-    f -= min((Lanes(c.friction) * size) / slipSpeed, Lanes(c.strongestGrip)) * slip;
+    f -= min((Lanes(c.viscosity) * size) / slipSpeed, Lanes(c.strongestGrip)) * slip;
   }
   return f;
 }
@@ -90,10 +90,10 @@ MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int
 }
 
 /// [ContactKernels::addSphereForces]
-template <bool withFriction, bool withAdhesion>
+template <bool withViscosity, bool withAdhesion>
 inline void addSphereForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                             const ContactConstants& c, RealPointer force) {
-  using Law = SphereLaw<withFriction, withAdhesion>;
+  using Law = SphereLaw<withViscosity, withAdhesion>;
   for (std::int64_t s = 0; s < block.count; ++s) {
     const NeighbourSlice& slice = block.slices[s];
     prefetchNextBlock(block, s, rows, force);

@@ -32,7 +32,7 @@ namespace morula::MORULA_ISA {
 
 /// Sums over the pairs of a vertex.
 struct SurfaceForce {
-  Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and friction
+  Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and viscosity
   Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
 };
 

@@ -35,14 +35,14 @@ double membranePower(const Bodies& b, int slot) {
   return b.parameters.membrane.damping.of(b.parameters.membrane.stiffness, b.vertexMass[slot]) * sum;
 }
 
-/// Returns −Σ F·v of the forces that damping and friction add to contact.
+/// Returns −Σ F·v of the forces that damping and viscosity add to contact.
 double contactPower(const World& world) {
   if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair) return 0;
   Bodies b = *world.bodies;
-  const auto powerOf = [&](double damping, double friction) {
+  const auto powerOf = [&](double damping, double viscosity) {
     Contacts c = *world.contacts;
     c.damping = damping;
-    c.parameters.friction = friction;
+    c.parameters.viscosity = viscosity;
     b.acceleration.assign(b.acceleration.size(), 0);
     for (int block = 0; block < b.blockCount(); ++block) addContactForces(c, b, block, world.clock.timeStep);
     double power = 0;
@@ -51,8 +51,8 @@ double contactPower(const World& world) {
         power += dot(b.read(b.acceleration, slot, v), b.read(b.velocity, slot, v));
     return power;
   };
-  const double damping = world.contacts->damping, friction = world.contacts->parameters.friction;
-  return damping > 0 || friction > 0 ? powerOf(0, 0) - powerOf(damping, friction) : 0;
+  const double damping = world.contacts->damping, viscosity = world.contacts->parameters.viscosity;
+  return damping > 0 || viscosity > 0 ? powerOf(0, 0) - powerOf(damping, viscosity) : 0;
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ constexpr WorldMeasure ofWorld[] = {
      .needs = Needs::contact, .taken = Taken::onDemand,
      .followsNumber = true, .get = [](Now now) -> Value { return measureEnergy(now.world).adhesion; }},
     {.name = "dissipated_power", .unit = "force·length/time",
-     .meaning = "Power that drag, the membranes' damping, and the damping and friction of contacts take now; "
+     .meaning = "Power that drag, the membranes' damping, and the damping and viscosity of contacts take now; "
                 "without the energy that the shell takes from cells that hit it",
      .taken = Taken::onDemand, .followsNumber = true, .get = [](Now now) -> Value { return measureDissipation(now.world); }},
     {.name = "momentum_x", .unit = "mass·length/time",

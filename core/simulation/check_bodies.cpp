@@ -50,7 +50,7 @@ void checkReach(const World& world) {
                         "a vertex moves by " + numberText(move) + " in one step, farther than the " +
                             numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
                         "use physics.time_step: " + exactText(timeStep) +
-                            ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.friction");
+                            ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.viscosity");
     failure.timeStep = timeStep;
     throw failure;
   }

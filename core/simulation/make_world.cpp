@@ -32,7 +32,7 @@ namespace {
 void leaveOutMotion(MechanicsScene& m) {
   m.physics.drag = 0;
   m.physics.membrane.damping = 0;
-  if (m.contact) m.contact->damping = 0, m.contact->friction = 0;
+  if (m.contact) m.contact->damping = 0, m.contact->viscosity = 0;
 }
 
 }  // namespace

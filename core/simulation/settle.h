@@ -1,7 +1,7 @@
 #pragma once
 // Quasi-static growth: after each round of events the world relaxes to mechanical equilibrium, and time goes to the
 // next event. A step is one event and the settling after it; the first step settles the scene's start. Masses, drag,
-// damping and friction do not change where forces vanish, and have no effect.
+// damping and viscosity do not change where forces vanish, and have no effect.
 //
 // The way down is FIRE, cell by cell (physics/relax_kernel.h). It ends when
 //

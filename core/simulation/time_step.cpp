@@ -350,7 +350,7 @@ void chooseTimeStep(World& world) {
   const bool again = !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
   if (again) world.timeSteps.pop_back();
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
-  evaluateForces(world);  // the thesis' contact law depends on the time step, and so does friction at long ones
+  evaluateForces(world);  // the thesis' contact law depends on the time step, and so does viscosity at long ones
 }
 
 }  // namespace morula

@@ -50,12 +50,12 @@ void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage 
   });
 }
 
-void addContact(Isa isa, double friction) {
-  add(friction > 0 ? "contact with friction" : "contact", isa, [=](benchmark::State& state) {
+void addContact(Isa isa, double viscosity) {
+  add(viscosity > 0 ? "contact with viscosity" : "contact", isa, [=](benchmark::State& state) {
     World& world = packed();
     Contacts& c = *world.contacts;
     ContactParameters parameters = c.parameters;
-    parameters.friction = friction;
+    parameters.viscosity = viscosity;
     c.addForces = makeContacts(parameters, isa).addForces;
     const auto acceleration = world.bodies->acceleration;
     for (auto _ : state)

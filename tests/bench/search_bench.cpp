@@ -50,7 +50,7 @@ Scene organism(int generations) {
   m.physics.drag = 20;
   m.physics.shell = ShellParameters{};
   m.contact = ContactParameters{};
-  m.contact->friction = 0;
+  m.contact->viscosity = 0;
   scene.mechanics = m;
   return scene;
 }

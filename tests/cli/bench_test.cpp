@@ -38,7 +38,7 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
   REQUIRE(json["rows"].size() > 20);
   for (const auto& row : json["rows"]) {
     CAPTURE(row.dump());
-    CHECK(isOneOf(row["scene"], {"packed", "packed-friction", "packed-single", "free"}));
+    CHECK(isOneOf(row["scene"], {"packed", "packed-viscosity", "packed-single", "free"}));
     CHECK(isOneOf(row["engine"], {"morula", "bullet-b1", "bullet-b2", "scalar"}));
     CHECK(isOneOf(row["stage"], {"step", "internal", "contact", "rebuild", "integrate"}));
     CHECK(row["cells"] == 8);

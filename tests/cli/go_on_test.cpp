@@ -32,7 +32,7 @@ dna: |
 physics:
   mesh: {icosphere: 2}
   drag: 2
-  contact: {friction: 0.3}
+  contact: {viscosity: 0.3}
 connections: {}
 record: {every: 0.25, meshes: 0.625}
 )";

@@ -32,7 +32,7 @@ physics:
   cell: {radius: 0.95}
   drag: 2
   shell: {sphere: 1}
-  contact: {friction: 0.3}
+  contact: {viscosity: 0.3}
 connections: {}
 record: {every: 0.25, pictures: 1, meshes: 0.625}
 check: {}

@@ -73,7 +73,7 @@ TEST_CASE("the same run has the same id and bits, however it is computed") {
   for (const char* search : {"grid", "aabb-tree", "spatial-hash", "brute-force"})
     CHECK(run({"--search", search}) == first);
   CHECK(run({"--threads", "2"}) == first);
-  CHECK(run({"--set", "physics.contact.friction=0.5"}) != first);
+  CHECK(run({"--set", "physics.contact.viscosity=0.5"}) != first);
 }
 
 TEST_CASE("seeds: one run each, in folders of their own or in one database") {

@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   } else if (verb == "work" && argc == 6 && works().contains(argv[2])) {
     // The world is two blocks of cells with coarse meshes, because programs that count are slow.
     const bool alone = std::string_view(argv[2]).ends_with("alone");
-    World world = makePackedWorld({.cells = 16, .level = 1, .friction = 0.3, .contact = !alone},
+    World world = makePackedWorld({.cells = 16, .level = 1, .viscosity = 0.3, .contact = !alone},
                                   {.isa = parseIsa(argv[3])}, argv[5], [](const std::string&) {});
     const Work work = works().at(argv[2]);
     work(world);  // one-time allocations are not counted

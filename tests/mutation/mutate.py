@@ -31,7 +31,7 @@ TARGETS = [
     ("core/contacts/adhesion.cpp", 12, "contacts:[#adhesion_test]|contacts|simulation:[#adhesion_test]"),
     ("core/contacts/pair_energy.cpp", 12, "contacts:[#pair_law_test],[#contact_areas_test]|contacts"),
     ("core/simulation/settle.cpp", 14, "simulation:[#settle_test]"),
-    ("core/contacts/pair_law_kernel.h", 16, "contacts:[#pair_law_test],[#friction_test]|simulation:[#two_cells_under_load_test]|contacts"),
+    ("core/contacts/pair_law_kernel.h", 16, "contacts:[#pair_law_test],[#viscosity_test]|simulation:[#two_cells_under_load_test]|contacts"),
     ("core/contacts/surface_kernel.h", 12, "contacts:[#pair_law_test]|contacts"),
     ("core/contacts/acting_kernel.h", 10, "contacts:[#acting_pairs_test]|contacts"),
     ("core/physics/spring_kernel.h", 10, "physics:[#spring_force_test],[#spring_weights_test]|physics"),

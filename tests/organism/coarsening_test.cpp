@@ -54,7 +54,7 @@ TEST_CASE("coarsening: five cells lie, and are as large, as in the fine run, for
   CAPTURE(sum / 5, double(centre), double(volume), double(area), fine.vertexSteps / coarse.vertexSteps);
   CHECK(sum / 5 < 0.05);  // [cell radii]
   CHECK(centre < 0.1);
-  CHECK(volume < 0.03);  // friction in the packing is chaotic by now: one cell reaches 0.023
+  CHECK(volume < 0.03);  // viscosity in the packing is chaotic by now: one cell reaches 0.023
   CHECK(area < 0.02);
   CHECK(coarse.world.bodies->livingVertices == 642 + 4 * 162);
   CHECK(fine.vertexSteps > 3 * coarse.vertexSteps);

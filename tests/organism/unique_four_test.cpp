@@ -4,13 +4,13 @@
 
 using namespace four_cells;
 
-TEST_CASE("unique-four: the same four contacts whatever the mesh, the time step, the precision and friction") {
+TEST_CASE("unique-four: the same four contacts whatever the mesh, the time step, the precision and viscosity") {
   const std::vector<std::vector<std::string>> settings{{},
                                                        {"physics.mesh.icosphere=3"},
                                                        {"physics.mesh.icosphere=4"},
                                                        {"physics.time_step={auto: 0.125}"},
                                                        {"physics.precision=single"},
-                                                       {"physics.contact.friction=0.3"}};
+                                                       {"physics.contact.viscosity=0.3"}};
   std::vector<Arrangement> found(settings.size());
   parallelFor(static_cast<int>(settings.size()), 2,
               [&](int i) { found[i] = runSeeds("thesis/unique-four.yaml", 1, settings[i])[0]; });

@@ -25,8 +25,8 @@ const std::string mesh = "  mesh: {icosphere: 1}\n";
 const std::vector<std::string> bases = {
     // Four to sixteen shells in a sphere
     head + divides + "stop: {time: 3.9}\nphysics:\n  drag: 1\n  shell: {sphere: 1.2}\n  contact: {}\n" + mesh,
-    // Free, with friction, unlike cells and random planes
-    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 0.5\n  contact: {friction: 0.3}\n" + mesh +
+    // Free, with viscosity, unlike cells and random planes
+    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 0.5\n  contact: {viscosity: 0.3}\n" + mesh +
         "division: {plane: random}\n",
     // Without contact, the thesis' way
     head + unlike + "stop: {time: 2.5}\nphysics:\n  integrator: thesis-verlet\n" + mesh,

@@ -5,7 +5,7 @@
 //
 // Checks: the hash at the end of each piece, in a new world that goes on from a checkpoint; the growth of memory after
 // a tenth of the steps; and energy. In intervals without events the lost energy must be that of drag, damping and
-// friction, and the total must not creep up.
+// viscosity, and the total must not creep up.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -60,7 +60,7 @@ physics:
   drag: 1
   mesh: {icosphere: 1}
   growth: {rate: 1.2, until: 0.03125}
-  contact: {adhesion: 0.3, friction: 0.1}
+  contact: {adhesion: 0.3, viscosity: 0.1}
 connections: {release-age: 1.2}
 )";
 

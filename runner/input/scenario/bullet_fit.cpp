@@ -39,8 +39,8 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   lacks(physics.membrane.bending > 0, "Bullet's membranes do not bend by our law",
         "remove physics.membrane.bending, or check.bullet");
   lacks(mechanics.connections.has_value(), "Bullet's cells cannot be connected", "remove connections, or check.bullet");
-  lacks(contact && contact->friction > 0, "Bullet has no Coulomb friction between soft bodies",
-        "set physics.contact.friction to 0, or remove check.bullet");
+  lacks(contact && contact->viscosity > 0, "Bullet has no contact viscosity between soft bodies",
+        "set physics.contact.viscosity to 0, or remove check.bullet");
   lacks(contact && contact->adhesion, "Bullet's soft bodies do not stick to each other",
         "remove physics.contact.adhesion, or check.bullet");
   lacks(physics.motility.has_value(), "Bullet's cells do not crawl", "remove physics.motility, or check.bullet");

@@ -169,10 +169,12 @@ std::vector<Parameter> parameters() {
            MECHANICS(contact->stiffness)),
       damping("physics.contact.damping", "Damping C of the approach of a vertex pair; not for law thesis",
               MECHANICS(contact->damping)),
-      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient of friction; not for law thesis",
-           MECHANICS(contact->friction)),
+      real("physics.contact.viscosity", "", notNegative,
+           "Contact viscosity: max force against sliding, per normal force; slow cells feel a weaker damper, "
+           "nearly alike for all values above 0; not for law thesis",
+           MECHANICS(contact->viscosity)),
       real("physics.contact.slip-speed", "length/time", positive,
-           "Speed of slip up to which friction grows in proportion; the friction of a pair is at most 0.3 "
+           "Speed of slip up to which the limit grows in proportion; the force of a pair is at most 0.3 "
            "√(stiffness × mass of the lightest vertex) × slip",
            MECHANICS(contact->slipSpeed)),
       real("physics.contact.radius", "", positive, "Reach of a vertex, in mean rest lengths of its cell's edges",

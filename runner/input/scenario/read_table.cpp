@@ -44,6 +44,22 @@ std::string remedy(const std::string& section, const std::string& key) {
   return other.empty() ? known : known + "; there is " + other + ", which is something else";
 }
 
+/// A key that scenarios had in earlier versions. It is refused, and its new name told.
+struct FormerKey {
+  std::string_view path, now;  // of the parameter or section, then and now
+  std::string_view reason;     // a sentence's second half: why it has another name now
+};
+constexpr FormerKey formerKeys[] = {
+    {"physics.contact.friction", "physics.contact.viscosity",
+     "at the slip speeds of cells it is a damper, and not Coulomb's friction"},
+};
+
+/// Returns null if no version had this key.
+const FormerKey* formerKey(const std::string& path) {
+  const auto found = std::ranges::find(formerKeys, path, &FormerKey::path);
+  return found == std::end(formerKeys) ? nullptr : found;
+}
+
 bool joins(const std::string& section, const std::string& key) {
   const auto* parameter = parameterTable().parameter(inside(section, key));
   return parameter && parameter->joins;
@@ -114,8 +130,12 @@ class TableReader {
         continue;
       }
       unknown = true;
-      reading_.problems.add(member.place, inside(section.path, member.key), "unknown key",
-                            remedy(section.path, member.key));
+      const std::string path = inside(section.path, member.key);
+      if (const FormerKey* former = formerKey(path))
+        reading_.problems.add(member.place, path,
+                              "is called " + std::string(former->now) + " now: " + std::string(former->reason),
+                              "write the new key, with the value as it is");
+      else reading_.problems.add(member.place, path, "unknown key", remedy(section.path, member.key));
     }
     auto alternatives = known;
     std::erase_if(alternatives, [&](const std::string& key) { return refines(section.path, key); });

@@ -190,7 +190,7 @@ class SceneBench {
     const Work internal = internalWork(bodies.mesh, bodies.parameters);
     const Work integration = integrationWork(bodies.parameters.shell.has_value());
     const double pairs = pairsPerVertex();
-    const Work contact = contactWork(pairs, packed_.friction > 0);
+    const Work contact = contactWork(pairs, packed_.viscosity > 0);
     switch (stage) {
       case Stage::internal: return internal;
       case Stage::contact: return contact;
@@ -257,7 +257,7 @@ std::vector<PlannedScene> plan(const BenchOptions& options) {
   for (const int cells : options.cells)
     for (const int level : options.levels) {
       scenes.push_back({{.cells = cells, .level = level}, "packed", true});
-      scenes.push_back({{.cells = cells, .level = level, .friction = 0.3}, "packed-friction", false});
+      scenes.push_back({{.cells = cells, .level = level, .viscosity = 0.3}, "packed-viscosity", false});
       scenes.push_back({{.cells = cells, .level = level, .precision = Precision::binary32}, "packed-single", false});
       scenes.push_back({{.cells = cells, .level = level, .contact = false}, "free", false});
     }

@@ -45,7 +45,7 @@ struct BenchOptions {
 };
 
 struct BenchRow {
-  std::string scene;  // packed, packed-friction, packed-single, free
+  std::string scene;  // packed, packed-viscosity, packed-single, free
   MeasuredEngine engine = MeasuredEngine::morula;
   Stage stage = Stage::step;
   int cells = 0, vertices = 0;

@@ -178,7 +178,7 @@ Scene describe(const PackedScene& packed) {
   if (packed.contact) {
     m.physics.shell = ShellParameters{};
     m.contact = ContactParameters{};
-    m.contact->friction = packed.friction;
+    m.contact->viscosity = packed.viscosity;
   }
   return scene;
 }

@@ -32,9 +32,9 @@ double shareRadius(int count);
 
 struct PackedScene {
   int cells = 64;
-  int level = 2;        // level of the icosphere: 1, 2, 3 for 42, 162, 642 vertices
-  double friction = 0;  // Coulomb's coefficient; elegans-128 has 0.3
-  bool contact = true;  // false: no contact and no shell, so cells are independent
+  int level = 2;         // level of the icosphere: 1, 2, 3 for 42, 162, 642 vertices
+  double viscosity = 0;  // of contacts; elegans-128 has 0.3
+  bool contact = true;   // false: no contact and no shell, so cells are independent
   Precision precision = Precision::binary64;
 };
 
@@ -46,7 +46,7 @@ World makeWorldOf(const Scene& scene, const std::vector<CellPath>& paths, const 
                   const Execution& execution);
 
 /// Returns the packed cells at rest in their shell: small spheres that Morula lets swell and settle, or those stored in
-/// `folder` by an earlier call ("": neither read nor stored). The bits are the same in both cases. Friction and contact
+/// `folder` by an earlier call ("": neither read nor stored). The bits are equal in both cases. Viscosity and contact
 /// do not matter for them. `tell`: is called before long work.
 std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem::path& folder,
                                 const std::function<void(const std::string&)>& tell);

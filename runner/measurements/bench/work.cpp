@@ -49,14 +49,14 @@ double springShare(const MeshTemplate& mesh, const PhysicsParameters& p) {
   return springs / (springs + work.pressure + work.rings / 2);
 }
 
-Work contactWork(double pairs, bool friction) {
+Work contactWork(double pairs, bool viscosity) {
   // Per vertex, the snapshot: |G|² 5, G/|G| 3, way since the list was made 3 + 5.
   // Per pair [core/contacts/pair_law_kernel.h]: apart, relative and h 3 + 3 + 6, two projections 10, two
   // squares 5 + 2, 1/R² 2, fade 2, v·h 5, push 3, within reach 1, size 2, force and sum 3 + 3; and with
-  // friction h² 5, slip 6, its square 5, force 4 + 3.
-  const double perPair = 50 + (friction ? 23 : 0);
+  // viscosity h² 5, slip 6, its square 5, force 4 + 3.
+  const double perPair = 50 + (viscosity ? 23 : 0);
   // Reads x and the list's x, writes a row; then reads a row and a list, reads and writes the force.
-  return {16 + perPair * pairs, 1 + (friction ? 1.5 * pairs : 0), 4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
+  return {16 + perPair * pairs, 1 + (viscosity ? 1.5 * pairs : 0), 4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
           3 * vectorBytes + rowBytes + indexBytes * pairs};
 }
 

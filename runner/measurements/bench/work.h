@@ -19,7 +19,7 @@ Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& physics);
 /// Returns the springs' share of internalWork [1].
 double springShare(const MeshTemplate& mesh, const PhysicsParameters& physics);
 /// Returns the work of snapshots and pair forces. `pairs`: entries in a vertex's list.
-Work contactWork(double pairs, bool friction);
+Work contactWork(double pairs, bool viscosity);
 /// Returns the work of drift, shell, kick.
 Work integrationWork(bool shell);
 /// Returns the work of a whole step: two passes over memory, or one without contact (null).

@@ -94,7 +94,7 @@ void addBodies(PartList& list, const Scenario& scenario) {
 void addContact(PartList& list, const Scenario& scenario, const RunAsk& ask) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || !mechanics->contact)
-    return list.absent({"contact", "friction", "adhesion", "search"}, "physics.contact");
+    return list.absent({"contact", "viscosity", "adhesion", "search"}, "physics.contact");
   const ContactParameters& c = *mechanics->contact;
   const bool thesis = c.law == ContactLaw::thesis;
   list.add("contact",
@@ -102,8 +102,8 @@ void addContact(PartList& list, const Scenario& scenario, const RunAsk& ask) {
            : !kindOf(mechanics->physics.cell.model).hasMesh ? "of spheres"
                                                             : "pair law",
            {"physics.contact.law", "physics.contact"});
-  list.add("friction", !thesis && c.friction > 0, ofMotion(mechanics->physics), {"physics.contact.friction"},
-           thesis ? "physics.contact.law: pair, and friction > 0" : "physics.contact.friction > 0");
+  list.add("viscosity", !thesis && c.viscosity > 0, ofMotion(mechanics->physics), {"physics.contact.viscosity"},
+           thesis ? "physics.contact.law: pair, and viscosity > 0" : "physics.contact.viscosity > 0");
   list.add("adhesion", c.adhesion.has_value(),
            c.adhesion && c.adhesion->pairs.empty() ? "of all cells" : "by pairs of substances",
            {"physics.contact.adhesion"}, "physics.contact.adhesion");

@@ -131,7 +131,7 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   costs["integration"].seconds = rates.integration * lanes;
   costs["shell"].seconds = rates.shell * lanes;
   costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
-  costs["friction"].seconds = rates.frictionOfPair * pairs;
+  costs["viscosity"].seconds = rates.viscosityOfPair * pairs;
   costs["search"].seconds = rates.search * sums.cellSearches * vertices;
   costs["connections"].seconds = rates.connections * sums.cellSteps * vertices;
   return costs;

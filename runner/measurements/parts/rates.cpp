@@ -144,20 +144,20 @@ void measureContact(World& world, StepRates& rates) {
   };
   const auto smooth = [&](World& w) {
     ContactParameters p = own.parameters;
-    p.friction = 0;
-    w.contacts->parameters.friction = 0;
+    p.viscosity = 0;
+    w.contacts->parameters.viscosity = 0;
     w.contacts->addForces = remake(p).addForces;
     w.connections.reset();
   };
   const double alone = timing.ofStep(keepAlone), perVertex = double(own.list.pairs) / vertices(world);
   const double evaluations = 1 + double(world.stages.furtherDrifts.size());  // force evaluations in a step
   const double all = timing.ofStep([](World& w) { w.connections.reset(); }) - alone;
-  const bool rubs = own.parameters.law != ContactLaw::thesis && own.parameters.friction > 0;
-  const double friction = rubs ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
+  const bool slips = own.parameters.law != ContactLaw::thesis && own.parameters.viscosity > 0;
+  const double viscosity = slips ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
   const double snapshots = contactWork(0, false).operations / contactWork(perVertex, false).operations;
-  rates.frictionOfPair = friction / (evaluations * perVertex);
-  rates.snapshots = std::max(all - friction, 0.0) * snapshots;
-  rates.pair = std::max(all - friction, 0.0) * (1 - snapshots) / (evaluations * perVertex);
+  rates.viscosityOfPair = viscosity / (evaluations * perVertex);
+  rates.snapshots = std::max(all - viscosity, 0.0) * snapshots;
+  rates.pair = std::max(all - viscosity, 0.0) * (1 - snapshots) / (evaluations * perVertex);
   Contacts other = own;  // a copy with the rows from which lists are built
   rates.search = timing.of([&](World&) { other.listIsValid = false; },
                            [&](World& w) { other.listIsValid = false, refreshList(other, *w.bodies, 1); });
@@ -185,7 +185,7 @@ StepRates measureRates(World& world) {
   } else if (world.contacts) {  // packing few and coarse cells takes a moment
     World packed = makePackedWorld({.cells = 8,
                                     .level = 1,
-                                    .friction = world.contacts->parameters.friction,
+                                    .viscosity = world.contacts->parameters.viscosity,
                                     .precision = world.bodies->parameters.precision},
                                    world.execution);
     measureContact(packed, rates);

@@ -9,8 +9,8 @@ struct StepRates {
   double springs = 0, damping = 0, bending = 0, pressure = 0, shapeMatching = 0, drag = 0;
   double integration = 0, shell = 0, connections = 0;
   double snapshots = 0;
-  double pair = 0, frictionOfPair = 0;  // for one evaluation of a pair of vertex and neighbour
-  double search = 0;                    // for one vertex and search
+  double pair = 0, viscosityOfPair = 0;  // for one evaluation of a pair of vertex and neighbour
+  double search = 0;                     // for one vertex and search
 };
 
 /// Returns the lanes that kernels of this width go through when `cells` live, over the used ones, since unused lanes

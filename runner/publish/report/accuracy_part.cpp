@@ -136,7 +136,7 @@ PageSection referenceSection(const AccuracyReport& report) {
                              : "Errors do not fall from mesh to mesh, so nothing is extrapolated.");
   if (!report.orders.empty())
     section.body.heading("Orders")
-        .say("Orders of convergence with the time step; contact, shell and friction lower them.")
+        .say("Orders of convergence with the time step; contact, shell and viscosity lower them.")
         .add(orderTable(report));
   return section;
 }

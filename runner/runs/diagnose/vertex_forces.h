@@ -25,7 +25,7 @@ template <>
 inline constexpr auto choices<ForceKind> = std::to_array<Choice<ForceKind>>({
     {ForceKind::spring, "spring", "of the membrane"},
     {ForceKind::pressure, "pressure", "of the contents, less that of the medium"},
-    {ForceKind::contact, "contact", "of cells that are pressed together, with friction"},
+    {ForceKind::contact, "contact", "of cells that are pressed together, with viscosity"},
     {ForceKind::adhesion, "adhesion", "of cells that stick together, and of connections"},
     {ForceKind::shell, "shell", "of the shell against what presses on it"},
     {ForceKind::other, "other", "drag, crawling, chirality, and where a cell's shape is kept in another way that"},

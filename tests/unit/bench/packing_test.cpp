@@ -70,8 +70,8 @@ TEST_CASE("What was packed once is found again, bit by bit") {
   CHECK(packings == 1);
   CHECK(same(settledBodies({.cells = 2, .level = 1}, folder.path(), count), first));
   CHECK(packings == 1);
-  // Another friction uses the same packing, another mesh does not.
-  CHECK(same(settledBodies({.cells = 2, .level = 1, .friction = 0.3}, folder.path(), count), first));
+  // Another viscosity uses the same packing, another mesh does not.
+  CHECK(same(settledBodies({.cells = 2, .level = 1, .viscosity = 0.3}, folder.path(), count), first));
   CHECK(packings == 1);
   CHECK_FALSE(same(settledBodies({.cells = 2, .level = 2}, folder.path(), count), first));
   CHECK(packings == 2);

@@ -120,7 +120,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
     }
   CHECK(find(report.rows, "packed", MeasuredEngine::scalar, Stage::internal, 8, 42, ""));
   CHECK(find(report.rows, "free", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
-  CHECK(find(report.rows, "packed-friction", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
+  CHECK(find(report.rows, "packed-viscosity", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
   CHECK_FALSE(find(report.rows, "packed", MeasuredEngine::bulletB1, Stage::step, 8, 42, ""));
   std::set<std::string> searches;
   for (const BenchRow& r : report.rows) searches.insert(r.search);

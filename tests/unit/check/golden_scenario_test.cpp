@@ -48,7 +48,7 @@ TEST_CASE("a golden's scenario is made of its parameters, whatever has been chan
       {"drag: 5", "drag: 5, shell: {sphere: 1.5}"},
       {"drag: 5", "drag: 5, shell: {ellipsoid: [2, 1.5, 1.5]}"},
       {"drag: 5", "drag: 5, growth: {}"},
-      {"contact: {}", "contact: {stiffness: 12, friction: 0}"},
+      {"contact: {}", "contact: {stiffness: 12, viscosity: 0}"},
       {", contact: {}", ""},
       {"time: 1.25", "cycles: 1"},
       {"icosphere: 1", "icosphere: 2"},

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-ContactParameters sticky(double work, double friction = 0, double radius = 1) {
-  ContactParameters c{ContactLaw::pair, 40, 0.05, friction, 0.01, radius};
+ContactParameters sticky(double work, double viscosity = 0, double radius = 1) {
+  ContactParameters c{ContactLaw::pair, 40, 0.05, viscosity, 0.01, radius};
   c.adhesion = AdhesionParameters{work, {}};
   return c;
 }

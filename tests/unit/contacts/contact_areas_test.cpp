@@ -99,7 +99,7 @@ namespace {
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas, pressed;
   ContactParameters still = law;
-  still.damping = still.friction = 0;
+  still.damping = still.viscosity = 0;
   const PairOracle oracle(b, still);
   for (const SeenVertex& i : oracle.all) {
     double around = 0;
@@ -138,7 +138,7 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
 
 }  // namespace
 
-TEST_CASE("Areas are those of the definition, vertex by vertex, with friction and adhesion too") {
+TEST_CASE("Areas are those of the definition, vertex by vertex, with viscosity and adhesion too") {
   const Mesh ball = makeIcosphere(2);
   int pairs = 0;
   ContactParameters plain{}, sticky{ContactLaw::pair, 40, 0.05, 0.3};

@@ -58,7 +58,7 @@ struct Crowd {
     return block * blockLanes + g % blockLanes;
   }
 
-  double lawTimeStep = 0x1p-9;  // the time step that the thesis' law and friction use
+  double lawTimeStep = 0x1p-9;  // the time step that the thesis' law and viscosity use
 };
 
 /// Returns the indices of each block as kernels read them. [block]

@@ -10,8 +10,8 @@ TEST_CASE("All instruction sets move touching cells alike, at every step") {
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
   std::vector<ContactParameters> laws{{}, {ContactLaw::pair, 40, 0.05, 0.3}, {ContactLaw::thesis}};
-  for (double friction : {0.0, 0.3}) {  // friction has kernels of its own
-    laws.push_back({ContactLaw::pair, 40, 0.05, friction, 0.01, 1.5});
+  for (double viscosity : {0.0, 0.3}) {  // viscosity has kernels of its own
+    laws.push_back({ContactLaw::pair, 40, 0.05, viscosity, 0.01, 1.5});
     laws.back().adhesion = AdhesionParameters{3, {}};
   }
   const std::vector<Mesh> meshes{makeIcosphere(1), zoo::scaled(zoo::torus(7, 5), {0.33, 0.33, 0.33}),
@@ -33,7 +33,7 @@ TEST_CASE("All instruction sets move touching cells alike, at every step") {
             }
             if (!(crowd.contacts.rebuilds == crowds[0].contacts.rebuilds) && firstDifference < 0) firstDifference = i;
           }
-        CAPTURE(mesh.vertices.size(), static_cast<int>(law.law), law.friction, count);
+        CAPTURE(mesh.vertices.size(), static_cast<int>(law.law), law.viscosity, count);
         CHECK(firstDifference == -1);
       }
 }

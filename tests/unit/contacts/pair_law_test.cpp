@@ -21,7 +21,7 @@ ContactParameters sticky(ContactParameters law, double work) {
 const std::vector<Case> cases{{"plain", {}},
                               {"no damping", {ContactLaw::pair, 40, 0}},
                               {"damped", {ContactLaw::pair, 40, 0.5}},
-                              {"friction", {ContactLaw::pair, 40, 0.05, 0.3}},
+                              {"viscosity", {ContactLaw::pair, 40, 0.05, 0.3}},
                               {"grip", {ContactLaw::pair, 40, 0.05, 2, 10}},
                               {"wide", {ContactLaw::pair, 40, 0.05, 0.1, 0.01, 2.5}},
                               {"adhesion", sticky({ContactLaw::pair, 40, 0}, 3)},
@@ -58,8 +58,8 @@ TEST_CASE("Contact forces are those of the equations over all pairs of vertices,
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (int count : {2, 3, 9})
-        for (const double timeStep : {0x1p-9, 0x1p-4}) {  // with the long step friction's bound follows from the step
-          if (timeStep > 0x1p-9 && law.friction == 0) continue;
+        for (const double timeStep : {0x1p-9, 0x1p-4}) {  // with the long step viscosity's bound follows from the step
+          if (timeStep > 0x1p-9 && law.viscosity == 0) continue;
           Crowd crowd(
               evaluated({limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1)}));
           crowd.lawTimeStep = timeStep;
@@ -151,7 +151,7 @@ TEST_CASE("How deep the deepest overlap of each block is, is that of the equatio
   }
 }
 
-TEST_CASE("Any two cells keep momentum and angular momentum, with damping, friction and adhesion") {
+TEST_CASE("Any two cells keep momentum and angular momentum, with damping, viscosity and adhesion") {
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})
       for (std::uint32_t key = 0; key < 10; ++key) {

@@ -123,7 +123,7 @@ struct PairOracle {
     return t * t * (3 - 2 * t) * k * depth * depth * q * q * q * (1 + 18 * bulk + 1200 * bulk * bulk);
   }
 
-  /// Force f and turn q of j on i, with damping and friction.
+  /// Force f and turn q of j on i, with damping and viscosity.
   struct Push {
     Vector force, turn;
   };
@@ -142,9 +142,9 @@ struct PairOracle {
     const double byNormals = 12 * t * (1 - t) * u * u * barrier / 2 * (1 + 6 * bulk + 200 * bulk * bulk) -
                              0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
     Push p{byDepth * h - 2 * k * byNearness * a, byNormals * j.normal - byDepth / 2 * a};
-    if (law.friction > 0 && dot(a, a) > 0) {
+    if (law.viscosity > 0 && dot(a, a) > 0) {
       const double slip = std::sqrt(std::max(0.0, dot(v, v) - dot(v, h) * dot(v, h)));
-      const double grip = std::min(2 * law.friction * byDepth / std::max(slip, law.slipSpeed), strongestGrip);
+      const double grip = std::min(2 * law.viscosity * byDepth / std::max(slip, law.slipSpeed), strongestGrip);
       p.force -= grip * dot(v, a) / dot(a, a) * a;
     }
     return p;

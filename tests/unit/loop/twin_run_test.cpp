@@ -29,10 +29,10 @@ TEST_CASE("A calm cell forgets a last place; a crowd that divides does not") {
   CHECK(crowd.growth.back().size > 1e-12);
 }
 
-TEST_CASE("Friction does not chatter: two daughters pressed together forget a last place") {
+TEST_CASE("Viscosity does not chatter: two daughters pressed together forget a last place") {
   Scene scene = scenes::packed();
   scene.stop.time = 1.75;  // the egg divides at 1
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   scene.mechanics->physics.drag = 20;
   const TwinRun run = twins(scene);
   CHECK((run.growth.empty() || run.growth.back().size < 1e-11));

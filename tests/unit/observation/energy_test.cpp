@@ -109,13 +109,13 @@ TEST_CASE("Cells that collide without damping keep their energy, with the square
   }
 }
 
-TEST_CASE("What drag, damping and friction take is what is missing") {
+TEST_CASE("What drag, damping and viscosity take is what is missing") {
   Scene scene = collision(1);
   scene.mechanics->physics.autoShare = 0.25;
   scene.mechanics->physics.membrane.damping = 0.05;
   scene.mechanics->physics.drag = 0.2;
   scene.mechanics->contact->damping = 0.2;
-  scene.mechanics->contact->friction = 0.3;
+  scene.mechanics->contact->viscosity = 0.3;
   World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1));
   const double before = measureEnergy(world).total();
   double taken = 0, power = measureDissipation(world);
@@ -132,7 +132,7 @@ TEST_CASE("What drag, damping and friction take is what is missing") {
 }
 
 TEST_CASE("A rotated and a mirrored copy end rotated and mirrored") {
-  ContactParameters plain = scenes::pairContact, all = scenes::pairContactWithFriction;
+  ContactParameters plain = scenes::pairContact, all = scenes::pairContactWithViscosity;
   all.adhesion = AdhesionParameters{1, {}};
   plain.law = all.law = ContactLaw::pair;
   for (const ContactParameters& contact : {plain, all}) {

@@ -40,7 +40,7 @@ std::string sceneOf(unsigned choice) {
   text += choice & 1 ? "  drag: 2\n" : "";
   text += choice & 2 ? "  membrane: {damping: 0.03}\n" : "  membrane: {damping: 0}\n";
   text += choice & 4 ? (choice & 2 ? "  shell: {sphere: 1}\n" : "  shell: {ellipsoid: [2, 1.5, 1]}\n") : "";
-  text += choice & 8 ? (choice & 16 ? "  contact: {friction: 0.3}\n" : "  contact: {}\n") : "";
+  text += choice & 8 ? (choice & 16 ? "  contact: {viscosity: 0.3}\n" : "  contact: {}\n") : "";
   text += choice & 32 ? "  growth: {}\n" : "";
   text += choice & 64 ? "connections: {}\n" : "";
   return text;
@@ -67,8 +67,8 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
     CHECK(parts["contact"].engaged == world.contacts.has_value());
     CHECK(parts["search"].engaged == world.contacts.has_value());
-    CHECK(parts["friction"].engaged ==
-          (world.contacts && world.contacts->addForces == world.contacts->kernels->addPairForcesWithFriction));
+    CHECK(parts["viscosity"].engaged ==
+          (world.contacts && world.contacts->addForces == world.contacts->kernels->addPairForcesWithViscosity));
     CHECK(parts["connections"].engaged == world.connections.has_value());
     CHECK(parts["growth"].engaged == world.model.mechanics->physics.growth.has_value());
     CHECK(parts["division"].engaged == (world.divisionPolicy != nullptr));
@@ -109,14 +109,14 @@ TEST_CASE("Each part names the line that asks for it, or says that it is a defau
   CHECK(parts["shell"].why == "test.yaml:24:10: physics.shell");
   CHECK(parts["contact"].why == "test.yaml:25:18: physics.contact.law");
   CHECK(parts["contact"].what == "the thesis' law");
-  CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has no friction, whatever its coefficient
+  CHECK_FALSE(parts["viscosity"].engaged);  // the thesis' law has no viscosity, whatever its number
   CHECK(parts["connections"].why == "test.yaml:31:14: connections");
   CHECK(parts["samples"].why == "test.yaml:34:17: record.every");
   CHECK(parts["hashes"].why == "test.yaml:37:8: check");
   parts = byName(read(sceneOf(8), {{"physics.drag", "2", "--set physics.drag"}}));
   CHECK(parts["drag"].why == "--set physics.drag");
   CHECK(parts["springs"].why == "default");
-  CHECK(parts["friction"].why == "physics.contact.friction > 0");
+  CHECK(parts["viscosity"].why == "physics.contact.viscosity > 0");
   CHECK(byName(read(sceneOf(8)), {.search = ContactSearch::aabbTree})["search"].why == "--search");
 }
 

@@ -55,7 +55,7 @@ double sumOf(double EraCounts::*count, const std::vector<EraCounts>& eras) {
 Scene crowd() {
   Scene s = scenes::packed();
   s.mechanics->physics.drag = 5;
-  s.mechanics->contact = scenes::pairContactWithFriction;
+  s.mechanics->contact = scenes::pairContactWithViscosity;
   s.stop.cycles = 7;
   s.stop.time = 6.125;
   return s;
@@ -201,7 +201,7 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     CHECK(rates.search > 0);
     const auto& p = scene.mechanics->physics;
     if (p.drag == 0) CHECK(rates.drag == 0);
-    if (scene.mechanics->contact->friction == 0) CHECK(rates.frictionOfPair == 0);
+    if (scene.mechanics->contact->viscosity == 0) CHECK(rates.viscosityOfPair == 0);
     if (!world.connections) CHECK(rates.connections == 0);
     step(world);  // the world continues undisturbed
     World other = makeWorld(scene);

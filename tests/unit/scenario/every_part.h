@@ -28,7 +28,7 @@ physics:
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2, until: 1.5}
   shell: {ellipsoid: [3, 2, 1], fill: 0.020833333333333332, holds: surface}
-  contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
+  contact: {law: thesis, stiffness: 30, damping: 0.1, viscosity: 0.3, slip-speed: 0.02, radius: 1.1}
 division:
   plane: {axis: [0, 1, -1]}
   size: {adder: 0.25}

@@ -13,8 +13,8 @@ TEST_CASE("overrides go through the same table") {
 }
 
 TEST_CASE("overrides make the maps that are missing") {
-  const auto s = read(small, {parseOverride("physics.contact.friction=0.5")});
-  CHECK(s.scene.mechanics->contact->friction == 0.5);
+  const auto s = read(small, {parseOverride("physics.contact.viscosity=0.5")});
+  CHECK(s.scene.mechanics->contact->viscosity == 0.5);
   CHECK(read(small, {parseOverride("division.plane=random"), parseOverride("physics={}")}).scene.mechanics);
 }
 
@@ -56,6 +56,16 @@ TEST_CASE("mistakes in overrides name the option") {
         "--seed: '-1' is negative; needs a whole number from 0 to 9223372036854775807");
   CHECK(complaints(everyPart, {parseOverride("seed=1"), parseOverride("seed=2")}) ==
         "--set seed: given twice; keep one of '1' and '2'");
+}
+
+TEST_CASE("a key of an earlier version is refused with its new name, also where it would be taken away") {
+  const std::string now =
+      "is called physics.contact.viscosity now: at the slip speeds of cells it is a damper, and not Coulomb's "
+      "friction; write the new key, with the value as it is";
+  for (const char* change : {"physics.contact.friction=0.3", "physics.contact.friction=null"})
+    CHECK(complaints(small, {parseOverride(change)}) == "--set physics.contact.friction: " + now);
+  CHECK(complaints(small, {{"physics.contact.friction", "0", "a.study.yaml:7:14"}}) ==
+        "a.study.yaml:7:14: physics.contact.friction: " + now);
 }
 
 TEST_CASE("what is no assignment is refused") {

@@ -109,7 +109,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"physics.contact.law", "pair"},
       {"physics.contact.stiffness", "40"},
       {"physics.contact.damping", "0.2"},
-      {"physics.contact.friction", "0.25"},
+      {"physics.contact.viscosity", "0.25"},
       {"physics.contact.slip-speed", "0.5"},
       {"physics.contact.radius", "1"},
       {"division.plane", "random"},

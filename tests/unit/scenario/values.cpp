@@ -59,7 +59,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->contact->law == ContactLaw::thesis);
   CHECK(scene.mechanics->contact->stiffness == 30);
   CHECK(scene.mechanics->contact->damping == 0.1);
-  CHECK(scene.mechanics->contact->friction == 0.3);
+  CHECK(scene.mechanics->contact->viscosity == 0.3);
   CHECK(scene.mechanics->contact->slipSpeed == 0.02);
   CHECK(scene.mechanics->contact->radius == 1.1);
   CHECK(scene.mechanics->division.otherwise.plane == DivisionPlane::axis);

@@ -53,7 +53,7 @@ std::uint64_t allocationsOf(World& world, int steps) {
 Scene crowdedScene() {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
   scene.mechanics->physics.drag = 2;
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   scene.mechanics->physics.growth = GrowthParameters{0.01};
   scene.mechanics->connections = ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 3.0};
   return scene;

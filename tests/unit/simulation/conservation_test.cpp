@@ -1,4 +1,4 @@
-// Without shell and drag no external force acts on the cells: momentum is conserved, through collisions with friction
+// Without shell and drag no external force acts on the cells: momentum is conserved, through collisions with viscosity
 // too.
 #include "catch.h"
 #include "simulation/move_physics.h"
@@ -16,8 +16,8 @@ double sizeOfMomenta(const World& world) {
 
 }  // namespace
 
-TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts by no more than 1e-12") {
-  for (const ContactParameters& contact : {scenes::pairContact, scenes::pairContactWithFriction})
+TEST_CASE("Two to eight cells collide, with viscosity, and their momentum drifts by no more than 1e-12") {
+  for (const ContactParameters& contact : {scenes::pairContact, scenes::pairContactWithViscosity})
     for (int count : {2, 3, 5, 8}) {
       Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
       scene.mechanics->contact = contact;
@@ -34,7 +34,7 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
         touched = touched || world.contacts->list.pairs > 0;
       }
       for (int slot = 0; slot < count; ++slot) exchanged.see(norm(momentumOf(*world.bodies, slot) - each[slot]));
-      CAPTURE(count, contact.friction, world.clock.step);
+      CAPTURE(count, contact.viscosity, world.clock.step);
       CHECK(touched);
       CHECK(exchanged > 0.3);
       CHECK(drift <= 1e-12);
@@ -45,7 +45,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
   for (Integrator integrator : {Integrator::thesisVerlet, Integrator::explicitEuler, Integrator::symplecticEuler,
                                 Integrator::rungeKutta4, Integrator::xpbd}) {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
-    scene.mechanics->contact = scenes::pairContactWithFriction;
+    scene.mechanics->contact = scenes::pairContactWithViscosity;
     scene.mechanics->physics.integrator = integrator;
     // Explicit Euler is refused without drag, and drag takes momentum. The test is about the other forces.
     scene.mechanics->physics.drag = integrator == Integrator::explicitEuler ? 1e-13 : 0;
@@ -67,7 +67,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
 
 TEST_CASE("A division keeps mass and momentum, and adhesion too") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
   World world = makeWorld(scene);
@@ -106,7 +106,7 @@ TEST_CASE("A collision takes energy and never gives any") {
 
 TEST_CASE("Cells made by shape matching keep their momentum through collisions and divisions") {
   Scene scene = scenes::byShapes(scenes::withBodies(scenes::everybodyDivides, 3));
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
   scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}}, {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};

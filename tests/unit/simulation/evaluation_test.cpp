@@ -13,7 +13,7 @@ Scene undamped(Scene scene) {
   p.membrane.damping = p.drag = 0;
   p.shell.reset();  // the shell takes velocity from vertices after the forces
   p.growth.reset();
-  if (scene.mechanics->contact) scene.mechanics->contact->damping = scene.mechanics->contact->friction = 0;
+  if (scene.mechanics->contact) scene.mechanics->contact->damping = scene.mechanics->contact->viscosity = 0;
   return scene;
 }
 

@@ -76,7 +76,7 @@ TEST_CASE(
 
 TEST_CASE("Seventeen cells on three blocks and several threads, lists built at different times") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   const auto cells = flyingCells(makeIcosphere(1), 17, 2.2, 1);
   World lazy = worldOf(scene, cells, {Isa::scalar, 1}), eager = worldOf(scene, cells, {bestIsa(), 3});
   std::int64_t different = 0;

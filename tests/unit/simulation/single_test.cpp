@@ -36,7 +36,7 @@ TEST_CASE("With floats, a whole life has the same lineage, and cells of the same
 
 TEST_CASE("With floats, touching cells keep their momentum to the floats' rounding") {
   Scene scene = scenes::inSingle(scenes::withBodies(scenes::uniqueFour, 3));
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   World world = worldOf(scene, flyingCells(makeIcosphere(1), 8, 2.2, 1));
   const Vector before = momentumOf(*world.bodies);
   for (int i = 0; i < 300; ++i) step(world);

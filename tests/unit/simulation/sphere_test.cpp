@@ -55,7 +55,7 @@ TEST_CASE("A crowd of spheres keeps its momentum to rounding, and each its size 
                      .velocity = 0.5 * noiseVector(static_cast<std::uint32_t>(i), 1),
                      .scale = 0.8 + 0.02 * i});
   Scene scene = looseBalls(cells);
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   World world = makeWorld(scene);
   const Vector before = momentumOf(*world.bodies);
   for (int i = 0; i < 2000; ++i) step(world);

@@ -76,7 +76,7 @@ TEST_CASE("chirality: the other sign of the axis is the same hand, for it exchan
 TEST_CASE("chirality: the mirrored angle gives the mirrored scene, with contact, too") {
   const auto mirrored = [](Vector x) { return Vector{x.x, -x.y, x.z}; };
   const auto contact = [](Scene s) {
-    s.mechanics->contact = scenes::pairContactWithFriction;
+    s.mechanics->contact = scenes::pairContactWithViscosity;
     s.stop.time = 1.5;
     return s;
   };

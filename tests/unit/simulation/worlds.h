@@ -82,7 +82,7 @@ inline World ballsAt(const Scene& scene, const std::vector<Vector>& places) {
   return worldOf(scene, cells);
 }
 
-/// Returns a scene of spheres of radius 1 and mass 1 that never divide, without shell, drag, friction and damping.
+/// Returns a scene of spheres of radius 1 and mass 1 that never divide, without shell, drag, viscosity and damping.
 inline Scene looseBalls(std::vector<StartCell> cells) {
   Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1000);
   s.mechanics->physics.cell = {1, 1, CellModel::sphere};

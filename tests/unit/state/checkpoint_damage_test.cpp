@@ -177,7 +177,7 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
   differs("seed", [](Scene& s) { s.seed = 2; });
   differs("physics", [](Scene& s) { s.mechanics->physics.drag = 0.31; });
   differs("physics.mesh", [](Scene& s) { s.mechanics->mesh = scenes::scaled(makeIcosphere(1), 0.94); });
-  differs("physics.contact", [](Scene& s) { s.mechanics->contact->friction = 0.2; });
+  differs("physics.contact", [](Scene& s) { s.mechanics->contact->viscosity = 0.2; });
   differs("physics.contact", [](Scene& s) { s.mechanics->contact.reset(); });
   differs("division", [](Scene& s) { s.mechanics->division.otherwise.plane = DivisionPlane::random; });
   differs("division", [](Scene& s) { s.mechanics->division.rules = {{.of = {"a0"}, .share = 0.4}}; });

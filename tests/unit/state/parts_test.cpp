@@ -66,7 +66,7 @@ TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
 TEST_CASE("Contact of a cell that is alone changes nothing") {
   Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
   World without = makeWorld(scene, {Isa::scalar, 1});
-  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->contact = scenes::pairContactWithViscosity;
   World with = makeWorld(scene, {Isa::scalar, 1});
   for (int i = 0; i < 100; ++i) {
     without.bodies->velocity[0] += 0.01;
