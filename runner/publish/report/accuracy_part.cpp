@@ -280,7 +280,8 @@ PagePart accuracyPart(const std::string& file) {
     judgeMesh(report, findings);
     judgeRows(report, findings);
     part.verdict = verdict(sentenceOf(report), std::move(findings));
-    part.sections = {cheapestSection(report, scenario),
+    part.sections = {{"stated", "Errors of the scenario as it is", describeStated(report.stated)},
+                     cheapestSection(report, scenario),
                      accuracyChartSection(report),
                      {"rows", "Settings", settingTables(report)},
                      referenceSection(report),
