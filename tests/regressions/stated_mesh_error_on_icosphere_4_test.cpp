@@ -81,7 +81,7 @@ TEST_CASE(
     double within;
   };
   // After a division finer meshes hardly converge: 0.017 is stated for 0.0218 at 1.109, a time at which `accuracy`
-  // compares. Between such times, at 1.03, the error is 0.035 (runner/measurements/accuracy/README.md).
+  // compares. Between such times, at 1.03, the error is 0.035.
   const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
                               Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
   const std::string root = MORULA_SOURCE_DIR;

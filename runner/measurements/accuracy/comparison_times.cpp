@@ -9,7 +9,8 @@ namespace morula {
 namespace {
 
 constexpr int quietSteps = 10;  // min number of steps between an event and a quiet time
-constexpr int stepsAfter[] = {1, 4, 10};
+constexpr int stepsAfter[] = {1, 4, 10, 2, 3, 5, 6, 7, 8, 9};  // the first three after every event
+constexpr std::size_t maxTimesAfterEvents = 100;
 
 }  // namespace
 
@@ -51,19 +52,24 @@ std::vector<double> evenTimes(double end, double step, int samples) {
   return times;
 }
 
+void sortTimes(std::vector<double>& times) {
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+}
+
 std::vector<double> withEventTimes(std::vector<double> even, double step, std::span<const SceneEvent> events) {
   if (even.empty()) return even;
   const double end = even.back();
-  const std::size_t count = std::min(events.size(), maxEvents);
+  const std::size_t count = std::min(events.size(), maxTimesAfterEvents / 3);
+  const std::size_t each = std::clamp<std::size_t>(maxTimesAfterEvents / std::max<std::size_t>(count, 1), 3, 10);
   for (std::size_t i = 0; i < count; ++i) {
     const SceneEvent& event = events[i * events.size() / count];
-    for (const int after : stepsAfter) {
+    for (const int after : std::span(stepsAfter).first(each)) {
       const double time = std::ceil((event.time + after * event.timeStep) / step * (1 - timeSlack)) * step;
       if (time <= end) even.push_back(time);
     }
   }
-  std::ranges::sort(even);
-  even.erase(std::unique(even.begin(), even.end()), even.end());
+  sortTimes(even);
   return even;
 }
 

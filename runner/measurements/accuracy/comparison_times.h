@@ -44,11 +44,12 @@ bool isQuiet(std::span<const SceneEvent> events, double time);
 /// Returns multiples of `step` [time], rising: `samples` evenly spread up to `end`, or all if there are fewer.
 std::vector<double> evenTimes(double end, double step, int samples);
 
-/// Returns `even` together with three times after each event, 1, 4 and 10 steps later, rounded up to multiples of `step`
-/// [time]. Of more than `maxEvents` events, so many are taken, evenly spread. No time is later than the last of `even`.
-std::vector<double> withEventTimes(std::vector<double> even, double step, std::span<const SceneEvent> events);
+/// Sorts times, and leaves one of equals.
+void sortTimes(std::vector<double>& times);
 
-/// Max number of events after which runs are compared: shapes of all times are held in memory.
-inline constexpr std::size_t maxEvents = 40;
+/// Returns `even` together with times 1, 4 and 10 steps after each event, rounded up to multiples of `step` [time]. Of
+/// up to ten events each step from 1 to 10 counts. Of more than 33, so many are taken, evenly spread. No time is later
+/// than the last of `even`.
+std::vector<double> withEventTimes(std::vector<double> even, double step, std::span<const SceneEvent> events);
 
 }  // namespace morula

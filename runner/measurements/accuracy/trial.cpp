@@ -146,6 +146,7 @@ Horizon findHorizon(const Scene& scene, const Execution& execution, std::optiona
     if (horizon.parted) break;
     horizon.rounding = std::max(horizon.rounding, apart);
     horizon.end = world.clock.time;
+    horizon.vertices = world.bodies->livingVertices;
     finder.look(world);
     horizon.minTimeStep = std::min(horizon.minTimeStep, world.clock.timeStep);
     horizon.maxTimeStep = std::max(horizon.maxTimeStep, world.clock.timeStep);

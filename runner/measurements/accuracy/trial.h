@@ -92,6 +92,7 @@ struct Horizon {
   double rounding = 0;  // [length] growth of one unit in the last place by `end`
   bool parted = false;  // true: chaos sets `end`
   double minTimeStep = 0, maxTimeStep = 0;  // [time] steps of the scene's own settings
+  int vertices = 0;                         // living ones at `end`
   std::vector<SceneEvent> events = {};      // up to `end`
 };
 

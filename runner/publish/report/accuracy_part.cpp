@@ -280,12 +280,13 @@ PagePart accuracyPart(const std::string& file) {
     judgeMesh(report, findings);
     judgeRows(report, findings);
     part.verdict = verdict(sentenceOf(report), std::move(findings));
-    part.sections = {{"stated", "Errors of the scenario as it is", describeStated(report.stated)},
-                     cheapestSection(report, scenario),
+    part.sections = {cheapestSection(report, scenario),
                      accuracyChartSection(report),
                      {"rows", "Settings", settingTables(report)},
                      referenceSection(report),
                      madeBy(json, scenario, file)};
+    if (Document stated = describeStated(report.stated); !stated.empty())
+      part.sections.insert(part.sections.begin(), PageSection{"stated", "Errors of the scenario as it is", stated, {}});
     part.sections.push_back({"rows-download", "Downloads",
                              Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
                                                        {"accuracy.json", "application/json", text}}})});

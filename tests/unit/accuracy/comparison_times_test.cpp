@@ -44,23 +44,34 @@ Trial run(const std::vector<double>& offs) {
 
 }  // namespace
 
-TEST_CASE("Times are evenly spread, and three follow each event, on multiples of the step") {
+TEST_CASE("Times are evenly spread, and some follow each event, on multiples of the step") {
   CHECK(evenTimes(1, 0.25, 64) == std::vector<double>{0.25, 0.5, 0.75, 1});
   CHECK(evenTimes(1, 0.125, 2) == std::vector<double>{0.5, 1});
   CHECK(evenTimes(0.1, 0.25, 16).empty());
   const double step = 0.125, own = 0.0625;
-  // The scene's own steps are half as long as the multiples: 1, 4 and 10 of them after 0.3125 are 0.375, 0.5625, 0.9375.
+  // The scene's own steps are half as long as the multiples: 1 to 10 of them after 0.3125 are 0.375 to 0.9375.
   const std::vector<double> times = withEventTimes({1, 2, 3, 4}, step, std::vector<SceneEvent>{{0.3125, own}});
-  CHECK(times == std::vector<double>{0.375, 0.625, 1, 2, 3, 4});
+  CHECK(times == std::vector<double>{0.375, 0.5, 0.625, 0.75, 0.875, 1, 2, 3, 4});
   CHECK(withEventTimes({1}, step, std::vector<SceneEvent>{{0.875, own}}) == std::vector<double>{1});  // none is later
   CHECK(withEventTimes({}, step, std::vector<SceneEvent>{{0, own}}).empty());
 }
 
-TEST_CASE("Of many events some are taken, over the whole time") {
+TEST_CASE("Of many events each has three times, 1, 4 and 10 steps later") {
+  std::vector<SceneEvent> events;
+  for (int i = 0; i < 33; ++i) events.push_back({double(i), 1.0 / 64});
+  const std::vector<double> times = withEventTimes({33}, 1.0 / 64, events);
+  REQUIRE(times.size() == 3 * 33 + 1);
+  CHECK(times[0] == 1.0 / 64);
+  CHECK(times[1] == 4.0 / 64);
+  CHECK(times[2] == 10.0 / 64);
+  CHECK(times[3] == 1 + 1.0 / 64);
+}
+
+TEST_CASE("Of very many events some are taken, over the whole time") {
   std::vector<SceneEvent> events;
   for (int i = 0; i < 1000; ++i) events.push_back({double(i), 1.0 / 64});
   const std::vector<double> times = withEventTimes({1000}, 1.0 / 64, events);
-  CHECK(times.size() == 3 * maxEvents + 1);
+  CHECK(times.size() == 3 * 33 + 1);
   CHECK(times.front() < 1);
   CHECK(times[times.size() - 2] > 900);
 }
