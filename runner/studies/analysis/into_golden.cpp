@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/study_comparison.h"
 #include "base/error.h"
@@ -19,14 +20,33 @@ namespace {
 /// Rounds to three digits, as goldens state statistics: they are measured, not results.
 double threeDigits(double a) { return std::stod(fmt::format("{:.2e}", a)); }
 
+constexpr double onePathSpread = 1e-9;  // max spread, relative to the values, of runs that stay one path
+
+/// Returns true if disturbed runs give one value, or none.
+bool isOneValue(const std::vector<double>& values) {
+  if (values.empty()) return true;
+  const auto [low, high] = std::ranges::minmax(values);
+  return high - low <= onePathSpread * std::max(std::abs(low), std::abs(high));
+}
+
+/// Returns true if disturbed runs stay one path under both levels of the pair, in every measure: one measure alone may
+/// be a number of cells, which different paths share.
+bool staysOnePath(const StudyComparison& c, const PairComparison& pair) {
+  return std::ranges::all_of(c.pairs, [&](const PairComparison& p) {
+    const bool isOther = p.axis != pair.axis || p.a != pair.a || p.b != pair.b || p.at != pair.at;
+    return isOther || (isOneValue(p.of) && isOneValue(p.against));
+  });
+}
+
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
     if (p.axis != axis || p.a != 0 || !p.isOfMean() || p.known != Known::estimated) continue;
+    const bool onePath = staysOnePath(c, p);
     const double same = p.paired.difference;  // under every seed, if there is no interval
-    const Interval range = p.paired.interval.value_or(Interval{same, same});
+    const Interval range = onePath ? Interval{same, same} : p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
-                          threeDigits(range.low), threeDigits(range.high), p.of.size()});
+                          threeDigits(range.low), threeDigits(range.high), p.of.size(), onePath});
   }
   return statistics;
 }
