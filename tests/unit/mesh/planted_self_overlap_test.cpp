@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "mesh/overlap.h"
+#include "self_overlap.h"
 #include "zoo.h"
 
 using namespace morula;
@@ -13,10 +13,6 @@ namespace {
 
 constexpr double told = 0.0025;  // sanity::maxSelfOverlap
 constexpr double planted = 0.005;
-
-double selfOverlapOf(const Mesh& m, int columns = 24) { return measureSelfOverlap({m.vertices, m.faces}, columns); }
-
-bool isStarShaped(const Mesh& m) { return morula::isStarShaped({m.vertices, m.faces}, measureCentroid(m.vertices)); }
 
 /// Returns how often the surface winds around the point: the faces that a ray leaves by, minus those it enters by.
 int windingNumber(const Mesh& m, const Point& from, const Vector& ray) {

@@ -7,16 +7,12 @@
 
 #include "catch.h"
 #include "mesh/folds.h"
-#include "mesh/overlap.h"
+#include "self_overlap.h"
 #include "zoo.h"
 
 using namespace morula;
 
 namespace {
-
-double selfOverlapOf(const Mesh& m, int columns = 24) { return measureSelfOverlap({m.vertices, m.faces}, columns); }
-
-bool isStarShaped(const Mesh& m) { return morula::isStarShaped({m.vertices, m.faces}, measureCentroid(m.vertices)); }
 
 /// Returns true if the straight line from `from` to `to` passes through the triangle.
 bool passesThrough(const Point& from, const Point& to, const Point& a, const Point& b, const Point& c) {
