@@ -1,4 +1,4 @@
-// Surfaces that are pushed through themselves, against winding numbers of points, each counted by a ray of its own.
+// Surfaces that are pushed through themselves, against winding numbers of points.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -14,32 +14,41 @@ namespace {
 constexpr double told = 0.0025;  // sanity::maxSelfOverlap
 constexpr double planted = 0.005;
 
-/// Returns how often the surface winds around the point: the faces that a ray leaves by, minus those it enters by.
-int windingNumber(const Mesh& m, const Point& from, const Vector& ray) {
-  int sum = 0;
+/// A place where a line along z meets a surface that leaves the inside upwards (1) or downwards (-1).
+struct Meeting {
+  double z;
+  int up;
+};
+
+std::vector<Meeting> meet(const Mesh& m, double x, double y) {
+  std::vector<Meeting> all;
   for (const auto& [i, j, k] : m.faces) {
-    const Vector a = m.vertices[i] - from, b = m.vertices[j] - from, c = m.vertices[k] - from;
-    const double ab = dot(cross(a, b), ray), bc = dot(cross(b, c), ray), ca = dot(cross(c, a), ray);
-    if ((ab > 0) != (bc > 0) || (bc > 0) != (ca > 0)) continue;
-    const double turn = dot(cross(b - a, c - a), ray);
-    if (dot(cross(b - a, c - a), a) / turn > 0) sum += turn > 0 ? 1 : -1;
+    const Point &a = m.vertices[i], &b = m.vertices[j], &c = m.vertices[k];
+    const auto side = [&](const Point& p, const Point& q) { return (p.x - x) * (q.y - y) - (p.y - y) * (q.x - x); };
+    const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+    if ((ab > 0) == (bc > 0) && (bc > 0) == (ca > 0))
+      all.push_back({(ab * c.z + bc * a.z + ca * b.z) / (ab + bc + ca), ab > 0 ? 1 : -1});
   }
-  return sum;
+  return all;
 }
 
-/// The oracle: returns the share of the space that the surface winds around, at `side`³ points of a lattice, in which
-/// it does so more than once or inside out.
+/// The oracle: returns the share of the space that the surface winds around in which it does so more than once or
+/// inside out, at `side`³ points of a lattice. The winding number of a point is the number of faces by which a ray
+/// along z leaves, minus those by which it enters.
 double sampledSelfOverlap(const Mesh& m, int side) {
   const auto [low, high] = measureBox(m.vertices);
-  const Vector ray{0.267, 0.534, 0.802};
+  const Vector step = (high - low) / side;
   int wound = 0, repeated = 0;
-  for (int i = 0; i < side * side * side; ++i) {
-    const Vector at{i % side + 0.5, i / side % side + 0.5, i / (side * side) + 0.5};
-    const Point p = low + Vector{at.x * (high.x - low.x), at.y * (high.y - low.y), at.z * (high.z - low.z)} / side;
-    const int winding = windingNumber(m, p, ray);
-    wound += winding != 0;
-    repeated += winding != 0 && winding != 1;
-  }
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const auto meetings = meet(m, low.x + (i + 0.5) * step.x, low.y + (j + 0.5) * step.y);
+      for (int k = 0; k < side; ++k) {
+        int winding = 0;
+        for (const Meeting& at : meetings) winding += at.z > low.z + (k + 0.5) * step.z ? at.up : 0;
+        wound += winding != 0;
+        repeated += winding != 0 && winding != 1;
+      }
+    }
   return static_cast<double>(repeated) / wound;
 }
 
