@@ -75,7 +75,7 @@ TEST_CASE("compare --tidy prints one value a row, with the labels of all axes") 
   for (const json& condition : answer.at("conditions")) values += condition.at("n").get<std::ptrdiff_t>();
   CHECK(std::ranges::count(runs.out, '\n') == 1 + values);
   CHECK(launch({"compare", file, "--tidy", "cells"})
-            .out.starts_with("division,seed,time,cell,substances,measure,value\n"));
+            .out.starts_with("division,seed,time,cell,name,substances,measure,value\n"));
 }
 
 TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {

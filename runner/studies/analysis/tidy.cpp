@@ -50,16 +50,18 @@ void writeTidy(const std::filesystem::path& file, TidyRows rows, const std::func
   const auto measures = measuresOfCells(db);
   std::string columns;
   for (const std::string& name : measures) columns += ", cell_sample." + sqlName(name);
-  write(header + "seed,time,cell,substances,measure,value\n");
-  Statement cells(db, "SELECT " + labels + "replicate.seed, cell_sample.time, path, state" + columns +
-                          runsOfConditions +
-                          "cell_sample USING (run_id) WHERE task.status = 'done' "
+  write(header + "seed,time,cell,name,substances,measure,value\n");
+  Statement cells(db, "SELECT " + labels +
+                          "replicate.seed, cell_sample.time, iif(path = '', 'egg', path), cell.name, cell_sample.state" +
+                          columns + runsOfConditions +
+                          "cell_sample USING (run_id) LEFT JOIN cell USING (run_id, path) WHERE task.status = 'done' "
                           "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
   for (cells.start(); cells.next();) {
-    const std::string beginning =
-        beginningOf(cells, axes) + csvField(cells.line(axes + 2)) + "," + csvField(cells.line(axes + 3)) + ",";
+    std::string beginning = beginningOf(cells, axes) + cells.line(axes + 2) + ",";
+    if (!cells.isNull(axes + 3)) beginning += csvField(cells.line(axes + 3));
+    beginning += "," + csvField(cells.line(axes + 4)) + ",";
     for (std::size_t m = 0; m < measures.size(); ++m) {
-      const int column = axes + 4 + static_cast<int>(m);
+      const int column = axes + 5 + static_cast<int>(m);
       if (!cells.isNull(column)) write(beginning + measures[m] + "," + exactText(cells.finite(column)) + "\n");
     }
   }
