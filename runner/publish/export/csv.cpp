@@ -11,6 +11,7 @@
 #include "files/text.h"
 #include "observation/measures.h"
 #include "study_store/study_tables.h"
+#include "values/measure_list.h"
 
 namespace morula {
 namespace {
@@ -188,9 +189,8 @@ Json CsvTable::columns(const Units& units) const {
   for (const auto& [name, meaning, unit] : columns_) {
     std::string words = name;
     std::ranges::replace(words, '_', ' ');
-    Json& column = all[name] = {{"meaning", meaning.empty() ? words : meaning}, {"unit", unit}};
-    const ShownUnit known = shownUnit(units, unit);
-    if (!unit.empty() && known.name != unit) column["known_unit"] = {{"name", known.name}, {"factor", known.factor}};
+    Json& column = all[name] = {{"meaning", meaning.empty() ? words : meaning}};
+    column.update(unitJson(units, unit));
   }
   return all;
 }

@@ -8,10 +8,17 @@
 
 namespace morula {
 
+namespace {
+
+/// Writes JSON in ASCII, since readers take it for that.
+std::string asciiText(const Json& json) { return jsonText(json, 2, JsonCharacters::ascii) + "\n"; }
+
+}  // namespace
+
 void ZarrFolder::group(const std::string& path, const Json& attributes) {
   const std::string folder = path.empty() ? "" : path + "/";
-  files_.emplace_back(folder + ".zgroup", jsonText({{"zarr_format", 2}}, 2) + "\n");
-  if (!attributes.empty()) files_.emplace_back(folder + ".zattrs", jsonText(attributes, 2) + "\n");
+  files_.emplace_back(folder + ".zgroup", asciiText({{"zarr_format", 2}}));
+  if (!attributes.empty()) files_.emplace_back(folder + ".zattrs", asciiText(attributes));
 }
 
 template <class Number>
@@ -41,7 +48,7 @@ void ZarrFolder::addArray(const std::string& path, const char* type, const std::
   for (std::size_t& length : chunk) length = std::max<std::size_t>(length, 1);
   const Json about{{"zarr_format", 2}, {"shape", shape},  {"chunks", chunk},    {"dtype", type},
                    {"order", "C"},     {"filters", filters}, {"compressor", nullptr}, {"fill_value", nullptr}};
-  files_.emplace_back(path + "/.zarray", jsonText(about, 2) + "\n");
+  files_.emplace_back(path + "/.zarray", asciiText(about));
   if (chunk != shape) return;  // no values, no chunk
   std::string name = "0";
   for (std::size_t axis = 1; axis < shape.size(); ++axis) name += ".0";
