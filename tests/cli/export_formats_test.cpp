@@ -144,9 +144,9 @@ TEST_CASE("tables have columns of names beside those of paths, and a description
     }
     CHECK(text.starts_with(header + "\r\n"));
   }
-  CHECK_THAT(readWhole(stored.folder / "tables/cells.csv"),
-             ContainsSubstring(",egg,,,0,1,divided,") && ContainsSubstring(",A,egg,zygote,1,") &&
-                 ContainsSubstring(",AA,A,left,2,"));
+  CHECK_THAT(readWhole(stored.folder / "tables/cells.csv"), ContainsSubstring(",egg,,,0,1,divided,") &&
+                                                                ContainsSubstring(",A,egg,zygote,1,") &&
+                                                                ContainsSubstring(",AA,A,left,2,"));
   CHECK_THAT(readWhole(stored.folder / "tables/contacts.csv"), ContainsSubstring(",1,A,left,B,,"));
   CHECK_THAT(readWhole(stored.folder / "tables/divisions.csv"), ContainsSubstring(",egg,zygote,1,"));
   const Json& volume = all["cell_samples"]["volume"];
@@ -282,7 +282,8 @@ TEST_CASE("a series of surfaces goes on after the last cell has died") {
       "morula: 1\nname: gone\ndna: |\n  START: a0\n  g1(die|a0)\nstop: {time: 1.5}\n"
       "physics: {mesh: {icosphere: 0}, drag: 2}\nrecord: {every: 0.5}\n");
   CHECK(stored.exported("ply", "series").code == 0);
-  CHECK(stored.files("series") == Words{"0000.ply", "0001.ply", "0002.ply", "cells.csv", "columns.json", "states.csv", "times.csv"});
+  CHECK(stored.files("series") ==
+        Words{"0000.ply", "0001.ply", "0002.ply", "cells.csv", "columns.json", "states.csv", "times.csv"});
   CHECK_THAT(readWhole(stored.folder / "series/0002.ply"), ContainsSubstring("element vertex 0\n"));
   CHECK(stored.exported("ply", "end.ply").code == 2);
 }

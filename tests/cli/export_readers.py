@@ -112,7 +112,7 @@ def check_csv():
             same(sorted(read[0]), sorted(columns + added), f"columns of {file}")
             for paths in set(names_beside) & set(columns):
                 at = read[0].index(paths)
-                expect(names_beside[paths] == "name" and "name" in columns or read[0][at + 1] == names_beside[paths], f"names beside paths in {file}")
+                expect(names_beside[paths] in columns or read[0][at + 1] == names_beside[paths], f"names beside {paths} in {file}")
             keep = [i for i, c in enumerate(read[0]) if c not in added]
             read = [[row[i] for i in keep] for row in read]
             same(read[0], columns, f"columns of {file}")

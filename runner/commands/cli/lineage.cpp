@@ -196,7 +196,11 @@ std::string line(const LineageEntry& cell, const Tree& tree, const Units& units)
 int tellLife(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const CellLife life = lifeOf(tree, scenario.names, options.cell);
-  printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"units", knownUnits(scenario.units)}, {"cell", lifeAsJson(life, tree)}},
+  printEither(options.output,
+              {{"scenario", tree.scenario},
+               {"time", tree.end},
+               {"units", knownUnits(scenario.units)},
+               {"cell", lifeAsJson(life, tree)}},
               lifeAsText(life, tree, scenario.units));
   return fine;
 }

@@ -64,7 +64,8 @@ void addCell(TableRow& row, const TableValue& run, const TableValue& path, const
 /// Returns a column as `tables` describe it. What is NULL there is empty here.
 CsvColumn described(const std::string& name, const SqlTable* table) {
   if (!namesBeside(name).empty())
-    return {name, "lineage path: egg, or A and B for each division" + std::string(name == "parent" ? "; empty of the egg" : "")};
+    return {name, "lineage path: egg, or A and B for each division" +
+                      std::string(name == "parent" ? "; empty of the egg" : "")};
   CsvColumn column{name, name == "run_id" ? "id of the run, as in runs" : ""};
   if (!table) return column;
   for (const auto* list : {&table->context, &table->own})
@@ -127,7 +128,8 @@ CsvColumn measureColumn(const std::string& asked) {
 }
 
 /// Returns the table `measure` with a row for each time and cell or pair, and a column for each measure.
-std::optional<CsvTable> wideMeasures(Store& store, const std::string& scope, const std::string& id, const Names& cells) {
+std::optional<CsvTable> wideMeasures(Store& store, const std::string& scope, const std::string& id,
+                                     const Names& cells) {
   const auto text = [](const TableValue& v) { return std::get<std::string>(v); };
   enum Column { run, time, scopeOf, name, a, b, value };  // columns of the table `measure`
   std::set<std::string> names;
@@ -139,7 +141,8 @@ std::optional<CsvTable> wideMeasures(Store& store, const std::string& scope, con
   std::vector<std::string> paths;
   if (scope == "cell") paths = {"path"};
   if (scope == "pair") paths = {"a", "b"};
-  for (const std::string& path : paths) columns.push_back(described(path, nullptr)), columns.push_back(nameColumn(path));
+  for (const std::string& path : paths)
+    columns.push_back(described(path, nullptr)), columns.push_back(nameColumn(path));
   for (const std::string& n : names) columns.push_back(measureColumn(n));
   CsvTable csv(std::move(columns));
 

@@ -281,7 +281,8 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
     requireWholeRecord(store, run);
     tellUnlessFine(store, run);
-    SurfaceRequest ask{request.noSurfaces ? Wanted::measures : format.wanted, request.time, false, request.execution, request.quiet};
+    SurfaceRequest ask{request.noSurfaces ? Wanted::measures : format.wanted, request.time, false, request.execution,
+                       request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
     const ExportedRun exported = exportedRun(store, run, ask);
     all.runs.push_back({run.id, to.write(format.files(exported, path, request))});

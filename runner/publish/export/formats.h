@@ -38,10 +38,10 @@ std::string formatCalled(const std::string& text);
 
 /// Writes the files; a folder appears only when it holds all of them. csv: a folder with the tables of all runs, or one
 /// table in a file that ends in .csv. Other formats, for one run: a file (tracks, newick, npz; ply and gltf if the name
-/// has their ending) or a folder (geff, vtk; ply and gltf: a file for each time). Beside tables of a folder stands
-/// columns.json, and FILE.columns.json beside FILE.csv: the meanings and units of their columns. For several runs: a folder that holds these for
-/// each, named by the run's id. Unfinished runs that lack the requested data are left out, with a remark on stderr; if
-/// none is left this is an error. Throws UsageError, FileError.
+/// has their ending) or a folder (geff, vtk; ply and gltf: a file for each time). Beside the tables of a folder stands
+/// columns.json, and FILE.columns.json beside FILE.csv: the meanings and units of their columns. For several runs: a
+/// folder that holds these for each, named by the run's id. Unfinished runs that lack the requested data are left out,
+/// with a remark on stderr; if none is left this is an error. Throws UsageError, FileError.
 Exported exportRuns(Store& store, const ExportRequest& request);
 
 }  // namespace morula

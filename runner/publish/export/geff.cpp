@@ -13,9 +13,9 @@ using Number = std::uint64_t;
 /// Returns the name of a unit in OME-Zarr, whose names GEFF recommends; other units keep theirs.
 std::string omeUnit(const std::string& unit) {
   static constexpr std::pair<const char*, const char*> names[] = {
-      {"µm", "micrometer"}, {"μm", "micrometer"}, {"um", "micrometer"}, {"nm", "nanometer"}, {"mm", "millimeter"},
-      {"cm", "centimeter"}, {"m", "meter"},       {"ms", "millisecond"}, {"s", "second"},    {"min", "minute"},
-      {"h", "hour"},        {"d", "day"}};
+      {"µm", "micrometer"}, {"μm", "micrometer"}, {"um", "micrometer"}, {"nm", "nanometer"},
+      {"mm", "millimeter"}, {"cm", "centimeter"}, {"m", "meter"},       {"ms", "millisecond"},
+      {"s", "second"},      {"min", "minute"},    {"h", "hour"},        {"d", "day"}};
   for (const auto& [name, ome] : names)
     if (unit == name) return ome;
   return unit;
@@ -70,7 +70,9 @@ class GraphWriter {
     else if (isWhole) addValues<std::int64_t, Number>(path, values);
     else addValues<double, double>(path, values);
     Json& about = properties_[field.name] = {{"identifier", field.name},
-                                             {"dtype", isText ? "str" : isWhole ? "uint64" : "float64"},
+                                             {"dtype", isText    ? "str"
+                                                       : isWhole ? "uint64"
+                                                                 : "float64"},
                                              {"varlength", false},
                                              {"description", field.meaning}};
     if (tracks_.units.any() && *field.unit) about["unit"] = omeUnit(shownUnit(tracks_.units, field.unit).name);
@@ -91,9 +93,12 @@ class GraphWriter {
 
   void addEdges() {
     std::vector<Number> ends;
-    const auto add = [&](int from, int to) { ends.insert(ends.end(), {static_cast<Number>(from), static_cast<Number>(to)}); };
+    const auto add = [&](int from, int to) {
+      ends.insert(ends.end(), {static_cast<Number>(from), static_cast<Number>(to)});
+    };
     for (const CellTrack& track : tracks_.tracks) {
-      if (track.parent >= 0) add(tracks_.tracks[static_cast<std::size_t>(track.parent)].spots.back(), track.spots.front());
+      if (track.parent >= 0)
+        add(tracks_.tracks[static_cast<std::size_t>(track.parent)].spots.back(), track.spots.front());
       for (std::size_t i = 1; i < track.spots.size(); ++i) add(track.spots[i - 1], track.spots[i]);
     }
     const std::size_t edges = ends.size() / 2;

@@ -6,7 +6,7 @@
 
 namespace morula {
 
-/// Returns the graph. A node is a spot, with its number as id and the properties of spotFields and `radius`, that of the
+/// Returns the graph. A node is a spot; its number is the id, its properties are spotFields and `radius`, that of the
 /// ball of its volume. An edge leads from a spot to the next one of its track, and from the last one of a cell to the
 /// first one of each daughter.
 ZarrFolder geffGraph(const ExportedRun& run, const Tracks& tracks);

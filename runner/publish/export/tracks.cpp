@@ -27,7 +27,8 @@ void tellUnseen(const ExportedRun& run, const std::vector<const LineageEntry*>& 
 }
 
 const SpotField fields[] = {
-    {"track_id", "number of the cell, from 1", "", [](auto&, auto& s) -> TableValue { return std::int64_t(s.track + 1); }},
+    {"track_id", "number of the cell, from 1", "",
+     [](auto&, auto& s) -> TableValue { return std::int64_t(s.track + 1); }},
     {"t", "time of the sample", "time", [](auto&, auto& s) -> TableValue { return s.time; }},
     {"z", "centroid of the cell along z", "length", [](auto&, auto& s) -> TableValue { return s.place.z; }},
     {"y", "centroid of the cell along y", "length", [](auto&, auto& s) -> TableValue { return s.place.y; }},
@@ -57,7 +58,8 @@ Tracks tracksOf(const ExportedRun& run, bool quiet) {
   std::vector<int> trackOf(lineage.size(), -1);
   for (const Sample& sample : run.results.samples)
     for (const CellMeasures& c : sample.cells)
-      if (const int cell = run.cellNumber(c.path); cell >= 0 && hasPlace(c)) trackOf[static_cast<std::size_t>(cell)] = 0;
+      if (const int cell = run.cellNumber(c.path); cell >= 0 && hasPlace(c))
+        trackOf[static_cast<std::size_t>(cell)] = 0;
   std::vector<const LineageEntry*> unseen;
   for (std::size_t i = 0; i < lineage.size(); ++i) {
     if (trackOf[i] < 0) {
@@ -69,7 +71,8 @@ Tracks tracksOf(const ExportedRun& run, bool quiet) {
     CellTrack& track = made.tracks.emplace_back(&lineage[i], name.starts_with('/') ? "" : name);
     for (CellPath path = lineage[i].path; !path.isEgg() && track.parent < 0;) {
       path = path.mother();  // mothers stand before their daughters
-      if (const int mother = run.cellNumber(path); mother >= 0) track.parent = trackOf[static_cast<std::size_t>(mother)];
+      if (const int mother = run.cellNumber(path); mother >= 0)
+        track.parent = trackOf[static_cast<std::size_t>(mother)];
     }
   }
   for (const Sample& sample : run.results.samples)

@@ -27,8 +27,8 @@ struct CellTrack {
 };
 
 struct Tracks {
-  std::vector<CellTrack> tracks;  // by path
-  std::vector<TrackedSpot> spots;        // by time, then track
+  std::vector<CellTrack> tracks;   // by path
+  std::vector<TrackedSpot> spots;  // by time, then track
   Units units;
 
   const CellTrack& trackOf(const TrackedSpot& spot) const { return tracks[spot.track]; }
@@ -36,8 +36,8 @@ struct Tracks {
 
 /// A number or text of each spot.
 struct SpotField {
-  const char *name, *meaning, *unit;                // unit: "length³", of the scene
-  TableValue (*of)(const Tracks&, const TrackedSpot&);     // a missing value: not measured
+  const char *name, *meaning, *unit;                    // unit: "length³", of the scene
+  TableValue (*of)(const Tracks&, const TrackedSpot&);  // a missing value: not measured
 };
 /// Returns the columns of a table of tracks: track_id, t, z, y, x, parent_track_id, name, path, volume and fate.
 std::span<const SpotField> spotFields();

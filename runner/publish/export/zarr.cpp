@@ -46,7 +46,7 @@ void ZarrFolder::addArray(const std::string& path, const char* type, const std::
                           const Json& filters, std::string bytes) {
   std::vector<std::size_t> chunk = shape;  // a length of 0 is no chunk's
   for (std::size_t& length : chunk) length = std::max<std::size_t>(length, 1);
-  const Json about{{"zarr_format", 2}, {"shape", shape},  {"chunks", chunk},    {"dtype", type},
+  const Json about{{"zarr_format", 2}, {"shape", shape},     {"chunks", chunk},       {"dtype", type},
                    {"order", "C"},     {"filters", filters}, {"compressor", nullptr}, {"fill_value", nullptr}};
   files_.emplace_back(path + "/.zarray", asciiText(about));
   if (chunk != shape) return;  // no values, no chunk

@@ -1,5 +1,5 @@
 #pragma once
-// Groups and arrays of Zarr's format 2: a folder of JSON and of arrays as bytes, which Python, Java and JavaScript read.
+// Groups and arrays of Zarr's format 2: a folder of JSON and of arrays as bytes, for Python, Java and JavaScript.
 // An array is one chunk, not compressed [https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html].
 #include <cstddef>
 #include <string>

@@ -181,8 +181,9 @@ PagePart studyPart(const std::string& database) {
                            {programWord() + " study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(shown);
   Downloads downloads;
-  for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
-                               Downloads::File{"comparison.json", "application/json", jsonText(toJson(c, shown.units), 1)}})
+  for (Downloads::File file :
+       {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
+        Downloads::File{"comparison.json", "application/json", jsonText(toJson(c, shown.units), 1)}})
     if (file.bytes.size() <= 1'000'000) downloads.files.push_back(std::move(file));
   body.add(std::move(downloads));
   part.sections.push_back({"comparison",

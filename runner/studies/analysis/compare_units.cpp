@@ -54,7 +54,8 @@ StudyComparison inUnits(StudyComparison c, const Units& units) {
 std::string unitsInWords(const StudyComparison& c) {
   std::string words = c.units.length;
   if (!c.units.time.empty()) words += (words.empty() ? "" : " and ") + c.units.time;
-  return words.empty() ? "" : "Numbers with lengths or times in them are in " + words + "; the tables' headings name units.";
+  return words.empty() ? ""
+                       : "Numbers with lengths or times in them are in " + words + "; the tables' headings name units.";
 }
 
 Json unitsJson(const StudyComparison& c, const Units& known) {

@@ -122,7 +122,7 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
 StudyComparison inUnits(StudyComparison comparison, const Units& units);
 /// Returns the sentence that names the known units of its numbers; "" for the scene's own.
 std::string unitsInWords(const StudyComparison& comparison);
-/// Returns {"clone_radius": {"unit": "length", "known_unit": {"name": "µm", "factor": 27}}, …} for its measures and time.
+/// Returns {"clone_radius": {"unit": "length", "known_unit": {"name": "µm", "factor": 27}}, …} for measures and time.
 Json unitsJson(const StudyComparison& comparison, const Units& known);
 
 /// Returns sentences. First, for each axis and measure: whether the axis matters, how much and between which levels; at

@@ -54,11 +54,12 @@ void writeTidy(const std::filesystem::path& file, TidyRows rows, const std::func
   for (const std::string& name : measures) units.push_back("," + unitOfMeasure("cell." + name) + "\n");
   for (const std::string& name : measures) columns += ", cell_sample." + sqlName(name);
   write(header + "seed,time,cell,name,substances,measure,value,unit\n");
-  Statement cells(db, "SELECT " + labels +
-                          "replicate.seed, cell_sample.time, iif(path = '', 'egg', path), cell.name, cell_sample.state" +
-                          columns + runsOfConditions +
-                          "cell_sample USING (run_id) LEFT JOIN cell USING (run_id, path) WHERE task.status = 'done' "
-                          "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
+  Statement cells(
+      db, "SELECT " + labels +
+              "replicate.seed, cell_sample.time, iif(path = '', 'egg', path), cell.name, cell_sample.state" + columns +
+              runsOfConditions +
+              "cell_sample USING (run_id) LEFT JOIN cell USING (run_id, path) WHERE task.status = 'done' "
+              "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
   for (cells.start(); cells.next();) {
     std::string beginning = beginningOf(cells, axes) + cells.line(axes + 2) + ",";
     if (!cells.isNull(axes + 3)) beginning += csvField(cells.line(axes + 3));
