@@ -192,8 +192,7 @@ def check_tables(name):
 
 
 export("known", scene.format(name="known") + known_names_and_units)
-knexport("own", scene.format(name="own"))
-own = stored_spots("known", 27, 4)
+known = stored_spots("known", 27, 4)
 same({s["fate"] for s in known}, {"divided", "died", "alive"}, "every fate")
 expect(len({s["path"] for s in known}) >= 9, "nine cells")
 columns = check_table("known", known)
