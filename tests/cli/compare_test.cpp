@@ -69,13 +69,13 @@ TEST_CASE("compare --tidy prints one value a row, with the labels of all axes") 
   const std::string file = folder / "study.db";
   writePolicies(file);
   const auto runs = succeeds({"compare", file, "--tidy", "runs"});
-  CHECK(runs.out.starts_with("division,seed,time,measure,value\nlongest,1,"));
+  CHECK(runs.out.starts_with("division,seed,time,measure,value,unit\nlongest,1,"));
   const json answer = jsonOf({"compare", file});
   std::ptrdiff_t values = 0;
   for (const json& condition : answer.at("conditions")) values += condition.at("n").get<std::ptrdiff_t>();
   CHECK(std::ranges::count(runs.out, '\n') == 1 + values);
   CHECK(launch({"compare", file, "--tidy", "cells"})
-            .out.starts_with("division,seed,time,cell,substances,measure,value\n"));
+            .out.starts_with("division,seed,time,cell,name,substances,measure,value,unit\n"));
 }
 
 TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {

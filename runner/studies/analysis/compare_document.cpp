@@ -48,7 +48,7 @@ Document header(const StudyComparison& c) {
 
 /// Makes a table with a row for each condition, and at most eight of the times.
 Table meansOverTime(const StudyComparison& c, const std::vector<TimeCourse>& courses) {
-  Table table{"Means over time", {"time"}};
+  Table table{"Means over time", {timeLabel(c.units)}};
   for (const TimeCourse& course : courses) {
     const std::size_t count = course.points.size(), columns = std::min(count, maxTimes);
     std::vector<Cell> row{c.results.nameOf(c.results.conditions[course.condition])};
@@ -83,6 +83,7 @@ Document describe(const StudyComparison& c) {
   Document text = header(c);
   if (const auto verdicts = verdictsOf(c); !verdicts.empty())
     text.heading("Findings of the study").add(PlainList{{verdicts.begin(), verdicts.end()}});
+  if (const std::string units = unitsInWords(c); !units.empty()) text.say(units);
   return text.add(comparedTables(c));
 }
 
@@ -94,7 +95,7 @@ Document comparedTables(const StudyComparison& c) {
   for (const std::size_t m : c.measures) {
     const auto conditions = ofMeasure(c.conditions, m);
     if (std::ranges::all_of(conditions, [](const ConditionSummary& s) { return s.values.empty(); })) continue;
-    const std::string name = c.measureName(m), unit = unitOfMeasure(name);
+    const std::string name = c.measureName(m), unit = shownUnit(c.units, unitOfMeasure(name)).name;
     add(name + (unit.empty() ? "" : " [" + unit + "]"), conditionTable(c, conditions));
     const auto pairs = ofMeasure(c.pairs, m);
     const auto by = [&](std::size_t axis) { return name + " by " + c.results.axes[axis].name; };
@@ -113,7 +114,7 @@ Document comparedTables(const StudyComparison& c) {
   return text;
 }
 
-Json toJson(const StudyComparison& c) {
+Json toJson(const StudyComparison& c, const Units& known) {
   const StudyResults& r = c.results;
   Json by = Json::array(), seedless = Json::array(), effects = Json::array(), courses = Json::array();
   for (const std::size_t a : c.by) by.push_back(r.axes[a].name);
@@ -129,6 +130,7 @@ Json toJson(const StudyComparison& c) {
                        {"points", jsonOf(courseTable(c, course))}});
   return {{"study", r.name},
           {"by", by},
+          {"units", unitsJson(c, known)},
           {"troubles", troublesOf(r)},
           {"unfinished", unfinished(r)},
           {"seeds_change_nothing", seedless},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
 
@@ -37,6 +38,7 @@ std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;
   std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& row) { return c.measureName(row.measure); }},
+      {{"", "unit", ""}, [&](const Row& row) { return unitOfMeasure(c.measureName(row.measure)); }},
       {{"labels", "", ""}, [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
   for (std::size_t a = 0; a < r.axes.size(); ++a)
     fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name},
@@ -99,6 +101,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
   };
   std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& p) { return c.measureName(p.measure); }},
+      {{"", "unit", ""}, [&](const Row& p) { return unitOfMeasure(c.measureName(p.measure)); }},
       {{"axis", "by", ""}, [&](const Row& p) { return axisOf(p).name; }},
       {{"a", "a", ""}, [&](const Row& p) { return axisOf(p).labels[p.a]; }},
       {{"b", "b", ""}, [&](const Row& p) { return axisOf(p).labels[p.b]; }},
@@ -222,7 +225,9 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
 
 Table courseTable(const StudyComparison& c, const TimeCourse& of) {
   using Row = TimeCourse::Point;
-  std::vector<FieldOf<Row>> fields{{{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
+  std::vector<FieldOf<Row>> fields{
+      {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
+      {{"", "unit", ""}, [&](const Row&) { return unitOfMeasure(c.measureName(of.measure)); }}};
   for (std::size_t a = 0; a < c.results.axes.size(); ++a)
     fields.push_back({{"", "axis:" + c.results.axes[a].name, ""}, [&, a](const Row&) {
                         return c.results.axes[a].labels[c.results.conditions[of.condition].levels[a]];

@@ -110,12 +110,20 @@ struct StudyComparison {
   /// of their own.
   std::vector<PairComparison> split;
   std::vector<TimeCourse> courses;  // courses of measures that were taken at several times
+  Units units = {};                 // of its numbers; without names: the scene's own
 
   const std::string& measureName(std::size_t m) const { return results.measures[m]; }
 };
 
 /// Throws UsageError for axes, measures and margins that the study does not have.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
+
+/// Returns a comparison with its numbers, which are in the scene's own units, in those that people know.
+StudyComparison inUnits(StudyComparison comparison, const Units& units);
+/// Returns the sentence that names the known units of its numbers; "" for the scene's own.
+std::string unitsInWords(const StudyComparison& comparison);
+/// Returns {"clone_radius": {"unit": "length", "known_unit": {"name": "µm", "factor": 27}}, …} for measures and time.
+Json unitsJson(const StudyComparison& comparison, const Units& known);
 
 /// Returns sentences. First, for each axis and measure: whether the axis matters, how much and between which levels; at
 /// each level of another axis if the two interact. Then, by measure and pair, what differs, what is equivalent and what
@@ -127,8 +135,8 @@ std::vector<std::string> troublesOf(const StudyResults& results);
 /// Describe a comparison for people: as a whole, and its tables alone.
 Document describe(const StudyComparison& comparison);
 Document comparedTables(const StudyComparison& comparison);
-/// Writes a comparison for `compare --json`.
-Json toJson(const StudyComparison& comparison);
+/// Writes a comparison for `compare --json`. `known`: the units that people know; the numbers stay the scene's.
+Json toJson(const StudyComparison& comparison, const Units& known = {});
 /// Returns one table of rows of several kinds (value, condition, pair, effect, course), named in the first column.
 /// Fields are quoted as RFC 4180 says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
