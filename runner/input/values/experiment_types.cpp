@@ -124,7 +124,9 @@ class EntryReader {
     ContactParameters* const contact = mechanics && mechanics->contact ? &*mechanics->contact : nullptr;
     const std::string other = name.ends_with(".ratio") ? name.substr(0, name.rfind('.')) : name + ".ratio";
     const ChangeableParameter* const instead = changeableParameter(other);
-    const auto isThere = [&](const ChangeableParameter* row) { return mechanics && row->of(mechanics->physics, contact); };
+    const auto isThere = [&](const ChangeableParameter* row) {
+      return mechanics && row->of(mechanics->physics, contact);
+    };
     if (isThere(changeableParameter(name))) return;
     if (instead && isThere(instead))
       say(member.place, member.key,
