@@ -85,8 +85,8 @@ struct SanityMeasure {
 /// along all three axes (measureSelfOverlap). Adhesion is measured for the pair law, which alone has an energy, from
 /// the last snapshot.
 ///
-/// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to three time
-/// steps.
+/// Cost: each vertex a few times, and once more for each neighbour; 22 time steps at the end of thesis/elegans-128 (128
+/// cells), of which four are for folds and self-overlap.
 std::vector<SanityMeasure> measureSanity(const World& world);
 
 /// Returns the measure `overlap` alone; absent with fewer than two cells, or where numbers are not finite.
