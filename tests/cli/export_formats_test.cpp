@@ -126,7 +126,7 @@ TEST_CASE("tracks, graphs and arrays without surfaces come from stored samples, 
   CHECK(columns["t"]["unit"] == "time");
   // A table is written only where its description can be written, too.
   fs::remove(stored.folder / "run.csv");
-  refuses(stored.exported("tracks", "run.csv"), 6, "run.columns.json is there already");
+  refuses(stored.exported("tracks", "run.csv"), 6, "run.columns.json' is there already");
   CHECK(!fs::exists(stored.folder / "run.csv"));
 }
 
