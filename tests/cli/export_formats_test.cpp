@@ -126,14 +126,15 @@ TEST_CASE("tracks, graphs and arrays without surfaces come from stored samples, 
   CHECK(columns["t"]["unit"] == "time");
   // A table is written only where its description can be written, too.
   fs::remove(stored.folder / "run.csv");
-  refuses(stored.exported("tracks", "run.csv"), 6, "run.columns.json is there already");
+  refuses(stored.exported("tracks", "run.csv"), 6, "run.columns.json' is there already");
   CHECK(!fs::exists(stored.folder / "run.csv"));
 }
 
 TEST_CASE("tables have columns of names beside those of paths, and a description of all columns") {
-  const StoredRun stored(bodies + "names: {egg: zygote, cells: {A: left}}\nunits: {time: min, per-time: 4}\n");
+  const StoredRun stored(bodies +
+                         "connections: {}\nnames: {egg: zygote, cells: {A: left}}\nunits: {time: min, per-time: 4}\n");
   REQUIRE(stored.exported("csv", "tables").code == 0);
-  const Json all = Json::parse(readWhole(stored.folder / "tables/columns.json"));
+  const auto all = nlohmann::ordered_json::parse(readWhole(stored.folder / "tables/columns.json"));
   for (const auto& file : stored.files("tables")) {
     if (!file.ends_with(".csv")) continue;
     const std::string text = readWhole(stored.folder / "tables/" + file);
@@ -147,12 +148,12 @@ TEST_CASE("tables have columns of names beside those of paths, and a description
   CHECK_THAT(readWhole(stored.folder / "tables/cells.csv"), ContainsSubstring(",egg,,,0,1,divided,") &&
                                                                 ContainsSubstring(",A,egg,zygote,1,") &&
                                                                 ContainsSubstring(",AA,A,left,2,"));
-  CHECK_THAT(readWhole(stored.folder / "tables/contacts.csv"), ContainsSubstring(",1,A,left,B,,"));
+  CHECK_THAT(readWhole(stored.folder / "tables/connections.csv"), ContainsSubstring(",0,A,left,B,,1,"));
   CHECK_THAT(readWhole(stored.folder / "tables/divisions.csv"), ContainsSubstring(",egg,zygote,1,"));
-  const Json& volume = all["cell_samples"]["volume"];
+  const auto& volume = all["cell_samples"]["volume"];
   CHECK(volume["unit"] == "length³");
   CHECK(!volume.contains("known_unit"));
-  CHECK(all["cells"]["born"]["known_unit"] == Json{{"name", "min"}, {"factor", 4}});
+  CHECK(all["cells"]["born"]["known_unit"].dump() == R"({"name":"min","factor":4.0})");
 }
 
 TEST_CASE("cells that no sample holds are told, and their daughters' tracks come from the last ancestor with one") {

@@ -119,7 +119,8 @@ TEST_CASE("a run's own table of tracks gives its lineage again, and lies where t
   const auto lives = [&](const std::string& database, bool named) {
     std::string text;
     Database db = opened(folder / database);
-    Statement row(db, "SELECT path, born, ended, fate, ifnull(name, path) FROM cell ORDER BY path");
+    Statement row(
+        db, "SELECT path, CAST(born AS TEXT), CAST(ended AS TEXT), fate, ifnull(name, path) FROM cell ORDER BY path");
     while (row.next())
       for (int i = 0; i < (named ? 5 : 4); ++i) text += (row.isNull(i) ? "-" : row.text(i)) + (i < 4 ? " " : "\n");
     return text;
@@ -146,8 +147,7 @@ TEST_CASE("the command at the head of a shipped embryo makes its files again fro
   command.replace(command.find("morula"), 6, "\"$MORULA\"");
   writeWhole(folder / (std::string(stem) + ".csv"), readWhole(from + stem + ".csv"));
   writeWhole(folder / "again.sh", "cd '" + folder.path() + "' &&" + command + "\n");
-  REQUIRE(std::system(
-              ("MORULA='" MORULA_PROGRAM "' sh '" + (folder / "again.sh") + "' 2>/dev/null").c_str()) == 0);
+  REQUIRE(std::system(("MORULA='" MORULA_PROGRAM "' sh '" + (folder / "again.sh") + "' 2>/dev/null").c_str()) == 0);
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     const std::string name = std::filesystem::relative(entry.path(), folder.path()).string();

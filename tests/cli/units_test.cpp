@@ -83,6 +83,9 @@ TEST_CASE("a study's findings for people are in the known units of its scenario,
                  ContainsSubstring(",length\n") && !ContainsSubstring("µm"));
   const std::string csv = succeeds({"compare", to, "--csv"}).out;
   CHECK_THAT(csv.substr(0, csv.find('\n')), ContainsSubstring(",unit"));
+  succeeds({"export", to + "/study.db", "--format", "csv", "--table", "results", "-o", folder / "results.csv"});
+  CHECK_THAT(readWhole(folder / "results.csv"),
+             ContainsSubstring("run_id,measure,time,value,unit\r\n") && ContainsSubstring(",length\r\n"));
   succeeds({"report", to + "/study.db", "-o", folder / "page.html"});
   CHECK_THAT(readWhole(folder / "page.html"), ContainsSubstring("extent [µm]"));
 }

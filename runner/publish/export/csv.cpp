@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
 #include "observation/measures.h"
@@ -93,8 +94,10 @@ CsvTable plainTable(Store& store, const SqlTable& table, const std::string& id, 
     header.push_back(described(column, &table));
     if (isNamed(column)) header.push_back(nameColumn(column));
   }
+  const bool isResult = std::string_view(table.info.name) == "result";  // each row has a measure of its own
+  if (isResult) header.push_back({"unit", "of the value, the scene's; empty of a pure number"});
   CsvTable csv(std::move(header));
-  const std::size_t run = placeOf(columns, "run_id");
+  const std::size_t run = placeOf(columns, "run_id"), measure = placeOf(columns, "measure");
   store.eachRow(table.info.name, id, [&](const TableRow& row) {
     TableRow whole;
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -107,6 +110,10 @@ CsvTable plainTable(Store& store, const SqlTable& table, const std::string& id, 
       } else {
         whole.push_back(row[i]);
       }
+    }
+    if (isResult) {
+      const std::string unit = unitOfMeasure(std::get<std::string>(row[measure]));
+      whole.push_back(unit.empty() ? TableValue() : TableValue(unit));
     }
     csv.add(whole);
   });

@@ -177,7 +177,7 @@ class Destination {
   std::vector<fs::path> write(const Files& files) {
     if (isFolder_ && !draft_) draft_.emplace(output_);
     if (!draft_)
-      for (const NewFile& f : files) requireNewFile(f.path);
+      for (const NewFile& f : files) requireAbsent(f.path);
     std::vector<fs::path> names;
     for (const NewFile& f : files) {
       const fs::path path = draft_ ? draft_->path() / f.path.lexically_relative(output_) : f.path;
@@ -229,7 +229,6 @@ Files tableFiles(Store& store, const ExportRequest& request, const std::string& 
 
 Exported exportTables(Store& store, const ExportRequest& request) {
   if (request.noComments) throw UsageError("--no-comments: only --format newick has comments; leave it out");
-  if (request.noSurfaces) throw UsageError("--no-surfaces: csv has no surfaces; leave it out");
   if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   if (id.empty()) store.requireAllIntact();  // also finds rows that belong to no run; checks each run
@@ -254,9 +253,6 @@ std::string whyNot(const StoredRun& run, const Format& format) {
 Exported exportEach(Store& store, const ExportRequest& request, const Format& format) {
   if (request.noComments && std::string_view(format.name) != "newick")
     throw UsageError("--no-comments: only --format newick has comments; leave it out");
-  const bool isNpz = std::string_view(format.name) == "npz";
-  if (request.noSurfaces && !isNpz)
-    throw UsageError("--no-surfaces: only --format npz has surfaces that may be left out; leave it out");
   if (request.time && format.wanted == Wanted::tree)
     throw UsageError(std::string("--time: ") + format.name + " has no times; leave --time out");
   if (request.time && format.wanted == Wanted::measures)
@@ -310,6 +306,8 @@ std::string formatCalled(const std::string& text) {
 }
 
 Exported exportRuns(Store& store, const ExportRequest& request) {
+  if (request.noSurfaces && request.format != "npz")
+    throw UsageError("--no-surfaces: only --format npz has surfaces that may be left out; leave it out");
   if (request.format == csv) return exportTables(store, request);
   if (!request.table.empty()) throw UsageError("--table: only --format csv has tables; leave it out");
   for (const Format& f : formats)
