@@ -12,9 +12,10 @@ namespace morula {
 
 struct AccuracyReport;
 
-/// Stated errors at worst are the largest measured ones times this factor, since between the times of comparison errors
-/// are larger. With it, dense tests are covered in 19 of 20 scenes (tests/unit/accuracy/dense_test.cpp).
-inline constexpr double worstMargin = 1.5;
+/// Stated errors at worst are the largest measured ones times this factor, since errors are larger between the times of
+/// comparison, and against other meshes. With 1.5 dense tests are covered in 17 of 20 scenes, with 2 in all of them
+/// (tests/unit/accuracy/dense_test.cpp).
+inline constexpr double worstMargin = 2;
 
 struct StatedErrors {
   std::vector<GoldenError> errors;       // one for each quantity; empty: none can be stated

@@ -83,7 +83,7 @@ TEST_CASE("What a golden states is told with its units; what it does not, with t
   const std::string text = textOf(statedErrors(golden));
   for (const char* part : {"position [radii of the egg]", "0.00012", "0.0012", "0.003", "1.25", "not known",
                            "mesh: none is finer", "clone_radius", "half-step", "-0.0041", "one path", "no spread",
-                           "At rest: the median", "At worst: 1.5 times"})
+                           "At rest: the median", "At worst: 2 times"})
     CHECK_THAT(text, ContainsSubstring(part));
   CHECK_THAT(text, !ContainsSubstring(oldErrorNote));
   const std::string all = statedErrorsAsMarkdown({golden});
