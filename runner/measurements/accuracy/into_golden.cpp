@@ -155,6 +155,14 @@ Document statedErrors(const Golden& golden) {
 
 namespace {
 
+/// Returns "0.05 (0.04 to 0.06)", or why there is no interval.
+std::string statisticText(const GoldenStatistic& s) {
+  const std::string difference = numberText(s.difference, 2);
+  if (s.runs == 1) return difference + " (one path)";
+  if (s.low == s.high) return difference + " (every run)";
+  return fmt::format("{} ({} to {})", difference, numberText(s.low, 2), numberText(s.high, 2));
+}
+
 /// Returns a table with a row for each measure of each golden, and a column for each compared setting.
 std::string statisticsAsMarkdown(const std::vector<Golden>& goldens) {
   using Row = std::pair<const Golden*, std::string>;  // golden and measure
@@ -170,16 +178,16 @@ std::string statisticsAsMarkdown(const std::vector<Golden>& goldens) {
   for (const std::string& against : settings)
     fields.push_back({against, [=](const Row& row) {
                         for (const GoldenStatistic& s : row.first->statistics)
-                          if (s.measure == row.second && s.against == against)
-                            return fmt::format("{} ({} to {})", numberText(s.difference, 2), numberText(s.low, 2),
-                                               numberText(s.high, 2));
+                          if (s.measure == row.second && s.against == against) return statisticText(s);
                         return std::string();
                       }});
   return "\n## At the end, over many runs\n\n"
          "Where chaos sets in before the end, means over runs are compared whose eggs begin a millionth of a radius apart:\n"
          "the mean with the scenario's own settings less that with others, and its 95 % interval. An interval that holds 0\n"
-         "shows no error; of twenty intervals one misses the true difference by chance. They are written by `morula study\n"
-         "compare --into-golden` from studies in [scenarios/policies](../scenarios/policies/README.md).\n\n" +
+         "shows no error; of twenty intervals one misses the true difference by chance. Where nothing lets the runs part,\n"
+         "they are one path, whose difference has no interval; nor has a difference that is the same in every run. They are\n"
+         "written by `morula study compare --into-golden` from studies in\n"
+         "[scenarios/policies](../scenarios/policies/README.md).\n\n" +
          markdownOf(tableOf("Statistics", fields, rows));
 }
 

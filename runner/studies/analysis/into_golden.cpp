@@ -16,17 +16,21 @@
 namespace morula {
 namespace {
 
+/// Returns the number of runs that say something: runs on one path are one.
+std::size_t runsOf(const PairComparison& p) { return p.known == Known::onePath ? 1 : p.of.size(); }
+
 /// Rounds to three digits, as goldens state statistics: they are measured, not results.
 double threeDigits(double a) { return std::stod(fmt::format("{:.2e}", a)); }
 
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
-    if (p.axis != axis || p.a != 0 || !p.isOfMean() || p.known != Known::estimated) continue;
-    const double same = p.paired.difference;  // under every seed, if there is no interval
+    if (p.axis != axis || p.a != 0 || !p.isOfMean()) continue;
+    if (p.known != Known::estimated && p.known != Known::onePath) continue;
+    const double same = p.paired.difference;  // under every seed, or on one path, if there is no interval
     const Interval range = p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
-                          threeDigits(range.low), threeDigits(range.high), p.of.size()});
+                          threeDigits(range.low), threeDigits(range.high), runsOf(p)});
   }
   return statistics;
 }

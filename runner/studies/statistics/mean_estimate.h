@@ -1,8 +1,8 @@
 #pragma once
 // The estimate of a mean from a sample, with intervals and one-sided tests that suit the sample's shape.
 //
-// A plain sample has Student's. With t = (mean − μ) / e, e the standard error, t follows Student's distribution of n − 1
-// degrees of freedom.
+// A plain sample has Student's. With t = (mean − μ) / e, e the standard error, t follows Student's distribution of n −
+// 1 degrees of freedom.
 //
 // A skewed sample has a t whose quantiles lie farther out on the side of the long tail. By the Edgeworth series of t to
 // first order, the quantile q becomes

@@ -15,19 +15,19 @@ double mean(std::span<const double> values);
 double variance(std::span<const double> values);
 
 /// Returns the interval of the mean that suits the sample's shape (sample_shape.h): Student's, unless values are skewed
-/// or form two groups. For normal values its coverage is the level, 0.95 for 95 %, for any n; for others see coverage.h.
-/// Absent for fewer than two values, and for equal values: these do not tell how far the next may lie.
+/// or form two groups. For normal values its coverage is the level, 0.95 for 95 %, for any n; for others see
+/// coverage.h. Absent for fewer than two values, and for equal values: these do not tell how far the next may lie.
 std::optional<Interval> intervalOfMean(std::span<const double> values, double level = 0.95);
 
 /// The difference of two means, with its uncertainty.
 struct MeanDifference {
   double difference = 0;  // mean of a − mean of b
   double standardError = 0, degreesOfFreedom = 0;
-  double t = 0;                        // difference / standardError; ±∞ if nothing varies and the means differ
-  double p = 1;                        // two-sided; at least smallestP
-  double smallestP = 0;    // if values repeat or form two groups: smallest p of an exact test of as many (sign_flip.h)
-  ShapedSample sample{};   // shape of the differences of pairs; plain if samples are unpaired
-  std::size_t pairs = 0;   // 0 if samples are unpaired
+  double t = 0;           // difference / standardError; ±∞ if nothing varies and the means differ
+  double p = 1;           // two-sided; at least smallestP
+  double smallestP = 0;   // if values repeat or form two groups: smallest p of an exact test of as many (sign_flip.h)
+  ShapedSample sample{};  // shape of the differences of pairs; plain if samples are unpaired
+  std::size_t pairs = 0;  // 0 if samples are unpaired
   std::optional<Interval> interval{};  // at 95 %, by mean_estimate.h; absent if nothing varies
 
   MeanEstimate estimate() const;

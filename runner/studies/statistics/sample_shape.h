@@ -1,7 +1,7 @@
 #pragma once
-// What a sample shows of the distribution of its values. Student's interval of a mean takes values to vary alike on both
-// sides of it. From few values of a skewed distribution, or of one with two groups, the interval holds the mean less
-// often than it says (coverage.h).
+// The shape of a sample: what it shows of the distribution of its values. Student's interval of a mean takes values to
+// vary alike on both sides of it. From few values of a skewed distribution, or of one with two groups, the interval
+// holds the mean less often than it says (coverage.h).
 #include <cstddef>
 #include <span>
 
@@ -18,10 +18,10 @@ inline constexpr auto choices<SampleShape> = std::to_array<Choice<SampleShape>>(
 
 /// The values below and above the widest gap between neighbouring values.
 struct TwoGroups {
-  double low = 0, high = 0;              // mean of each group
+  double low = 0, high = 0;  // mean of each group
   std::size_t countLow = 0, countHigh = 0;
-  double squares = 0;                    // sum of squared deviations from the means of the groups
-  bool repeats = false;                  // each group has one value but for rounding
+  double squares = 0;    // sum of squared deviations from the means of the groups
+  bool repeats = false;  // each group has one value but for rounding
   std::size_t count() const { return countLow + countHigh; }
   double gap() const { return high - low; }
 };

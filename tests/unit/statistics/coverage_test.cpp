@@ -30,6 +30,11 @@ const std::array<Distribution, 4> distributions{{
     {"one in ten", [](Numbers& r) { return (r.unit() < 0.1) + 0.02 * r.farNormal(); }, 0.1, &Coverage::oneInTen},
 }};
 
+MeanEstimate estimateOf(const std::vector<double>& values, bool isDifference) {
+  const double n = double(values.size());
+  return {mean(values), std::sqrt(variance(values) / n), n - 1, values.size(), shapeOf(values), isDifference};
+}
+
 /// How many of many samples have a shape that is told, and how many intervals hold the mean.
 struct Counts {
   int all = 0, held = 0, told = 0, toldAndHeld = 0;
@@ -38,9 +43,8 @@ struct Counts {
     for (std::uint64_t s = 0; s < studies; ++s) {
       Numbers numbers(21'000'000 + 10'000 * n + s);
       const auto values = sample(n, [&] { return of.draw(numbers); });
-      const std::vector<double> none(n, 0.);
-      const auto interval = isDifference ? comparePaired(values, none).interval : intervalOfMean(values);
-      const bool holds = interval && interval->low <= of.mean && of.mean <= interval->high;
+      const Interval interval = intervalOf(estimateOf(values, isDifference), 0.95);
+      const bool holds = interval.low <= of.mean && of.mean <= interval.high;
       const bool isTold = shapeOf(values).shape != SampleShape::plain;
       ++all, held += holds, told += isTold, toldAndHeld += isTold && holds;
     }
@@ -56,11 +60,6 @@ void checkDual(const MeanEstimate& e) {
     CHECK(i.low < e.mean);
     CHECK(e.mean < i.high);
   }
-}
-
-MeanEstimate estimateOf(const std::vector<double>& values, bool isDifference) {
-  const double n = double(values.size());
-  return {mean(values), std::sqrt(variance(values) / n), n - 1, values.size(), shapeOf(values), isDifference};
 }
 
 }  // namespace
@@ -108,7 +107,8 @@ TEST_CASE("The coverage said is that of the largest tabled number that is not ab
 
 TEST_CASE("Skewed samples and samples of two groups are told, those of normal values in 7 of 100 at most") {
   CHECK(shapeOf(std::vector<double>{1, 2, 3, 4, 20}).shape == SampleShape::skewed);
-  CHECK(shapeOf(std::vector<double>{-1, -2, -3, -4, -20}).skewness == Approx(-shapeOf(std::vector<double>{1, 2, 3, 4, 20}).skewness));
+  CHECK(shapeOf(std::vector<double>{-1, -2, -3, -4, -20}).skewness ==
+        Approx(-shapeOf(std::vector<double>{1, 2, 3, 4, 20}).skewness));
   CHECK(shapeOf(std::vector<double>{1, 2, 3, 4, 5}).shape == SampleShape::plain);
   const auto two = shapeOf(std::vector<double>{1.01, 2, 0.99, 1, 2.01, 1.02});
   CHECK(two.shape == SampleShape::twoGroups);
@@ -159,7 +159,7 @@ TEST_CASE("Differences of which most are 0 have an interval that allows for oppo
   CHECK(few.p == signFlipP(some));
   CHECK(few.interval->low < 0);
   CHECK(few.interval->high == Approx(intervalOfShare(4, 10, 0.95).high));
-  // As means of a condition they are shares of runs.
+  // The values of a condition are shares of runs.
   CHECK(intervalOfMean(some)->low == Approx(intervalOfShare(4, 10, 0.95).low));
   CHECK(intervalOfShare(0, 10, 0.95).high == Approx(1 - std::pow(0.025, 0.1)));
   CHECK(intervalOfShare(0, 10, 0.95).low == 0);
