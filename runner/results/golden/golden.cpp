@@ -158,7 +158,7 @@ std::optional<GoldenStatistic> readStatistic(std::string_view line) {
   const auto difference = readReal(words[5]), low = readReal(words[7]), high = readReal(words[9]);
   const auto runs = readNatural(words[11]);
   if (words[1].empty() || words[3].empty() || !difference || !low || !high || !(*low <= *high)) return std::nullopt;
-  if (!runs || *runs < 2) return std::nullopt;
+  if (!runs || *runs < 1 || (*runs == 1 && *low < *high)) return std::nullopt;  // one run has no interval
   return GoldenStatistic{words[1], words[3], *difference, *low, *high, *runs};
 }
 

@@ -79,7 +79,8 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compare
 TEST_CASE("statistics of the end are kept in their order, and sealed") {
   Golden golden = exampleGolden();
   golden.statistics = {{"clone_radius", "half-step", -0.0012, -0.0041, 0.0017, 8},
-                       {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20}};
+                       {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20},
+                       {"neighbours", "half-step", -0.5, -0.5, -0.5, 1}};
   const std::string text = writeGolden(golden);
   const std::string line = "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8";
   CHECK(text.find("\n" + line + "\n") != text.npos);
