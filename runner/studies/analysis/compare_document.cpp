@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/compare_parts.h"
 #include "analysis/compare_tables.h"
@@ -26,6 +27,14 @@ std::vector<PairComparison> ofAxis(std::vector<PairComparison> pairs, std::size_
   return pairs;
 }
 
+/// Returns "thread, own: 10 runs that are one run".
+std::string onePathText(const StudyResults& r, std::size_t condition) {
+  std::set<std::size_t> runs;
+  for (const std::size_t t : r.conditions[condition].tasks)
+    if (r.isDone(t)) runs.insert(t);
+  return fmt::format("{}: {} runs that are one run", r.nameOf(r.conditions[condition]), runs.size());
+}
+
 Document header(const StudyComparison& c) {
   const StudyResults& r = c.results;
   const auto done = std::ranges::count(r.tasks, TaskStatus::done, &ResultTask::status);
@@ -43,6 +52,11 @@ Document header(const StudyComparison& c) {
   for (const std::size_t i : c.seedless) seedless.list.push_back(r.nameOf(r.conditions[i]));
   if (!seedless.list.empty())
     text.say("conditions that seeds do not change have one run and no interval").add(std::move(seedless));
+  PlainList onePaths;
+  for (const std::size_t i : c.onePaths) onePaths.list.push_back(onePathText(r, i));
+  if (!onePaths.list.empty())
+    text.say("one path: the runs of these conditions differ by less than a millionth, so they have no interval")
+        .add(std::move(onePaths));
   return text;
 }
 
@@ -116,9 +130,11 @@ Document comparedTables(const StudyComparison& c) {
 
 Json toJson(const StudyComparison& c, const Units& known) {
   const StudyResults& r = c.results;
-  Json by = Json::array(), seedless = Json::array(), effects = Json::array(), courses = Json::array();
+  Json by = Json::array(), seedless = Json::array(), onePaths = Json::array(), effects = Json::array(),
+       courses = Json::array();
   for (const std::size_t a : c.by) by.push_back(r.axes[a].name);
   for (const std::size_t i : c.seedless) seedless.push_back(labelsOf(r, r.conditions[i].levels));
+  for (const std::size_t i : c.onePaths) onePaths.push_back(labelsOf(r, r.conditions[i].levels));
   for (const MeasureEffects& e : c.effects)
     effects.push_back({{"measure", c.measureName(e.measure)},
                        {"seeds", e.seeds},
@@ -134,6 +150,7 @@ Json toJson(const StudyComparison& c, const Units& known) {
           {"troubles", troublesOf(r)},
           {"unfinished", unfinished(r)},
           {"seeds_change_nothing", seedless},
+          {"one_path", onePaths},
           {"verdicts", verdictsOf(c)},
           {"conditions", jsonOf(conditionTable(c, c.conditions))},
           {"pairs", jsonOf(pairTable(c, c.pairs))},

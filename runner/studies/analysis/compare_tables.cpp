@@ -13,6 +13,9 @@ Cell bound(const std::optional<Interval>& i, double Interval::*end, int digits =
   return number(i ? std::optional((*i).*end) : std::nullopt, digits);
 }
 
+/// Returns the shape of a sample; people read only what is not plain.
+Cell shapeCell(SampleShape shape) { return Cell(nameOf(shape), shape == SampleShape::plain ? "" : nameOf(shape)); }
+
 /// Returns "0.42 to 0.44".
 Words rangeOf(const std::optional<Interval>& i) {
   return i ? numberText(i->low, 4) + " to " + numberText(i->high, 4) : std::string();
@@ -81,7 +84,9 @@ Table conditionTable(const StudyComparison& c, const std::vector<ConditionSummar
       {{"mean", "value", "mean"}, [](const Row& s) { return s.values.empty() ? exact({}) : number(s.mean); }},
       {{"low", "low", ""}, [](const Row& s) { return bound(s.interval, &Interval::low); }},
       {{"high", "high", ""}, [](const Row& s) { return bound(s.interval, &Interval::high); }},
-      {{"", "", "95 % interval"}, [](const Row& s) { return Cell({}, rangeOf(s.interval)); }},
+      {{"", "", "95 % interval"}, [](const Row& s) { return Cell({}, s.onePath ? "one path" : rangeOf(s.interval)); }},
+      {{"shape", "shape", "shape"}, [](const Row& s) { return shapeCell(s.shape); }},
+      {{"one_path", "", ""}, [](const Row& s) { return exact(s.onePath); }},
       {{"seeds", "", ""}, [](const Row& s) { return exact(s.seeds); }},
       {{"values", "", "values"},
        [](const Row& s) {
@@ -116,7 +121,11 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"low", "low", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::low); }},
       {{"high", "high", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::high); }},
       {{"", "", "95 % interval"},
-       [](const Row& p) { return Cell({}, p.known == Known::exact ? "exact" : rangeOf(p.paired.interval)); }},
+       [](const Row& p) {
+         const bool isNamed = p.known == Known::exact || p.known == Known::onePath;
+         return Cell({}, isNamed ? nameOf(p.known) : rangeOf(p.paired.interval));
+       }},
+      {{"shape", "shape", "shape"}, [](const Row& p) { return shapeCell(p.paired.sample.shape); }},
       {{"p", "p", "p"}, [=](const Row& p) { return ifEstimated(p, p.paired.p, 2); }},
       {{"p_holm", "p_holm", "Holm"}, [](const Row& p) { return number(p.corrected, 2); }},
       {{"effect", "effect", "d" + Words("z", Emphasis::subscript)},

@@ -41,9 +41,10 @@ bool staysOnePath(const StudyComparison& c, const PairComparison& pair) {
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
-    if (p.axis != axis || p.a != 0 || !p.isOfMean() || p.known != Known::estimated) continue;
-    const bool onePath = staysOnePath(c, p);
-    const double same = p.paired.difference;  // under every seed, if there is no interval
+    if (p.axis != axis || p.a != 0 || !p.isOfMean()) continue;
+    if (p.known != Known::estimated && p.known != Known::onePath) continue;
+    const bool onePath = p.known == Known::onePath || staysOnePath(c, p);
+    const double same = p.paired.difference;  // under every seed, or on one path, if there is no interval
     const Interval range = onePath ? Interval{same, same} : p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
                           threeDigits(range.low), threeDigits(range.high), p.of.size(), onePath});
