@@ -73,8 +73,8 @@ class CellContext {
   virtual std::optional<ShellPlace> placeInShell() const { return {}; }
   /// Returns the cell's largest over its second largest extent [1], as the measure elongation; 1 for a ball.
   virtual double elongation() const { return 1; }
-  /// Returns the share [1] of the edges of the cell's surface at which it turns by more than 90°, as the measure folded;
-  /// 0 for a ball.
+  /// Returns the share [1] of the edges of the cell's surface at which it turns by more than 90°, as the measure
+  /// folded; 0 for a ball.
   virtual double foldedShare() const { return 0; }
   /// Returns the share [1] of the edges of the cell's membrane that are compressed, as the measure compressed; 0 for a
   /// ball.

@@ -27,8 +27,8 @@ EdgeCount countCompressed(const Observation& now, const ObservedCell& cell);
 EdgeCount sumOverCells(const Observation& now, EdgeCount (*count)(const Observation&, const ObservedCell&));
 
 /// Returns the share [1] of the space that a cell's surface winds around in which it does so more than once or inside
-/// out, by 24 × 24 lines along each axis (measureSelfOverlap). 0 at little cost for cells that are star-shaped about the
-/// mean of their vertices, which cannot cut through themselves, and for a ball.
+/// out, by 24 × 24 lines along each axis (measureSelfOverlap). 0 at little cost for cells that are star-shaped about
+/// the mean of their vertices, which cannot cut through themselves, and for a ball.
 double measureSelfOverlap(const BodyShape& shape);
 
 }  // namespace morula

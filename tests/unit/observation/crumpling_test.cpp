@@ -110,7 +110,8 @@ TEST_CASE("The shares of all cells count every edge once, also where cells have 
   small.meshLevel = 1;
   const World world = worldOf(scene, {crumpled, small});
   const double edges[2] = {480, 120};
-  for (const auto& [whole, single] : {std::pair("folded_edges", "folded"), std::pair("compressed_edges", "compressed")}) {
+  for (const auto& [whole, single] :
+       {std::pair("folded_edges", "folded"), std::pair("compressed_edges", "compressed")}) {
     const double first = ofCell(world, single, 0), second = ofCell(world, single, 1);
     CHECK(first > 0);
     CHECK(first != second);
