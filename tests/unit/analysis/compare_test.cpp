@@ -468,7 +468,7 @@ TEST_CASE("Other output says the same numbers") {
   const std::string csv = toCsv(c);
   CHECK(std::ranges::count(csv, '\n') == 1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
   CHECK(csv.starts_with(
-      "kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,high,shape,p,p_holm,"
+      "kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,unit,value,low,high,shape,p,p_holm,"
       "effect,g,higher,lower,unpaired_low,unpaired_high,interval_ratio,margin,p_equivalent_holm,equivalent\n"));
 }
 
