@@ -21,7 +21,7 @@ struct RunDistance {
   std::optional<double> error() const;
 };
 
-/// What limits a comparison of runs.
+/// The limits of a comparison of runs.
 struct ComparisonLimits {
   double before = INFINITY;              // [time] only earlier times are compared
   std::span<const SceneEvent> events{};  // events near which no time is quiet
