@@ -8,7 +8,7 @@
 namespace morula {
 namespace {
 
-constexpr int quietSteps = 10;  // min number of steps between an event and a quiet time
+constexpr int quietSteps = 10;                                 // min number of steps between an event and a quiet time
 constexpr int stepsAfter[] = {1, 4, 10, 2, 3, 5, 6, 7, 8, 9};  // the first three after every event
 constexpr std::size_t maxTimesAfterEvents = 100;
 

@@ -55,7 +55,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   const RunDistance fine = toFinest.back();
   bool isQuiet = std::ranges::all_of(toFinest, [](const RunDistance& d) { return d.atRest.has_value(); });
   toFinest.emplace_back().atRest.emplace();  // the finest has no distance from itself
-  RunDistance coarse;       // distance from the third level to the second
+  RunDistance coarse;                        // distance from the third level to the second
   error.orderIsObserved = solved.size() > 2;
   if (error.orderIsObserved)
     coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius, limits);

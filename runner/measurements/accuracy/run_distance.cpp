@@ -129,7 +129,8 @@ RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRa
   }
   std::vector<const Moment*> all, quiet;
   for (Moment& m : moments) {
-    m.error.pressure = over(m.error.pressure, pressureScale), m.error.contactArea = over(m.error.contactArea, areaScale);
+    m.error.pressure = over(m.error.pressure, pressureScale),
+    m.error.contactArea = over(m.error.contactArea, areaScale);
     all.push_back(&m);
     if (m.isQuiet) quiet.push_back(&m);
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "accuracy/stated_errors.h"
 #include "accuracy/state_error.h"
+#include "accuracy/stated_errors.h"
 #include "base/number_text.h"
 
 namespace morula {
@@ -123,10 +123,11 @@ Document describeErrors(const std::vector<GoldenError>& errors) {
   };
   return Document()
       .add(tableOf("Errors of these settings", fields, errors))
-      .note("Each is that of the cell with the largest error. At rest: the median over the times of comparison without a "
-            "birth, a death or a first contact within 10 steps. At worst: " +
-            numberText(worstMargin) +
-            " times the largest over all times of comparison. Later no path is left to be compared.");
+      .note(
+          "Each is that of the cell with the largest error. At rest: the median over the times of comparison without a "
+          "birth, a death or a first contact within 10 steps. At worst: " +
+          numberText(worstMargin) +
+          " times the largest over all times of comparison. Later no path is left to be compared.");
 }
 
 Document describeStated(const StatedErrors& stated) {
@@ -185,8 +186,8 @@ std::string statedErrorsAsMarkdown(std::vector<Golden> goldens) {
       "scene, before\nchaos sets in, or before the first event that differs (other cells, a division across another plane)."
       "\n\n";
   if (someOld)
-    text += "Where none is stated at rest, " + std::string(oldErrorNote) + "; the factor is not in it, and errors between\n" +
-            "these times are larger.\n\n";
+    text += "Where none is stated at rest, " + std::string(oldErrorNote) +
+            "; the factor is not in it, and errors between\n" + "these times are larger.\n\n";
   return text + errorsAsMarkdown(goldens, false) + statisticsAsMarkdown(goldens);
 }
 

@@ -146,8 +146,8 @@ void addItems(const std::vector<GoldenItem>& items, std::string& text) {
 
 std::string write(const GoldenStatistic& s) {
   const std::string interval = s.onePath ? "one-path" : "low " + exactText(s.low) + " high " + exactText(s.high);
-  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) + ' ' + interval +
-         " runs " + std::to_string(s.runs);
+  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) + ' ' +
+         interval + " runs " + std::to_string(s.runs);
 }
 
 std::optional<GoldenStatistic> readStatistic(std::string_view line) {

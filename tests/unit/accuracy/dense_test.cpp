@@ -40,7 +40,8 @@ std::string meeting(const std::string& speed, const std::string& aside) {
 
 const std::vector<DenseScene> denseScenes{
     {"swinging", soft + "  drag: 4\n", still + "stop: {time: 1}\n"},
-    {"ringing", soft + "  drag: 0.5\n", still + "stop: {time: 2}\ncells:\n  - {at: [0, 0, 0], stretch: [1.2, 1, 0.8]}\n"},
+    {"ringing", soft + "  drag: 0.5\n",
+     still + "stop: {time: 2}\ncells:\n  - {at: [0, 0, 0], stretch: [1.2, 1, 0.8]}\n"},
     {"meeting", soft + "  contact: {}\n", meeting("1", "0")},
     {"meeting-fast", soft + "  contact: {}\n", meeting("3", "0")},
     {"grazing", soft + "  contact: {}\n", meeting("1.5", "1.2")},
@@ -59,11 +60,12 @@ const std::vector<DenseScene> denseScenes{
              "  - {at: [2.2, 0, 0.2], velocity: [-2, 0, 0]}\n"},
     {"cleaving", growing + "  shell: {sphere: 1}\n  contact: {}\n  drag: 20\n",
      cleaving + "cycle: {length: 0.5}\nstop: {time: 1.25}\n"},
-    {"cleaving-alternating", growing + "  shell: {ellipsoid: [1.1, 1.1, 0.83], fill: 0.75}\n  contact: {}\n  drag: 20\n",
+    {"cleaving-alternating",
+     growing + "  shell: {ellipsoid: [1.1, 1.1, 0.83], fill: 0.75}\n  contact: {}\n  drag: 20\n",
      cleaving + "cycle: {length: 0.5}\nstop: {time: 1.25}\ndivision: {plane: {alternating: [1, 0, 0]}}\n"},
-    {"cleaving-free", growing + "  contact: {}\n  drag: 8\n",
-     cleaving + "cycle: {length: 0.5}\nstop: {time: 0.95}\n"},
-    {"cleaving-twice", growing + "  time_step: 0.001953125\n  shell: {ellipsoid: [1.2, 1, 0.96]}\n  contact: {}\n  drag: 40\n",
+    {"cleaving-free", growing + "  contact: {}\n  drag: 8\n", cleaving + "cycle: {length: 0.5}\nstop: {time: 0.95}\n"},
+    {"cleaving-twice",
+     growing + "  time_step: 0.001953125\n  shell: {ellipsoid: [1.2, 1, 0.96]}\n  contact: {}\n  drag: 40\n",
      cleaving + "cycle: {length: 0.25}\nstop: {time: 0.7}\n"},
     {"cleaving-bound", growing + "  contact: {}\n  drag: 10\n",
      cleaving + "cycle: {length: 0.5}\nstop: {time: 0.95}\nconnections: {make: at-division, strength: 0.5}\n"},
@@ -110,8 +112,7 @@ StateError findLargest(const ReadScenario& read, const Setting& setting, const S
               few = runTrial(read, finer, times, {}, 1);
   INFO(one.failure << other.failure);
   REQUIRE((one.failure.empty() && other.failure.empty()));
-  StateError error =
-      compareRuns(one, other, read({}).scene.mechanics->physics.cell.radius, {.at = times}).worst;
+  StateError error = compareRuns(one, other, read({}).scene.mechanics->physics.cell.radius, {.at = times}).worst;
   const Scale whole = scaleOf(other), part = scaleOf(few);
   error.pressure *= part.pressure / whole.pressure;
   if (whole.area > 0 && part.area > 0) error.contactArea *= part.area / whole.area;
@@ -122,7 +123,9 @@ StateError findLargest(const ReadScenario& read, const Setting& setting, const S
 struct Coverage {
   std::string scene;
   std::vector<double> ratios;
-  bool isCovered() const { return std::ranges::all_of(ratios, [](double ratio) { return ratio >= 1; }); }
+  bool isCovered() const {
+    return std::ranges::all_of(ratios, [](double ratio) { return ratio >= 1; });
+  }
 };
 
 Coverage cover(const DenseScene& scene) {

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "accuracy/stated_errors.h"
 #include "accuracy/state_error.h"
+#include "accuracy/stated_errors.h"
 #include "catch.h"
 #include "files/read_file.h"
 
@@ -81,9 +81,9 @@ TEST_CASE("What a golden states is told with its units; what it does not, with t
                        {"clone_radius", "single", 0.25, 0.25, 0.25, 8, true},
                        {"neighbours", "single", -0.5, -0.5, -0.5, 8}};
   const std::string text = textOf(statedErrors(golden));
-  for (const char* part : {"position [radii of the egg]", "0.00012", "0.0012", "0.003", "1.25", "not known",
-                           "mesh: none is finer", "clone_radius", "half-step", "-0.0041", "one path", "no spread",
-                           "At rest: the median", "At worst: 2 times"})
+  for (const char* part :
+       {"position [radii of the egg]", "0.00012", "0.0012", "0.003", "1.25", "not known", "mesh: none is finer",
+        "clone_radius", "half-step", "-0.0041", "one path", "no spread", "At rest: the median", "At worst: 2 times"})
     CHECK_THAT(text, ContainsSubstring(part));
   CHECK_THAT(text, !ContainsSubstring(oldErrorNote));
   const std::string all = statedErrorsAsMarkdown({golden});

@@ -66,10 +66,10 @@ TEST_CASE("the errors of a scenario's settings are kept, and sealed; they are co
   CHECK(again.data.items.size() == exampleGolden().data.items.size());
   CHECK(compareGolden(again, observed).passed());
   const auto replaced = [&](const std::string& by) { return with(text, line, by); };
-  for (const char* other : {"error position 2.7e-05 0.00028 1.6875 0.0013 0.013 1.5",
-                            "error position 2.8e-05 0.00028 1.6875 0.0013 0.014 1.5",
-                            "error position 2.8e-05 0.00028 1.6875 - - -",
-                            "error surface 2.8e-05 0.00028 1.6875 0.0013 0.013 1.5"})
+  for (const char* other :
+       {"error position 2.7e-05 0.00028 1.6875 0.0013 0.013 1.5",
+        "error position 2.8e-05 0.00028 1.6875 0.0013 0.014 1.5", "error position 2.8e-05 0.00028 1.6875 - - -",
+        "error surface 2.8e-05 0.00028 1.6875 0.0013 0.013 1.5"})
     complains(replaced(other), 0, "edited");
   complains(replaced("error position 1 2 3"), 0, "the line is cut short; mesh_rest is expected");
   complains(replaced("error position x 2 3 4 5 6"), 0, "rest: 'x'");
@@ -78,9 +78,11 @@ TEST_CASE("the errors of a scenario's settings are kept, and sealed; they are co
   CHECK(readGolden(writeGolden(exampleGolden()), "x.golden").stated.empty());
 }
 
-TEST_CASE("old form: errors with one number for the time step and one for the mesh are read, and written as they stand") {
+TEST_CASE(
+    "old form: errors with one number for the time step and one for the mesh are read, and written as they stand") {
   Golden golden = exampleGolden();
-  golden.stated = {OldGoldenError{"position", 2.8e-4, 1.6875, 0.013, 1.5}, OldGoldenError{"volume", 1e-3, 1.6875, {}, {}}};
+  golden.stated = {OldGoldenError{"position", 2.8e-4, 1.6875, 0.013, 1.5},
+                   OldGoldenError{"volume", 1e-3, 1.6875, {}, {}}};
   const std::string text = writeGolden(golden), line = "error position 0.00028 1.6875 0.013 1.5";
   CHECK(text.find("\n# error quantity time until mesh mesh_until\n" + line + "\nerror volume 0.001 1.6875 - -\n") !=
         text.npos);
@@ -124,7 +126,8 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
     complains(replaced(other), 0, "edited");
   complains(with(text, onePath, "statistic clone_radius against single difference 0.5 low 0.5 high 0.5 runs 10"), 0,
             "edited");
-  for (const char* broken : {"statistic clone_radius", "statistic clone_radius against a difference 1 path runs 8", "statistic clone_radius against a difference 1 low 2 high 3",
+  for (const char* broken : {"statistic clone_radius", "statistic clone_radius against a difference 1 path runs 8",
+                             "statistic clone_radius against a difference 1 low 2 high 3",
                              "statistic clone_radius against a difference 1 low 2 high 1 runs 8",
                              "statistic clone_radius against a difference x low 0 high 1 runs 8",
                              "statistic clone_radius against a difference 1 low 0 high 1 runs 1",

@@ -45,8 +45,10 @@ Json output() {
                       .witnessLeft = {1e-7, 2},
                       .distance = 1e-7,
                       .agrees = true};
-  report.rows = {row(MeasuredEngine::morula, "velocity-verlet", 0.25, 0.05, 1), row(MeasuredEngine::morula, "rk4", 0.25, 0.0005, 2),
-                 row(MeasuredEngine::bulletB1, "bullet b1", 0.125, 0.04, 3), row(MeasuredEngine::bulletB1, "bullet b1", 0.0625, 0.03, 6)};
+  report.rows = {row(MeasuredEngine::morula, "velocity-verlet", 0.25, 0.05, 1),
+                 row(MeasuredEngine::morula, "rk4", 0.25, 0.0005, 2),
+                 row(MeasuredEngine::bulletB1, "bullet b1", 0.125, 0.04, 3),
+                 row(MeasuredEngine::bulletB1, "bullet b1", 0.0625, 0.03, 6)};
   report.stated.errors = {{"position", 0.0004, 0.075, 1, {}, 0.015, 1}};
   report.stated.unstated = {{"mesh", {"a <reason>"}}};
   report.stated.times = 70, report.stated.quietTimes = 31, report.stated.events = 2;
