@@ -20,30 +20,12 @@ namespace {
 /// Rounds to three digits, as goldens state statistics: they are measured, not results.
 double threeDigits(double a) { return std::stod(fmt::format("{:.2e}", a)); }
 
-constexpr double onePathSpread = 1e-9;  // max spread, relative to the values, of runs that stay one path
-
-/// Returns true if disturbed runs give one value, or none.
-bool isOneValue(const std::vector<double>& values) {
-  if (values.empty()) return true;
-  const auto [low, high] = std::ranges::minmax(values);
-  return high - low <= onePathSpread * std::max(std::abs(low), std::abs(high));
-}
-
-/// Returns true if disturbed runs stay one path under both levels of the pair, in every measure: one measure alone may
-/// be a number of cells, which different paths share.
-bool staysOnePath(const StudyComparison& c, const PairComparison& pair) {
-  return std::ranges::all_of(c.pairs, [&](const PairComparison& p) {
-    const bool isOther = p.axis != pair.axis || p.a != pair.a || p.b != pair.b || p.at != pair.at;
-    return isOther || (isOneValue(p.of) && isOneValue(p.against));
-  });
-}
-
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
     if (p.axis != axis || p.a != 0 || !p.isOfMean()) continue;
     if (p.known != Known::estimated && p.known != Known::onePath) continue;
-    const bool onePath = p.known == Known::onePath || staysOnePath(c, p);
+    const bool onePath = p.known == Known::onePath;
     const double same = p.paired.difference;  // under every seed, or on one path, if there is no interval
     const Interval range = onePath ? Interval{same, same} : p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
