@@ -79,7 +79,8 @@ def suited(values, level, is_difference):
         return ends if repeat else (min(low, ends[0]), max(high, ends[1]))
     if is_skewed(values):
         skewness, q = stats.skew(values, bias=False), (high - centre) / error
-        more = abs(skewness) * (1 + 2 * q * q) / (6 * math.sqrt(n)) * error
+        at = min(q, stats.t.ppf(0.975, n - 1))
+        more = abs(skewness) * (1 + 2 * at * at) / (6 * math.sqrt(n)) * error
         return (low, high + more) if skewness > 0 else (low - more, high)
     return low, high
 
