@@ -8,19 +8,28 @@
 namespace morula {
 namespace {
 
-/// Returns γ / (6 √n), and 0 or above.
-double stretchOf(const MeanEstimate& e) {
-  return std::abs(e.sample.skewness) / (6 * std::sqrt(static_cast<double>(e.n)));
-}
+/// The quantiles of t on the side of the long tail: q + c (1 + 2 q²) with c = |γ| / (6 √n), and q + c (1 + 2 m²) beyond
+/// the quantile m of a 95 % interval.
+struct Tail {
+  double c, most;  // most: m
 
-/// Returns the q of a t on the side of the long tail: the root of 2 c q² + q + c − t = 0, with c = γ / (6 √n) above 0.
-double quantileOf(double t, double c) { return (std::sqrt(1 + 8 * c * std::max(t - c, 0.0)) - 1) / (4 * c); }
+  explicit Tail(const MeanEstimate& e)
+      : c(std::abs(e.sample.skewness) / (6 * std::sqrt(static_cast<double>(e.n)))),
+        most(studentQuantile(0.975, e.degreesOfFreedom)) {}
+
+  double of(double q) const { return q + c * (1 + 2 * std::min(q, most) * std::min(q, most)); }
+  /// Returns the q of t ≥ 0: up to m the root of 2 c q² + q + c − t = 0.
+  double quantileOf(double t) const {
+    if (t > of(most)) return most + t - of(most);
+    return (std::sqrt(1 + 8 * c * std::max(t - c, 0.0)) - 1) / (4 * c);
+  }
+};
 
 Interval hull(const Interval& a, const Interval& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
 Interval skewedInterval(const MeanEstimate& e, double level) {
   const double q = studentQuantile(0.5 + 0.5 * level, e.degreesOfFreedom);
-  const double far = q + stretchOf(e) * (1 + 2 * q * q);
+  const double far = Tail(e).of(q);
   const bool isTailHigh = e.sample.skewness > 0;
   return {e.mean - (isTailHigh ? q : far) * e.standardError, e.mean + (isTailHigh ? far : q) * e.standardError};
 }
@@ -59,7 +68,7 @@ double chance(const MeanEstimate& e, double value, bool above) {
     case SampleShape::plain: break;
     case SampleShape::skewed: {
       const bool isTail = above ? e.sample.skewness < 0 : e.sample.skewness > 0;  // `value` lies on its side
-      return isTail && t > 0 ? studentAbove(quantileOf(t, stretchOf(e)), e.degreesOfFreedom) : plain;
+      return isTail && t > 0 ? studentAbove(Tail(e).quantileOf(t), e.degreesOfFreedom) : plain;
     }
     case SampleShape::twoGroups: return t > 0 ? chanceByIntervals(e, value, above) : plain;
   }

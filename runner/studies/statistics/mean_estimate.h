@@ -10,7 +10,8 @@
 //   t = q + γ (1 + 2 q²) / (6 √n),   γ the skewness of the values
 //
 // [Johnson 1978; Hall 1988]. The end of the interval on the side of the long tail moves out so far; the other, which
-// would move in, stays. The p-value of t is that of its q.
+// would move in, stays. The p-value of t is that of its q. Beyond the quantile of a 95 % interval the series is no good
+// approximation, and the distance t − q stays what it is there.
 //
 // Two groups: with the means a < b of the groups, μ = a + (b − a) π for the share π of the upper group among all runs,
 // whose interval is exact [Clopper & Pearson 1934]. The variation within groups adds Student's half width of the mean

@@ -70,11 +70,6 @@ MeanDifference comparePaired(std::span<const double> a, std::span<const double> 
   MeanDifference result = test(spread == 0 ? d.front() : mean(d), std::sqrt(spread / n), n - 1);
   result.pairs = d.size(), result.sample = shapeOf(d);
   result.interval = intervalOf(result, 0.95);
-  if (result.sample.shape == SampleShape::skewed) {
-    const auto estimate = result.estimate();
-    result.p = std::max(result.p, 2 * (result.t > 0 ? chanceAbove(estimate, 0) : chanceBelow(estimate, 0)));
-    result.p = std::min(result.p, 1.0);
-  }
   if (result.sample.shape != SampleShape::twoGroups && !repeats(d)) return result;
   result.smallestP = smallestSignFlipP(d.size());
   result.p = std::max(result.p, signFlipP(d));

@@ -36,9 +36,9 @@ struct MeanDifference {
 /// Returns the interval of the difference at another level.
 std::optional<Interval> intervalOf(const MeanDifference& d, double level);
 
-/// Compares pairs (a[i], b[i]), two at least, by Student's t of their differences. If differences are skewed, p is at
-/// least that of the corrected t (mean_estimate.h). If they repeat or form two groups, it is at least that of the exact
-/// test (sign_flip.h).
+/// Compares pairs (a[i], b[i]), two at least, by Student's t of their differences. If differences repeat or form two
+/// groups, p is at least that of the exact test (sign_flip.h). That differences are skewed does not change p: without any
+/// effect both sides of a pair may be exchanged, and differences are symmetric.
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b);
 
 /// Compares two samples of two values at least, whose variances may differ [Welch 1947]. If neither varies, p is that
