@@ -73,6 +73,12 @@ class CellContext {
   virtual std::optional<ShellPlace> placeInShell() const { return {}; }
   /// Returns the cell's largest over its second largest extent [1], as the measure elongation; 1 for a ball.
   virtual double elongation() const { return 1; }
+  /// Returns the share [1] of the edges of the cell's surface at which it turns by more than 90°, as the measure
+  /// folded; 0 for a ball.
+  virtual double foldedShare() const { return 0; }
+  /// Returns the share [1] of the edges of the cell's membrane that are compressed, as the measure compressed; 0 for a
+  /// ball.
+  virtual double compressedShare() const { return 0; }
   /// Returns the cell's volume at rest over the egg's [1], as divisions and growth have made it.
   virtual double size() const { return 1; }
   /// Returns the cell's size [1] at birth, or at the start. Known only where cells divide by what they have gained

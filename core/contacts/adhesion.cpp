@@ -132,7 +132,8 @@ void findCrowding(Contacts& c, const Bodies& b, int threads) {
     double areas[blockLanes];
     for (int lane = 0; lane < blockLanes; ++lane)  // any area will do for lanes without a cell, which have no pairs
       areas[lane] = lane < b.liveLanes(block) ? restAreaOfVertex(c, b, block * blockLanes + lane) : 1;
-    c.kernels->findCrowding(slices, lists.indices.data(), c.rows.data(), constants, areas, c.adhesion.saturation.data());
+    c.kernels->findCrowding(slices, lists.indices.data(), c.rows.data(), constants, areas,
+                            c.adhesion.saturation.data());
   });
 }
 

@@ -41,7 +41,7 @@ struct ContactConstants {
   double strongestGrip;                  // [force·time/length] max force of viscosity per slip speed
   double timeStep;                       // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
   std::int32_t vertices;                 // number of rows, and the number of the far row behind them
-  // Of scenes with adhesion, else null (adhesion.h)
+  // The next three are null without adhesion (adhesion.h).
   const double *adhesion, *adhesionPerWork;  // [as indices] T [energy] of each pair, and T for W = 1
   const double* saturation;                  // [vertex][2] ½ s [1] and q [force/length]; not for spheres
 };

@@ -5,7 +5,7 @@
 
 namespace morula::MORULA_ISA {
 
-/// What a pair needs of its vertices: half of s, and q.
+/// The numbers of a vertex that its pairs need: half of s, and q.
 struct Saturation {
   Lanes half, turn;
 };
@@ -45,7 +45,8 @@ inline void findCrowding(const BlockSlices& block, const std::int32_t* indices, 
         density += load(c.adhesionPerWork + (index - indices)) * near;
       }
       Real area[width];
-      for (int l = 0; l < width; ++l) area[l] = static_cast<Real>(areas[static_cast<std::uint32_t>(vertex[l]) % blockLanes]);
+      for (int l = 0; l < width; ++l)
+        area[l] = static_cast<Real>(areas[static_cast<std::uint32_t>(vertex[l]) % blockLanes]);
       const Lanes inverse = 1.0 / load(area);
       const Lanes crowded = max((1.0 / 6) * (density * inverse), Lanes(1.0));  // ρ, at least 1: below it s is 1, s' 0
       const Lanes left = 1.0 - min(perRoom * (crowded - 1.0), 1.0), square = left * left, per = 1.0 / crowded;

@@ -39,12 +39,10 @@ EdgeFaces findFlatEdges(Points vertices, Faces faces) {
   return edges;
 }
 
-double measureFoldedShare(Points vertices, Faces faces, const EdgeFaces& edges) {
+int countFolded(Points vertices, Faces faces, const EdgeFaces& edges) {
   const std::vector<Vector> normals = normalsOf(vertices, faces);
-  const auto folded = std::count_if(edges.begin(), edges.end(), [&](const std::array<int, 2>& edge) {
-    return dot(normals[edge[0]], normals[edge[1]]) < 0;
-  });
-  return edges.empty() ? 0 : static_cast<double>(folded) / static_cast<double>(edges.size());
+  return static_cast<int>(std::ranges::count_if(
+      edges, [&](const std::array<int, 2>& edge) { return dot(normals[edge[0]], normals[edge[1]]) < 0; }));
 }
 
 }  // namespace morula

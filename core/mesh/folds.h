@@ -15,8 +15,8 @@ EdgeFaces findEdgeFaces(Faces faces);
 /// findEdgeFaces without the edges at which the given mesh already folds over: the sharp rim of a lens is no fold.
 EdgeFaces findFlatEdges(Points vertices, Faces faces);
 
-/// Returns the share [1] of these edges at which the surface turns by more than 90°: the normals of both faces point
-/// away from each other. An edge of a face without area is not folded.
-double measureFoldedShare(Points vertices, Faces faces, const EdgeFaces& edges);
+/// Returns the number of these edges at which the surface turns by more than 90°: the normals of both faces point away
+/// from each other. An edge of a face without area is not folded.
+int countFolded(Points vertices, Faces faces, const EdgeFaces& edges);
 
 }  // namespace morula

@@ -7,6 +7,7 @@
 #include "division/principal_axis.h"
 #include "mesh/mesh_measures.h"
 #include "observation/body_measures.h"
+#include "observation/crumpling.h"
 #include "observation/measures.h"
 
 namespace morula {
@@ -65,6 +66,20 @@ constexpr CellMeasure ofCell[] = {
     {.name = "inverted", .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
      .taken = Taken::onDemand,
      .get = [](Cell cell) -> Value { return measureInvertedShare(shapeOf(cell)); }},
+    {.name = "folded",
+     .meaning = "Share of the edges of its surface at which it folds over: the normals of both faces are more than 90° "
+                "apart (dihedral angle), and not so in its mesh at rest; 0 for a ball",
+     .taken = Taken::onDemand,
+     .get = [](Cell cell) -> Value { return cell.foldedShare(); }},
+    {.name = "compressed",
+     .meaning = "Share of the edges of its membrane under compression: below 0.98 of their rest length; 0 for a ball",
+     .taken = Taken::onDemand,
+     .get = [](Cell cell) -> Value { return cell.compressedShare(); }},
+    {.name = "self_overlap",
+     .meaning = "Share of its volume in which it lies in itself: its surface winds around it more than once, or inside "
+                "out; by 24 × 24 scan lines along each axis, to about 0.001; 0 for a ball",
+     .taken = Taken::onDemand,
+     .get = [](Cell cell) -> Value { return measureSelfOverlap(shapeOf(cell)); }},
     {.name = "extent_1", .unit = "length",
      .meaning = "Its largest extent: root mean square distance of its vertices from their mean along the first principal "
                 "axis; radius/√3 for a ball",

@@ -3,6 +3,7 @@
 
 #include "contacts/contacts.h"
 #include "observation/body_measures.h"
+#include "observation/crumpling.h"
 #include "observation/energy.h"
 #include "observation/measures.h"
 #include "observation/organism_measures.h"
@@ -107,6 +108,14 @@ constexpr WorldMeasure ofWorld[] = {
                 "the mean over the cells, by 256 × 256 scan lines",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now), now.world.contacts.get()); }},
+    {.name = "folded_edges",
+     .meaning = "Share of the edges of all cells' surfaces at which these fold over, as folded of a cell",
+     .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return sumOverCells(now, countFolded).share(); }},
+    {.name = "compressed_edges",
+     .meaning = "Share of the edges of all cells' membranes under compression, as compressed of a cell",
+     .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return sumOverCells(now, countCompressed).share(); }},
     {.name = "organism_elongation",
      .meaning = "Largest over second largest extent of the vertices of all cells together, as elongation of a cell",
      .taken = Taken::onDemand,

@@ -10,6 +10,7 @@
 #include "division/principal_axis.h"
 #include "mesh/mesh_measures.h"
 #include "observation/body_measures.h"
+#include "observation/crumpling.h"
 #include "physics/growth.h"
 #include "state/pace.h"
 
@@ -57,6 +58,15 @@ double Observation::meshVolume(int meshLevel) const {
     for (int i = 0; i <= static_cast<int>(world.bodies->coarser.size()); ++i)
       meshVolumes_.push_back(measureMeshVolume(*world.bodies, i));
   return meshVolumes_[meshLevel];
+}
+
+const EdgeFaces& Observation::flatEdges(int meshLevel) const {
+  if (flatEdges_.empty())
+    for (int i = 0; i <= static_cast<int>(world.bodies->coarser.size()); ++i) {
+      const Mesh& mesh = world.bodies->meshAt(i).mesh;
+      flatEdges_.push_back(findFlatEdges(mesh.vertices, mesh.faces));
+    }
+  return flatEdges_[meshLevel];
 }
 
 Point Observation::organismCentre() const {
@@ -245,6 +255,14 @@ double ObservedCell::elongation() const {
   if (!observation_.world.bodies) return 1;
   const BodyShape& shape = physical()->getShape();
   return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
+}
+
+double ObservedCell::foldedShare() const {
+  return observation_.world.bodies ? countFolded(observation_, *this).share() : 0;
+}
+
+double ObservedCell::compressedShare() const {
+  return observation_.world.bodies ? countCompressed(observation_, *this).share() : 0;
 }
 
 double ObservedCell::size() const {

@@ -10,6 +10,7 @@
 #include "biology/physical_unit.h"
 #include "contacts/contact_areas.h"
 #include "mesh/cavities.h"
+#include "mesh/folds.h"
 #include "observation/reference.h"
 #include "state/world.h"
 
@@ -48,6 +49,8 @@ class Observation {
 
   /// Returns the volume [length³] of one of the scene's meshes at rest, at rest scale 1.
   double meshVolume(int meshLevel) const;
+  /// Returns findFlatEdges of one of the scene's meshes.
+  const EdgeFaces& flatEdges(int meshLevel) const;
   /// Returns the centre [length] of the volume of all cells. Requires bodies.
   Point organismCentre() const;
   /// Returns the division of this cell; null if no division made daughters of it.
@@ -76,6 +79,7 @@ class Observation {
   mutable std::vector<int> firstContact_;  // [cell + 1] into contactsByCell_
   mutable std::vector<Contact> contactsByCell_;
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
+  mutable std::vector<EdgeFaces> flatEdges_;           // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // indices into world.divisions
   mutable std::optional<Point> organismCentre_;
   mutable std::vector<Point> centres_;  // [cell]; empty: not measured
@@ -120,6 +124,8 @@ class ObservedCell final : public CellContext {
   std::optional<double> surfaceDistance() const override;
   std::optional<ShellPlace> placeInShell() const override;
   double elongation() const override;
+  double foldedShare() const override;
+  double compressedShare() const override;
   double size() const override;
   double sizeAtBirth() const override;
 

@@ -8,10 +8,10 @@
 
 #include "contacts/contact_surface.h"
 #include "contacts/pair_energy.h"
-#include "mesh/folds.h"
 #include "mesh/mesh_measures.h"
 #include "mesh/overlap.h"
 #include "observation/body_measures.h"
+#include "observation/crumpling.h"
 #include "observation/measures.h"
 #include "physics/shell_surface.h"
 #include "state/world.h"
@@ -21,7 +21,6 @@ namespace {
 
 constexpr double ballVolume = 4 * std::numbers::pi / 3;  // over the cube of the radius
 constexpr int linesPerPair = 16;
-constexpr int linesPerCell = 24;  // along each axis
 
 /// The worst value so far and its cell. NaN is the worst value there can be, and stays it.
 struct Worst {
@@ -174,25 +173,14 @@ Worst maxBroken(const Bodies& b) {
   return broken;
 }
 
-double selfOverlapOf(const BodyShape& shape) {
-  const MeshView surface{shape.surface.vertices, shape.surface.faces};
-  return isStarShaped(surface, shape.centre) ? 0 : measureSelfOverlap(surface, linesPerCell);
-}
-
 /// Adds the measures of surfaces; cells without a surface have none.
 void addSurfaceMeasures(const World& world, const Observation& now, std::vector<SanityMeasure>& all) {
-  const Bodies& b = *world.bodies;
-  if (b.areSpheres()) return;
-  std::vector<EdgeFaces> edges;  // [mesh level]
-  for (int level = 0; level <= static_cast<int>(b.coarser.size()); ++level)
-    edges.push_back(findFlatEdges(b.meshAt(level).mesh.vertices, b.meshAt(level).mesh.faces));
+  if (world.bodies->areSpheres()) return;
   Worst folded{0}, selfOverlap{0};
-  for (int i = 0; i < b.count; ++i) {
+  for (int i = 0; i < world.bodies->count; ++i) {
     const ObservedCell cell(now, i);  // holds the shape
-    const BodyShape& shape = cell.physical()->getShape();
-    const EdgeFaces& own = edges[b.blocks[b.slots[i] / blockLanes].meshLevel];
-    folded.raise(measureFoldedShare(shape.surface.vertices, shape.surface.faces, own), i);
-    selfOverlap.raise(selfOverlapOf(shape), i);
+    folded.raise(cell.foldedShare(), i);
+    selfOverlap.raise(measureSelfOverlap(cell.physical()->getShape()), i);
   }
   all.push_back(measureOf(world, SanityKind::folded, folded, 0, sanity::maxFolded));
   all.push_back(measureOf(world, SanityKind::selfOverlap, selfOverlap, 0, sanity::maxSelfOverlap));

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "contacts/contacts.h"
+#include "observation/crumpling.h"
 #include "observation/sanity.h"
 #include "state/world.h"
 
@@ -29,6 +30,14 @@ std::string surfaceAdvice(const MechanicsScene& m) {
   return "try " + keys + "more physics.drag or a finer physics.mesh";
 }
 
+/// Returns how much of a cell's membrane is compressed, which is what folds it.
+std::string compressionOf(const World& world, const CellPath& cell) {
+  const Observation now(world);
+  const double share = ObservedCell(now, cellNumber(world.cells, cell)).compressedShare();
+  return numberText(share) + " of its edges are compressed, below " + numberText(compressedEdge) +
+         " of their rest length";
+}
+
 std::string adhesionAdvice(const MechanicsScene& m) {
   const AdhesionParameters& adhesion = *m.contact->adhesion;
   if (!adhesion.pairs.empty()) return "lower the strengths of physics.contact.adhesion";
@@ -50,7 +59,8 @@ std::string describe(const SanityMeasure& m, const World& world) {
              " of its surface; fine is at most " + most + "; " + surfaceAdvice(scene);
     case SanityKind::folded:
       return "the surface of " + who + " is folded over by more than 90° at " + value +
-             " of its edges; fine is at most " + most + "; " + surfaceAdvice(scene);
+             " of its edges; fine is at most " + most + "; " + compressionOf(world, *m.cell) + "; " +
+             surfaceAdvice(scene);
     case SanityKind::selfOverlap:
       return who + " passes through itself: it covers " + value +
              " of its volume more than once or inside out; fine is at most " + most +

@@ -45,7 +45,8 @@ std::vector<Vector> measureCurvatures(const Bodies& b, int slot) {
   std::vector<Vector> sums(b.vertexCount(slot));
   for (int v = 0; v < b.vertexCount(slot); ++v)
     for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k)
-      sums[v] += mesh.bending.weights[k] * (b.vertex(slot, mesh.ring[k].vertexOffset / vertexStride) - b.vertex(slot, v));
+      sums[v] +=
+          mesh.bending.weights[k] * (b.vertex(slot, mesh.ring[k].vertexOffset / vertexStride) - b.vertex(slot, v));
   return sums;
 }
 

@@ -21,7 +21,8 @@ MORULA_INLINE void prefetchNextBlock(const TemplateView& mesh, const BlockView& 
 }
 
 /// Sets `damping` to k_d of a block's cells, whose vertices have the masses of the moment (damping.h).
-MORULA_INLINE void findSpringDamping(const BlockView& b, const KernelParameters& p, Lanes (&damping)[blockLanes / width]) {
+MORULA_INLINE void findSpringDamping(const BlockView& b, const KernelParameters& p,
+                                     Lanes (&damping)[blockLanes / width]) {
   for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
     damping[group] = p.damping + p.dampingPerRoot * sqrt(load(b.vertexMass + lane));
 }

@@ -35,12 +35,12 @@ struct Limit {
 /// Combines the limits of all modes: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (kindOf(integrator).needsDrag) 
+  if (kindOf(integrator).needsDrag)
     return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection + 1 / l.bending);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection, l.bending});
   if (!(least < INFINITY)) return INFINITY;
-  const double a = least / l.spring, b = least / l.pressure, c = least / l.contact,
-               d = least / l.connection, e = least / l.bending;  // no square is too small
+  const double a = least / l.spring, b = least / l.pressure, c = least / l.contact, d = least / l.connection,
+               e = least / l.bending;  // no square is too small
   return least / std::sqrt(a * a + b * b + c * c + d * d + e * e);
 }
 

@@ -9,9 +9,9 @@
 
 #include "base/choice.h"
 #include "base/members.h"
+#include "biology/cell_selection.h"
 #include "contacts/parameters.h"
 #include "physics/parameters.h"
-#include "biology/cell_selection.h"
 
 namespace morula {
 

@@ -143,7 +143,7 @@ DataTable Organism::table(const std::string& name) const {
   if (!table.columns.empty()) return table;
   for (const auto* columns : {&found->context, &found->own})
     for (const SqlColumn& c : *columns)
-      if (c.name != "run_id") table.columns.push_back({c.name, "", c.meaning, kindOf(c.type), {}, {}});
+      if (c.name != "run_id") table.columns.push_back({c.name, c.unit, c.meaning, kindOf(c.type), {}, {}});
   return table;
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   CHECK(launch({"compare", folder.path()}).out == text.out);  // the database's folder
   CHECK(launch({"compare", file, "--by", "division"}).out == text.out);
 
-  const json answer = jsonOf({"compare", file, "--equivalent", "10%"});
+  const json answer = jsonOf({"compare", file, "--equivalent", "5.1%"});
   const json& longest = answer.at("conditions").at(0);
   CHECK(longest.at("labels") == json{{"division", "longest"}});
   CHECK(longest.at("n") == 10);
@@ -56,6 +56,10 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   CHECK(pair.at("high") < 0);
   CHECK(pair.at("effect") < -3);
   CHECK(pair.at("equivalence").at("verdict") == "equivalent");
+  // A margin within which any two conditions would be equivalent.
+  const json wide = jsonOf({"compare", file, "--equivalent", "10%"});
+  CHECK(wide.at("pairs").at(0).at("equivalence").at("verdict") == "not tested");
+  refuses({"compare", file, "--equivalent", "clone-radius=10%"}, 2, "is wider than the range of all its values");
 
   CHECK_THAT(launch({"compare", file, "--csv"}).out, ContainsSubstring("pair,clone_radius,,division,longest,random,"));
   for (const char* name : {"all.png", "all.svg", "all.pdf"}) {
@@ -69,13 +73,13 @@ TEST_CASE("compare --tidy prints one value a row, with the labels of all axes") 
   const std::string file = folder / "study.db";
   writePolicies(file);
   const auto runs = succeeds({"compare", file, "--tidy", "runs"});
-  CHECK(runs.out.starts_with("division,seed,time,measure,value\nlongest,1,"));
+  CHECK(runs.out.starts_with("division,seed,time,measure,value,unit\nlongest,1,"));
   const json answer = jsonOf({"compare", file});
   std::ptrdiff_t values = 0;
   for (const json& condition : answer.at("conditions")) values += condition.at("n").get<std::ptrdiff_t>();
   CHECK(std::ranges::count(runs.out, '\n') == 1 + values);
   CHECK(launch({"compare", file, "--tidy", "cells"})
-            .out.starts_with("division,seed,time,cell,substances,measure,value\n"));
+            .out.starts_with("division,seed,time,cell,name,substances,measure,value,unit\n"));
 }
 
 TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {

@@ -59,17 +59,17 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
     CHECK(fs::file_size(stored.folder / path) > 50);
   }
   CHECK(stored.exported("vtk", "vtk").code == 0);
-  CHECK(stored.files("vtk") == Words{"cells.csv", "states.csv", "surfaces.pvd", "surfaces_0000.vtp",
+  CHECK(stored.files("vtk") == Words{"cells.csv", "columns.json", "states.csv", "surfaces.pvd", "surfaces_0000.vtp",
                                      "surfaces_0001.vtp", "surfaces_0002.vtp", "surfaces_0003.vtp"});
   CHECK(stored.exported("ply", "series").code == 0);
   CHECK(stored.files("series") ==
-        Words{"0000.ply", "0001.ply", "0002.ply", "0003.ply", "cells.csv", "states.csv", "times.csv"});
+        Words{"0000.ply", "0001.ply", "0002.ply", "0003.ply", "cells.csv", "columns.json", "states.csv", "times.csv"});
   CHECK(stored.exported("gltf", "series-of-one", {"--time", "1"}).code == 0);
-  CHECK(stored.files("series-of-one") == Words{"0000.glb", "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.files("series-of-one") == Words{"0000.glb", "cells.csv", "columns.json", "states.csv", "times.csv"});
   CHECK(stored.exported("csv", "tables").code == 0);
   CHECK(stored.files("tables") == Words{"against_cells.csv", "against_stages.csv", "cell_samples.csv", "cells.csv",
-                                        "checks.csv", "connections.csv", "contacts.csv", "divisions.csv",
-                                        "experiments.csv", "runs.csv", "samples.csv", "settlings.csv",
+                                        "checks.csv", "columns.json", "connections.csv", "contacts.csv",
+                                        "divisions.csv", "experiments.csv", "runs.csv", "samples.csv", "settlings.csv",
                                         "time_steps.csv"});
   const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
   CHECK(json["format"] == "newick");
@@ -100,6 +100,71 @@ TEST_CASE("a time that was not kept is made again; a kept one is the first step 
   CHECK(launched.code == 0);
   CHECK_THAT(launched.err, ContainsSubstring("kept surfaces at 0, 1") && ContainsSubstring("simulating it again"));
   CHECK(readWhole(stored.folder / "made.ply") != readWhole(stored.folder / "kept.ply"));
+}
+
+TEST_CASE("tracks, graphs and arrays without surfaces come from stored samples, without a second run") {
+  const StoredRun stored(bodies + "record: {every: 0.25}\nunits: {length: µm, per-length: 27}\n");
+  for (const auto& [format, path] : {std::pair("tracks", "run.csv"), {"geff", "run.geff"}}) {
+    const auto launched = stored.exported(format, path);
+    CHECK(launched.code == 0);
+    CHECK(launched.err.empty());
+    CHECK_THAT(launched.out, ContainsSubstring(stored.folder / path));
+  }
+  CHECK(stored.exported("npz", "without.npz", {"--no-surfaces"}).err.empty());
+  CHECK(stored.exported("npz", "moment.npz", {"--no-surfaces", "--time", "1"}).err.empty());
+  CHECK_THAT(stored.exported("npz", "with.npz").err, ContainsSubstring("simulating it again"));
+  const std::string npz = readWhole(stored.folder / "without.npz");
+  CHECK_THAT(npz, ContainsSubstring("volumes.npy") && !ContainsSubstring("surface_cell.npy"));
+  CHECK_THAT(readWhole(stored.folder / "with.npz"), ContainsSubstring("surface_cell.npy"));
+  CHECK(npz.size() > readWhole(stored.folder / "moment.npz").size());
+  const std::string table = readWhole(stored.folder / "run.csv");
+  CHECK(table.starts_with("track_id,t,z,y,x,parent_track_id,name,path,volume,fate\r\n1,0,"));
+  const Json columns = Json::parse(readWhole(stored.folder / "run.columns.json"));
+  CHECK(columns.size() == 10);
+  CHECK(columns["x"]["unit"] == "µm");
+  CHECK(columns["volume"]["unit"] == "µm³");
+  CHECK(columns["t"]["unit"] == "time");
+  // A table is written only where its description can be written, too.
+  fs::remove(stored.folder / "run.csv");
+  refuses(stored.exported("tracks", "run.csv"), 6, "run.columns.json' is there already");
+  CHECK(!fs::exists(stored.folder / "run.csv"));
+}
+
+TEST_CASE("tables have columns of names beside those of paths, and a description of all columns") {
+  const StoredRun stored(bodies +
+                         "connections: {}\nnames: {egg: zygote, cells: {A: left}}\nunits: {time: min, per-time: 4}\n");
+  REQUIRE(stored.exported("csv", "tables").code == 0);
+  const auto all = nlohmann::ordered_json::parse(readWhole(stored.folder / "tables/columns.json"));
+  for (const auto& file : stored.files("tables")) {
+    if (!file.ends_with(".csv")) continue;
+    const std::string text = readWhole(stored.folder / "tables/" + file);
+    std::string header;
+    for (const auto& [column, about] : all.at(file.substr(0, file.size() - 4)).items()) {
+      CHECK(!about.at("meaning").get<std::string>().empty());
+      header = header + (header.empty() ? "" : ",") + column;
+    }
+    CHECK(text.starts_with(header + "\r\n"));
+  }
+  CHECK_THAT(readWhole(stored.folder / "tables/cells.csv"), ContainsSubstring(",egg,,,0,1,divided,") &&
+                                                                ContainsSubstring(",A,egg,zygote,1,") &&
+                                                                ContainsSubstring(",AA,A,left,2,"));
+  CHECK_THAT(readWhole(stored.folder / "tables/connections.csv"), ContainsSubstring(",0,A,left,B,,1,"));
+  CHECK_THAT(readWhole(stored.folder / "tables/divisions.csv"), ContainsSubstring(",egg,zygote,1,"));
+  const auto& volume = all["cell_samples"]["volume"];
+  CHECK(volume["unit"] == "length³");
+  CHECK(!volume.contains("known_unit"));
+  CHECK(all["cells"]["born"]["known_unit"].dump() == R"({"name":"min","factor":4.0})");
+}
+
+TEST_CASE("cells that no sample holds are told, and their daughters' tracks come from the last ancestor with one") {
+  const StoredRun stored(bodies + "record: {every: 2}\ncycle: {per-substance: {a0: 0.75}}\n");
+  const auto launched = stored.exported("tracks", "run.csv");
+  CHECK(launched.code == 0);
+  CHECK_THAT(launched.err, ContainsSubstring("run " + stored.id +
+                                             ": cells that lived between two samples have no rows: A and B; "
+                                             "record.every: 0.75 takes a sample of each"));
+  CHECK_THAT(readWhole(stored.folder / "run.csv"), ContainsSubstring(",1,AA,AA,"));
+  CHECK(stored.exported("tracks", "again.csv", {"--quiet"}).err.empty());
 }
 
 TEST_CASE("a run that ends otherwise now is not exported") {
@@ -157,6 +222,8 @@ TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces")
              Catch::Matchers::EndsWith("egg:1[&&NHX:path=egg:fate=divided:state=a0 divide];\n"));
   for (const char* format : {"vtk", "ply", "gltf"})
     refuses(stored.exported(format, "none"), 2, "has no bodies, and so no surfaces; needs csv, newick or npz");
+  for (const char* format : {"tracks", "geff"})
+    refuses(stored.exported(format, "none"), 2, "has no bodies, and so no places of cells; needs csv, newick or npz");
   CHECK(!fs::exists(stored.folder / "none"));
 }
 
@@ -166,6 +233,9 @@ TEST_CASE("what is asked for in a wrong way") {  // of requests that need surfac
   refuses(stored.exported("vtk", "x", {"--time", "9"}), 2,
           "--time: 9 is after the end of run " + stored.id + "; needs at most 2.25");
   refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times");
+  refuses(stored.exported("tracks", "x", {"--time", "1"}), 2, "--time: tracks has the times of all samples");
+  for (const char* format : {"csv", "tracks", "ply"})
+    refuses(stored.exported(format, "x", {"--no-surfaces"}), 2, "--no-surfaces: ");
   refuses(stored.exported("csv", "x.csv"), 2, "holds one table; name it with --table");
   refuses(stored.exported("csv", "x", {"--table", "cell"}), 2, "there is no table 'cell'; did you mean cells?");
   refuses(stored.exported("csv", "x", {"--table", "measures_world"}), 6, "has no rows for the table measures_world");
@@ -196,7 +266,7 @@ TEST_CASE("tables tell the egg from no mother without quotes") {
   const StoredRun stored(genes);
   REQUIRE(stored.exported("csv", "cells.csv", {"--table", "cells"}).code == 0);
   const std::string table = readWhole(stored.folder / "cells.csv");
-  CHECK_THAT(table, ContainsSubstring(",egg,,0,") && ContainsSubstring(",A,egg,"));
+  CHECK_THAT(table, ContainsSubstring(",egg,,,0,") && ContainsSubstring(",A,egg,"));
   CHECK(table.find("\"\"") == std::string::npos);
 }
 
@@ -213,7 +283,8 @@ TEST_CASE("a series of surfaces goes on after the last cell has died") {
       "morula: 1\nname: gone\ndna: |\n  START: a0\n  g1(die|a0)\nstop: {time: 1.5}\n"
       "physics: {mesh: {icosphere: 0}, drag: 2}\nrecord: {every: 0.5}\n");
   CHECK(stored.exported("ply", "series").code == 0);
-  CHECK(stored.files("series") == Words{"0000.ply", "0001.ply", "0002.ply", "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.files("series") ==
+        Words{"0000.ply", "0001.ply", "0002.ply", "cells.csv", "columns.json", "states.csv", "times.csv"});
   CHECK_THAT(readWhole(stored.folder / "series/0002.ply"), ContainsSubstring("element vertex 0\n"));
   CHECK(stored.exported("ply", "end.ply").code == 2);
 }

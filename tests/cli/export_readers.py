@@ -80,11 +80,14 @@ def colour_of(state):
     return tuple(bytes.fromhex(known[0][1:])) if len(known) == 1 else None
 
 
+names_beside = {"path": "name", "parent": "parent_name", "a": "a_name", "b": "b_name", "other": "other_name"}
+
+
 def comparable(row, columns):
     """Numbers compare as numbers, because several texts of a number are exact. The egg's path is empty in the database
     and `egg` in tables."""
     def value(v, column):
-        if column in ("path", "parent", "a", "b") and v == "":
+        if column in names_beside and v == "":
             return "egg"
         try:
             return float(v)
@@ -104,7 +107,15 @@ def check_csv():
             read = list(csv.reader(text.splitlines(keepends=True), strict=True))
             marks = ",".join("?" * len(which))
             query = database.execute(f'SELECT * FROM "{table}" WHERE run_id IN ({marks})', which)
-            same(read[0], [c[0] for c in query.description], f"columns of {file}")
+            columns = [c[0] for c in query.description]
+            added = [names_beside[c] for c in columns if names_beside.get(c, c) not in columns]
+            same(sorted(read[0]), sorted(columns + added), f"columns of {file}")
+            for paths in set(names_beside) & set(columns):
+                at = read[0].index(paths)
+                expect(names_beside[paths] in columns or read[0][at + 1] == names_beside[paths], f"names beside {paths} in {file}")
+            keep = [i for i, c in enumerate(read[0]) if c not in added]
+            read = [[row[i] for i in keep] for row in read]
+            same(read[0], columns, f"columns of {file}")
             stored = query.fetchall()
             same(len(read) - 1, len(stored), f"rows of {file}")
             expect(not any(field == "" for row in read[1:] for field, column in zip(row, read[0]) if column in ("path", "a", "b")),
@@ -114,7 +125,7 @@ def check_csv():
                  f"rows of {file}")
     with open(path("tables", "cells.csv"), newline="") as stream:
         raw = stream.read()
-    expect(f"{run},egg,,0" in raw, "the egg has a path, and no mother")
+    expect(f"{run},egg,,,0" in raw, "the egg has a path, and no mother")
     same({r["path"] for r in csv.DictReader(raw.splitlines()) if r["parent"] == "egg" and r["run_id"] == run}, {"A", "B"}, "daughters of the egg")
     with open(path("cells.csv"), newline="") as stream:
         same(stream.read(), raw, "one table alone")

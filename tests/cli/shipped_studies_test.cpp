@@ -48,6 +48,22 @@ bool isPrinted(const std::string& line, const std::string& output) {
   return false;
 }
 
+/// Returns a golden without its digest, and with intervals without width as "one-path". Old form: shipped goldens have
+/// such intervals until they are written anew; then the files can be compared as they are.
+std::string withoutOldIntervals(const std::string& golden) {
+  std::string text;
+  std::istringstream lines(golden);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("end ")) continue;
+    const std::size_t low = line.find(" low "), high = line.find(" high "), runs = line.find(" runs ");
+    if (line.starts_with("statistic ") && low != line.npos &&
+        line.substr(low + 5, high - low - 5) == line.substr(high + 6, runs - high - 6))
+      line.replace(low, runs - low, " one-path");
+    text += line + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("Every line that the tutorial shows is what its command prints") {
@@ -160,6 +176,7 @@ TEST_CASE("the statistics in goldens are those of the studies") {
   const TemporaryFolder temporary;
   for (const char* folder : {"scenarios", "golden"})
     std::filesystem::copy(sourceFile(folder), temporary / folder, std::filesystem::copy_options::recursive);
+  std::size_t onePath = 0;  // number of goldens with runs that stay one path
   for (const std::string study :
        {"elegans-128", "elegans-1024", "beyond-chaos-42", "beyond-chaos-162", "beyond-chaos-step"}) {
     std::map<std::string, std::string> before;  // goldens by their scenario
@@ -174,7 +191,9 @@ TEST_CASE("the statistics in goldens are those of the studies") {
     succeeds(command, {{"CI", ""}});
     for (const auto& [scenario, golden] : before) {
       INFO(scenario);
-      CHECK(readWhole(goldenOf(scenario)) == golden);
+      const std::string written = readWhole(goldenOf(scenario));
+      CHECK(withoutOldIntervals(written) == withoutOldIntervals(golden));
+      onePath += written.find(" one-path runs ") != written.npos;
     }
     // The golden says nothing of another scenario; if one of several is another, it says nothing of all.
     const auto& [first, unchanged] = *before.begin();
@@ -182,6 +201,8 @@ TEST_CASE("the statistics in goldens are those of the studies") {
     const Words oneMeasure = joined(command, {"--measure", "sphericity"});
     writeWhole(last, readWhole(last) + "\n");
     CHECK_THAT(endsWith(3, oneMeasure, {{"CI", ""}}).err, ContainsSubstring("of another scenario"));
-    CHECK(readWhole(goldenOf(first)) == unchanged);
+    const std::string written = readWhole(goldenOf(first));
+    CHECK(withoutOldIntervals(written) == withoutOldIntervals(unchanged));
   }
+  CHECK(onePath > 0);
 }

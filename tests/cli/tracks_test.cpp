@@ -99,6 +99,39 @@ TEST_CASE("an embryo that is read from its own samples has the same lives, and i
   }
 }
 
+TEST_CASE("a run's own table of tracks gives its lineage again, and lies where the run does") {
+  const TemporaryFolder folder;
+  // B's daughters stand in another order by name than by path, and one cell dies.
+  writeWhole(folder / "grown.yaml",
+             "morula: 1\nname: grown\ndna: |\n  START: a0\n  g1(a1|a0)\n  g2(divide|a0)\n  g3(a2|a1,A)\n"
+             "  g4(divide|a1)\n  g5(die|a2,A)\nstop: {time: 3.5}\nnames: {egg: P0, cells: {A: z, B: y, BA: w, BB: v}}\n"
+             "physics: {mesh: {icosphere: 1}, drag: 5, contact: {}}\n"
+             "record: {every: 0.25}\nunits: {length: µm, per-length: 27, time: min, per-time: 4}\n");
+  const std::string tracks = folder / "tracks.csv", made = folder / "made/made.yaml";
+  const auto ran = [&](const std::string& scenario, const std::string& database, const Words& more = {}) {
+    return succeeds(joined({"run", scenario, "--db", folder / database, "--no-pictures"}, more));
+  };
+  ran(folder / "grown.yaml", "grown.db");
+  succeeds({"export", folder / "grown.db", "--format", "tracks", "-o", tracks});
+  const auto told = succeeds({"init", made, "--from", tracks, "--units", "µm,min", "--per-time", "4"});
+  CHECK_THAT(told.err, !ContainsSubstring("not read"));
+  ran(made, "made.db");
+  const auto lives = [&](const std::string& database, bool named) {
+    std::string text;
+    Database db = opened(folder / database);
+    Statement row(
+        db, "SELECT path, CAST(born AS TEXT), CAST(ended AS TEXT), fate, ifnull(name, path) FROM cell ORDER BY path");
+    while (row.next())
+      for (int i = 0; i < (named ? 5 : 4); ++i) text += (row.isNull(i) ? "-" : row.text(i)) + (i < 4 ? " " : "\n");
+    return text;
+  };
+  CHECK(lives("made.db", true) == lives("grown.db", true));
+  // Its places are those of the run, to rounding.
+  const auto against =
+      jsonOf({"run", folder / "grown.yaml", "--db", folder / "again.db", "--no-pictures", "--against", tracks});
+  for (const auto& stage : against.at("against").at("stages")) CHECK(stage.at("rmsd").get<double>() < 1e-6);
+}
+
 TEST_CASE("the command at the head of a shipped embryo makes its files again from its table, byte for byte") {
   const TemporaryFolder folder;
   const auto [family, stem] = GENERATE(std::pair("worm", "embryo"), std::pair("urchin", "cleavage"));
@@ -114,8 +147,7 @@ TEST_CASE("the command at the head of a shipped embryo makes its files again fro
   command.replace(command.find("morula"), 6, "\"$MORULA\"");
   writeWhole(folder / (std::string(stem) + ".csv"), readWhole(from + stem + ".csv"));
   writeWhole(folder / "again.sh", "cd '" + folder.path() + "' &&" + command + "\n");
-  REQUIRE(std::system(
-              ("MORULA='" MORULA_PROGRAM "' sh '" + (folder / "again.sh") + "' 2>/dev/null").c_str()) == 0);
+  REQUIRE(std::system(("MORULA='" MORULA_PROGRAM "' sh '" + (folder / "again.sh") + "' 2>/dev/null").c_str()) == 0);
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     const std::string name = std::filesystem::relative(entry.path(), folder.path()).string();

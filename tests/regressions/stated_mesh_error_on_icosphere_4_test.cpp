@@ -81,18 +81,19 @@ TEST_CASE(
     double within;
   };
   // After a division finer meshes hardly converge: 0.017 is stated for 0.0218 at 1.109, a time at which `accuracy`
-  // compares. Between such times, at 1.03, the error is 0.035 (runner/measurements/accuracy/README.md).
+  // compares. Between such times, at 1.03, the error is 0.035.
   const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
                               Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
   const std::string root = MORULA_SOURCE_DIR;
   const std::string file = root + "/scenarios/" + scene.name + ".yaml";
+  const Golden golden = readGoldenFile(root + "/golden/" + scene.name + ".golden");
   double stated = 0;  // the largest of the errors that `difference` measures
-  for (const GoldenItem& item : readGoldenFile(root + "/golden/" + scene.name + ".golden").stated)
-    if (const auto* error = std::get_if<GoldenError>(&item);
-        error && (error->quantity == "position" || error->quantity == "surface" || error->quantity == "volume"))
-      stated = std::max(stated, error->mesh.value());
+  for (const GoldenError& error : errorsOf(golden))
+    if (error.quantity == "position" || error.quantity == "surface" || error.quantity == "volume")
+      stated = std::max(stated, error.meshWorst.value());
   const double found = difference(surfacesAt(file, "2", scene.timeStep, scene.time),
                                   surfacesAt(file, "4", scene.fineTimeStep, scene.time), scene.radius);
   INFO(scene.name << ": stated " << stated << ", found " << found);
-  CHECK(found == Approx(stated).epsilon(scene.within));
+  if (hasOldErrors(golden)) CHECK(found == Approx(stated).epsilon(scene.within));
+  else CHECK(found <= stated);
 }

@@ -84,6 +84,13 @@ int main() {
     for (const bool skewed : {false, true})
       samples.push_back(twoSamples(sample(n, n, 2, 0.2, skewed), sample(90 + n, n, 2.2, 0.35, false)));
   samples.push_back(twoSamples({1, 2, 2, 3, 1, 1, 0, 5}, {0, 0, 1, 0, 2, 1, 1, 0}));  // many ties
+  const std::vector<double> skewed{0.1, 0.3, 0.35, 0.6, 0.8, 1.1, 2.9, 0.2}, few{0.4, 0.1, 0.2, 0.3, 3};
+  samples.push_back(twoSamples(skewed, sample(3, 8, 0, 0.01, false)));
+  samples.push_back(twoSamples(sample(3, 8, 0, 0.01, false), skewed));
+  samples.push_back(twoSamples(few, sample(4, 5, 1, 0.01, false)));
+  samples.push_back(twoSamples({1, 2.01, 0.99, 1.02, 2, 1.01}, sample(5, 6, 0.99, 0.01, false)));   // groups, one at 0
+  samples.push_back(twoSamples({1, 2.01, 0.99, 1.02, 2, 1.01}, sample(6, 6, -0.3, 0.001, false)));  // groups
+  samples.push_back(twoSamples({0, 1, 0, 0, 1, 0, 1, 0, 1, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 0, 0}));    // an outcome or not
   Json quantiles = Json::array();
   for (const double share : {0.001, 0.025, 0.05, 0.4, 0.95, 0.975})
     quantiles.push_back({share, studentQuantile(share, 9)});

@@ -140,6 +140,8 @@ void addExport(CLI::App& app, Action& action) {
              "samples");
   verb.takes("--no-comments", options.request.noComments,
              "With --format newick: leave out path, fate and state ([&&NHX...]), which some programs cannot read");
+  verb.takes("--no-surfaces", options.request.noSurfaces,
+             "With --format npz: leave out surfaces, for which the run may have to be simulated again");
   verb.takes("--list", options.list,
              "List the tables with their rows, bytes and readers; of all runs, or of --run "
              "alone");
@@ -150,7 +152,7 @@ void addExport(CLI::App& app, Action& action) {
   verb.takes("--license", options.license, "LICENCE", licenseUri,
              "The results' licence: an SPDX identifier, as CC-BY-4.0, or a URI");
   verb.oneOf({"--format", "--ro-crate", "--list"});
-  verb.onlyWith({"--output", "--time", "--table", "--no-comments"}, {"--format"});
+  verb.onlyWith({"--output", "--time", "--table", "--no-comments", "--no-surfaces"}, {"--format"});
   verb.onlyWith({"--pictures", "--agent", "--license"}, {"--ro-crate"});
   verb.onlyWith({"--run"}, {"--format", "--ro-crate", "--list"});
   add(verb, options.execution);

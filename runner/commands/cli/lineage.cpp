@@ -21,6 +21,7 @@
 #include "system/json.h"
 #include "system/usage_error.h"
 #include "values/cell_names.h"
+#include "values/measure_list.h"
 #include "values/units.h"
 #include "views/run_charts.h"
 
@@ -195,7 +196,11 @@ std::string line(const LineageEntry& cell, const Tree& tree, const Units& units)
 int tellLife(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const CellLife life = lifeOf(tree, scenario.names, options.cell);
-  printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life, tree)}},
+  printEither(options.output,
+              {{"scenario", tree.scenario},
+               {"time", tree.end},
+               {"units", knownUnits(scenario.units)},
+               {"cell", lifeAsJson(life, tree)}},
               lifeAsText(life, tree, scenario.units));
   return fine;
 }
@@ -208,23 +213,19 @@ int act(const LineageOptions& options) {
   auto& cells = tree.results.lineage;
   // Paths in order put a mother before her daughters, and a subtree into one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  const Scenario scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   std::vector<std::string> done;
-  Units units;
-  if (!options.output.json || !tree.results.experiments.empty()) {
-    const Scenario scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-    for (const std::string& line : experimentLines(scenario, tree.results.experiments))
-      done.push_back(withNames(line, scenario.names.function()));
-    units = scenario.units;
-  }
+  for (const std::string& line : experimentLines(scenario, tree.results.experiments))
+    done.push_back(withNames(line, scenario.names.function()));
   Json list = Json::array();
   for (const auto& cell : cells)
     if (options.output.json) list.push_back(cellAsJson(cell, tree));
-    else print(line(cell, tree, units));
+    else print(line(cell, tree, scenario.units));
   if (!options.output.json) {
     for (const std::string& deed : done) print("experiment: " + deed + "\n");
     return fine;
   }
-  Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}};
+  Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"units", knownUnits(scenario.units)}, {"cells", list}};
   if (!done.empty()) json["experiments"] = done;
   if (!options.picture.empty()) json["pictures"] = {options.picture};
   printJson(json);

@@ -83,12 +83,12 @@ int act(const CompareCommand& command) {
   if (command.csv) {
     print(toCsv(comparison));
   } else if (command.output.json) {
-    Json json = toJson(comparison);
+    Json json = toJson(comparison, unitsOf(comparison.results, file));
     json.update(toJson(state));
     if (!pictures.empty()) json["pictures"] = pictures;
     printJson(json);
   } else {
-    std::string text = textOf(describe(comparison));
+    std::string text = textOf(describe(inUnits(comparison, unitsOf(comparison.results, file))));
     for (const std::string& picture : pictures) text += "\npicture  " + picture;
     print(text + (pictures.empty() ? "" : "\n"));
   }

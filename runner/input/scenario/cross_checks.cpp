@@ -174,7 +174,8 @@ void checkIntegrator(const SceneCheck& check) {
     check.refuse("physics.substeps", "is for physics.integrator xpbd: others evaluate forces once per time step",
                  "remove this key, or give integrator: xpbd");
   if (xpbd && kindOf(physics.cell.model).hasMembrane && physics.membrane.bending > 0)
-    check.refuse("physics.membrane.bending", "is not computed by integrator xpbd", "remove this, or use another integrator");
+    check.refuse("physics.membrane.bending", "is not computed by integrator xpbd",
+                 "remove this, or use another integrator");
   if (xpbd && !physics.timeStep && !(contact && contact->law != ContactLaw::thesis))
     check.refuse("physics.time_step",
                  "auto follows stability limits, and integrator xpbd has only that of pair contacts",

@@ -20,6 +20,9 @@ Json resolveSection(const Section& section, const Scenario& scenario, const Scen
     auto inner = resolveSection(*child, scenario, defaults);
     if (!defaults || !child->later || !inner.empty()) map[child->key()] = std::move(inner);
   }
+  if (!defaults)  // the default of a key that refines an absent one would be refused where the text is read again
+    for (const auto* parameter : parameterTable().parametersOf(section.path))
+      if (!parameter->needs.empty() && !map.contains(parameter->needs)) map.erase(parameter->key());
   return map;
 }
 

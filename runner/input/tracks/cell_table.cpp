@@ -32,8 +32,8 @@ const std::array<std::vector<std::string_view>, 18> headers{{
     {"volume", "volumeum3", "vol"},
     {"radius", "radiusum"},
     {"fate"},
-    {"cells", "stage", "cellcount", "ncells"},
     {"path", "cellpath", "lineagepath"},
+    {"cells", "stage", "cellcount", "ncells"},
     {"contacts"},
 }};
 
@@ -84,8 +84,8 @@ class TableReader {
     volume,
     radius,
     fate,
-    stage,
     path,
+    stage,
     contacts,
     columnCount
   };
@@ -156,8 +156,8 @@ class TableReader {
       problems_.add({1, 1, "--columns"}, "", inQuotes(name) + " is no column that a table can have",
                     options_.mayBeStages
                         ? "needs one of cells, time, name, path, contacts, x, y, z, track_id and parent"
-                        : "needs one of track_id, parent, name, t, birth, division, x, y, z, axis_x, axis_y, axis_z, "
-                          "volume, radius and fate");
+                        : "needs one of track_id, parent, name, path, t, birth, division, x, y, z, axis_x, axis_y, "
+                          "axis_z, volume, radius and fate");
     else if (found == fields().end())
       problems_.add({1, 1, "--columns"}, "", "there is no column " + inQuotes(header), headerInWords());
     else {
@@ -261,7 +261,7 @@ class TableReader {
           {}, "has " + std::to_string(fields().size()) + " fields where the header has " + std::to_string(headerCount_),
           "fill in or remove fields; decimals follow a point, and a name with a separator stands in quotes");
     const bool isFrame = table_.form == Form::frames || table_.form == Form::stages;
-    Row row{text_.line(), fieldOf(cell), fieldOf(parent), fieldOf(name)};
+    Row row{text_.line(), fieldOf(cell), fieldOf(parent), fieldOf(name), fieldOf(path)};
     if (row.cell.empty() && !table_.arePaths)
       text_.complain({}, "the row names no cell", "fill in its track_id or cell");
     row.time = number(time, true);

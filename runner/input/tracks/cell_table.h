@@ -20,6 +20,7 @@ inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
 struct Row {
   int line = 0;                         // in the file, from 1
   std::string_view cell, parent, name;  // cell: never ""
+  std::string_view path;                // lineage path
   double time = unsaid;                 // of a row per frame
   double birth = unsaid, end = unsaid;  // of a row per cell
   Point place{unsaid, unsaid, unsaid};  // without a column z in the plane z = 0

@@ -39,7 +39,7 @@ class RowCollector {
     const auto [entry, isNew] = byId_.try_emplace(row.cell, static_cast<int>(tracks_.size()));
     if (isNew) {
       Track& track = tracks_.emplace_back();
-      track.id = row.cell, track.line = row.line;
+      track.id = row.cell, track.path = row.path, track.line = row.line;
       parent_.push_back(row.parent), name_.push_back(row.name);
     }
     const auto at = static_cast<std::size_t>(entry->second);

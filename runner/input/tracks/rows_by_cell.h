@@ -10,7 +10,8 @@ namespace morula::tracks {
 /// The rows of one track.
 struct Track {
   std::string id, name;
-  int line = 0;  // the first in the file
+  std::string path = {};  // as the first row gives it
+  int line = 0;           // the first in the file
   int mother = -1;
   std::vector<int> daughters;
   double birth = unsaid, last = unsaid, end = unsaid;  // last: when it is last seen; end: as a row per cell says

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/cell_path.h"
 #include "base/number_text.h"
@@ -14,21 +15,28 @@ namespace {
 
 bool isSaid(double a) { return a == a; }
 
+/// Returns true if these are lineage paths of the daughters A and B of one cell.
+bool areSisterPaths(const std::string& a, const std::string& b) {
+  const auto mother = [](std::string_view path) { return path.substr(0, path.size() - 1); };
+  return a.ends_with('A') && b.ends_with('B') && mother(a) == mother(b);
+}
+
 /// Turns tracks, whose daughters are in no order, into a lineage.
 class LineageMaker {
  public:
-  LineageMaker(std::vector<Track> tracks, const CellTable& table, scenario::Problems& problems)
-      : tracks_(std::move(tracks)), problems_(problems) {
+  LineageMaker(std::vector<Track> tracks, std::vector<double> times, const CellTable& table,
+               scenario::Problems& problems)
+      : tracks_(std::move(tracks)), times_(std::move(times)), problems_(problems) {
     lineage_.form = table.form;
   }
 
-  Lineage make(const std::string& root, const std::vector<double>& times) {
+  Lineage make(const std::string& root) {
     std::vector<int> founders = findDaughters();
     if (!root.empty()) founders = {findRoot(root)};
     if (!problems_.empty()) return {};
     joinTracks(founders);
     sort(founders);
-    takeTimes(founders, times);
+    takeTimes(founders);
     for (const int founder : founders) add(founder, -1);
     lineage_.founders = static_cast<int>(founders.size());
     for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -127,9 +135,9 @@ class LineageMaker {
     });
   }
 
-  void takeTimes(const std::vector<int>& founders, const std::vector<double>& times) {
-    for (std::size_t i = 1; i < times.size(); ++i)
-      lineage_.frame = i == 1 ? times[1] - times[0] : std::min(lineage_.frame, times[i] - times[i - 1]);
+  void takeTimes(const std::vector<int>& founders) {
+    for (std::size_t i = 1; i < times_.size(); ++i)
+      lineage_.frame = i == 1 ? times_[1] - times_[0] : std::min(lineage_.frame, times_[i] - times_[i - 1]);
     lineage_.begin = INFINITY, lineage_.end = -INFINITY;
     for (const Track& track : tracks_)
       for (const double time : {track.birth, track.end, track.last})
@@ -163,7 +171,11 @@ class LineageMaker {
   /// Gives a mother her end, which is her daughters' birth. Returns false, and says so, if it cannot be.
   bool divide(int index) {
     Track& mother = tracks_[index];
-    if (lineage_.form != Form::cells) sort(mother.daughters);  // a row per cell: A has the first row
+    if (lineage_.form != Form::cells) {  // a row per cell: A has the first row
+      sort(mother.daughters);
+      if (areSisterPaths(tracks_[mother.daughters[1]].path, tracks_[mother.daughters[0]].path))
+        std::swap(mother.daughters[0], mother.daughters[1]);
+    }
     Track &a = tracks_[mother.daughters[0]], &b = tracks_[mother.daughters[1]];
     if (!follows(a, mother) || !follows(b, mother)) return false;
     const double first = std::fmin(a.birth, b.birth);
@@ -197,7 +209,8 @@ class LineageMaker {
             "give a later end, or leave it empty where it is not known");
       if (!cell.dies && cell.end < lineage_.end) lost_.push_back(cell.name);
     } else {
-      cell.end = cell.last + lineage_.frame;
+      const auto next = std::ranges::upper_bound(times_, cell.last);
+      cell.end = lineage_.form == Form::frames && next != times_.end() ? *next : cell.last + lineage_.frame;
       if (!cell.dies && cell.last < lineage_.end) lost_.push_back(cell.name);
     }
     if (!cell.dies) cell.end = unsaid;
@@ -236,6 +249,7 @@ class LineageMaker {
   }
 
   std::vector<Track> tracks_;
+  std::vector<double> times_;  // of all frames, rising
   scenario::Problems& problems_;
   Lineage lineage_;
   std::vector<int> order_;  // the tracks of lineage_.cells
@@ -249,7 +263,7 @@ Lineage makeLineage(const CellTable& table, const std::string& root, scenario::P
   std::vector<double> times;
   std::vector<Track> tracks = tracksOf(table, times, problems);
   if (!problems.empty()) return {};
-  return LineageMaker(std::move(tracks), table, problems).make(root, times);
+  return LineageMaker(std::move(tracks), std::move(times), table, problems).make(root);
 }
 
 }  // namespace morula::tracks

@@ -122,7 +122,18 @@ class EntryReader {
     }
     auto mechanics = scenario_.scene.mechanics;
     ContactParameters* const contact = mechanics && mechanics->contact ? &*mechanics->contact : nullptr;
-    if (!mechanics || !changeableParameter(name)->of(mechanics->physics, contact))
+    const std::string other = name.ends_with(".ratio") ? name.substr(0, name.rfind('.')) : name + ".ratio";
+    const ChangeableParameter* const instead = changeableParameter(other);
+    const auto isThere = [&](const ChangeableParameter* row) {
+      return mechanics && row->of(mechanics->physics, contact);
+    };
+    if (isThere(changeableParameter(name))) return;
+    if (instead && isThere(instead))
+      say(member.place, member.key,
+          "'" + name + "' does not count in this scene, which gives this damping " +
+              (name.ends_with(".ratio") ? "as a constant" : "as a share of critical"),
+          "needs set: " + other);
+    else
       say(member.place, member.key, "the scene has no " + name.substr(0, name.rfind('.')),
           "add that section, or remove this entry");
   }

@@ -102,6 +102,20 @@ std::string lackingFor(Needs needs, const Scenario& scenario) {
   return "";
 }
 
+Json unitJson(const Units& units, const std::string& unit) {
+  Json json{{"unit", unit}};
+  const ShownUnit known = shownUnit(units, unit);
+  if (!unit.empty() && known.name != unit) json["known_unit"] = {{"name", known.name}, {"factor", known.factor}};
+  return json;
+}
+
+Json knownUnits(const Units& units) {
+  Json json = Json::object();
+  for (const char* unit : {"length", "time"})
+    if (Json one = unitJson(units, unit); one.contains("known_unit")) json[unit] = one["known_unit"];
+  return json;
+}
+
 Json shownUnits(const Units& units) {
   Json json = Json::object();
   const auto add = [&](const std::string& what, std::string_view unit) {

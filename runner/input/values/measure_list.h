@@ -32,6 +32,12 @@ void addMeasures(Json& json, const Measured<Of>& measured) {
 }
 
 /// Units for pages, as {name: [unit, how many of it are one of the scene's]}: for sampled measures, for "time", for
+/// Returns {"unit": "length³", "known_unit": {"name": "µm³", "factor": 19683}}: numbers in the unit of the scene, times
+/// the factor, are in the known unit. Where `units` know none, `unit` stands alone.
+Json unitJson(const Units& units, const std::string& unit);
+/// Returns {"length": {"name": "µm", "factor": 27}, "time": …}, of those that `units` know.
+Json knownUnits(const Units& units);
+
 /// lengths of a "scale" bar and for areas of a "contact"; the latter two have no name in the scene's own units.
 Json shownUnits(const Units& units);
 

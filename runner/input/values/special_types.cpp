@@ -115,9 +115,10 @@ Parameter damping(const char* path, const char* meaning, Field<Damping> at) {
   p.path = path;
   p.unit = "force·time/length";
   p.allowed = numberAllowed(notNegative, p.unit) + ", or {ratio: 0.1}, with any number > 0";
-  p.meaning = meaning +
-              std::string("; {ratio: 0.1}: a tenth of critical damping, 2 √(stiffness × mass of a vertex), which follows "
-                          "masses, so that small cells do not need short time steps");
+  p.meaning =
+      meaning + std::string(
+                    "; {ratio: 0.1}: a tenth of critical damping, 2 √(stiffness × mass of a vertex), which follows "
+                    "masses, so that small cells do not need short time steps");
   p.schema = {{"oneOf", Json::array({numberSchema(notNegative), onlySchema("ratio", numberSchema(positive))})}};
   p.read = [path = p.path, allowed = p.allowed, at](Scenario& s, const Node& node, Reading& reading) {
     if (node.kind != Node::Kind::map) {

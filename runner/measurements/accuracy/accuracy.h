@@ -7,6 +7,7 @@
 
 #include "accuracy/convergence.h"
 #include "accuracy/mesh_error.h"
+#include "accuracy/stated_errors.h"
 #include "accuracy/trial.h"
 #include "charts/chart.h"
 #include "document/document.h"
@@ -22,7 +23,7 @@ struct AccuracyOptions {
   bool bullet = false;       // true: compare with Bullet, if Bullet can compute the scene
   std::string program = {};  // the program that runs Bullet: the running one's file
   int halvings = 4;          // number of halvings of the longest time step
-  int samples = 16;          // max number of times of comparison
+  int samples = 16;          // max number of times at which the rows are compared
   int rounds = 3;            // number of repetitions of every run, for its CPU time
   double budget = 60;        // [s] max CPU time of the runs on other meshes
   bool brief = false;        // true: only the scenario's own settings, with a reference as fine as these need
@@ -98,7 +99,8 @@ struct AccuracyReport {
   AccuracyRow own;              // the row of the scenario's own settings
   std::optional<Rival> rival;   // absent: no tried setting is as exact, or the own row has failed
   MeshError mesh;               // error of the scenario's own mesh
-  std::vector<double> times;    // [time] times of comparison
+  StatedErrors stated;          // errors of the scenario's own settings, at more times than those of rows
+  std::vector<double> times;    // [time] times at which rows are compared
   std::optional<double> end;    // [time] planned end of the scene; absent: not planned
   std::optional<Horizon> horizon;
   AccuracyReference reference;

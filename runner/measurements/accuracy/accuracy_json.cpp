@@ -94,11 +94,12 @@ void listFields(T& r, auto&& field) {
 
 template <IsA<LevelError> T>
 void listFields(T& l, auto&& field) {
-  auto& [level, worst, atEnd] = l;
+  auto& [level, worst, atEnd, atRest] = l;
   field({"icosphere"}, level);
   field({"error"}, ValueOf{[&] { return l.worst.largest(); }, notRead});
   field({"largest"}, worst);
   field({"at_end"}, atEnd);
+  field({"at_rest"}, atRest);
 }
 
 template <IsA<MeshError> T>
@@ -178,9 +179,38 @@ void listFields(T& s, auto&& field) {
   field({"bullet_slowest_cpu_seconds"}, bulletMostSeconds);
 }
 
+template <IsA<GoldenError> T>
+void listFields(T& error, auto&& field) {
+  auto& [quantity, rest, worst, until, meshRest, meshWorst, meshUntil, line] = error;
+  field({"quantity"}, quantity);
+  field({"at_rest"}, rest);
+  field({"at_worst"}, worst);
+  field({"until"}, until);
+  field({"mesh_at_rest"}, meshRest);
+  field({"mesh_at_worst"}, meshWorst);
+  field({"mesh_until"}, meshUntil);
+}
+
+template <IsA<GoldenUnstated> T>
+void listFields(T& unstated, auto&& field) {
+  auto& [of, why, line] = unstated;
+  field({"of"}, of);
+  field({"why"}, why.text);
+}
+
+template <IsA<StatedErrors> T>
+void listFields(T& stated, auto&& field) {
+  auto& [errors, unstated, times, quietTimes, events] = stated;
+  field({"errors"}, errors);
+  field({"unstated"}, unstated);
+  field({"times"}, times);
+  field({"quiet_times"}, quietTimes);
+  field({"events"}, events);
+}
+
 template <IsA<AccuracyReport> T>
 void listFields(T& report, auto&& field) {
-  auto& [scenario, usual, own, rival, mesh, times, end, horizon, reference, rows, orders, speeds, bulletSpeeds,
+  auto& [scenario, usual, own, rival, mesh, stated, times, end, horizon, reference, rows, orders, speeds, bulletSpeeds,
          remarks] = report;
   field({"scenario"}, scenario);
   field({"times"}, times);
@@ -188,6 +218,7 @@ void listFields(T& report, auto&& field) {
   field({"reference"}, reference);
   field({"mesh"}, mesh);
   field({"as_it_is"}, own);
+  field({"stated"}, stated);
   field({"rival"}, rival);
   field({"rows"}, rows);
   field({"orders"}, orders);

@@ -13,11 +13,16 @@ Setting convergent(Setting setting, Integrator integrator);
 struct AccuracyRuns {
   const ReadScenario& read;
   const AccuracyOptions& options;
-  Setting usual;              // the scenario's setting, with the longest time step
-  std::vector<double> times;  // [time] times of comparison
-  double eggRadius = 1;       // [length]
+  Setting usual;                 // the scenario's setting, with the longest time step
+  std::vector<double> times;     // [time] all times of comparison
+  std::vector<double> rowTimes;  // [time] those of `times` at which rows are compared
+  std::vector<SceneEvent> events;
+  double eggRadius = 1;  // [length]
 
+  /// Runs a setting through all times.
   Trial trial(const Setting& setting, int rounds, double maxSeconds = INFINITY) const;
+  /// Runs the setting of a row, through the times of rows.
+  Trial rowTrial(const Setting& setting, int rounds) const;
 };
 
 /// Solves the scene on its own mesh, with the usual time step halved `halvings` times, by the better of two

@@ -102,7 +102,9 @@ Document describe(const AccuracyReport& report) {
   text.say(fmt::format("{}: compared up to time {}{}, at {} times{}", report.scenario, numberText(until, 6),
                        whole || !report.end ? "" : " of " + numberText(*report.end, 6), report.times.size(),
                        report.horizon && report.horizon->parted ? "; chaos follows, see the remark" : ""))
-      .add(std::move(facts.table));
+      .add(std::move(facts.table))
+      .heading("errors of the scenario as it is, at rest and at worst")
+      .add(describeStated(report.stated));
   if (report.rows.empty()) return text;
   text.heading("settings").add(settingTables(report));
   text.heading("order: slope of the error on the scenario's mesh over the time step").add(orderTable(report));

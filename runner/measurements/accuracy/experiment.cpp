@@ -21,16 +21,9 @@ constexpr double maxAmplification = 1e4;
 constexpr int finer = 3;           // number of halvings from the finest plotted step to the reference's
 constexpr double resolution = 10;  // min ratio of a row's error to the reference's own
 
-/// Returns multiples of the longest step, evenly spread up to the end.
-std::vector<double> timesUpTo(double end, double longestStep, int samples) {
-  const auto steps = static_cast<std::int64_t>(end / longestStep * (1 + 1e-12));
-  std::vector<double> times;
-  for (int i = 1; i <= samples; ++i) {
-    const double time = static_cast<double>(steps * i / samples) * longestStep;
-    if (time > (times.empty() ? 0 : times.back())) times.push_back(time);
-  }
-  return times;
-}
+/// Returns the number of evenly spread times at which stated errors are measured: fewer for many vertices, since the
+/// shapes of all times are held in memory.
+int statedSamples(int vertices) { return std::clamp(40000 / std::max(vertices, 1), 64, 128); }
 
 std::string cellText(const CellPath& path) { return path == CellPath{} ? "the egg" : "cell " + path.text(); }
 
@@ -45,11 +38,13 @@ class AccuracyExperiment {
   AccuracyReport run() {
     report_.scenario = scenario_.scene.name;
     choose();
-    runs_.emplace(AccuracyRuns{read_, options_, usual_, report_.times, radius_});
+    runs_.emplace(AccuracyRuns{read_, options_, usual_, times_, report_.times, report_.horizon->events, radius_});
+    own_ = ownTrial();
     findReference();
     study_ = studyMeshes(*runs_, scenario_, reference_, options_.levels);
     report_.mesh = study_.error;
-    report_.own = ownRow();
+    report_.own = judged(own_, "as it is", MeasuredEngine::morula);
+    report_.stated = stateErrors(report_, ownDistance(own_), times_);
     if (!options_.brief) addRows();
     report_.rival = findRival(report_.own, report_.rows);
     addRemarks();
@@ -72,13 +67,17 @@ class AccuracyExperiment {
     }
     report_.horizon = h;
     longest_ = 2 * h.minTimeStep;
-    const double end = options_.until.value_or(h.end);
-    report_.times = timesUpTo(end, std::max(longest_, h.maxTimeStep), options_.samples);
+    const double end = options_.until.value_or(h.end), grid = std::max(longest_, h.maxTimeStep);
+    // Rows take steps of up to twice the scene's own; the runs of stated errors take none longer than these.
+    times_ = withEventTimes(evenTimes(end, h.maxTimeStep, statedSamples(h.vertices)), h.maxTimeStep, h.events);
+    report_.times = options_.brief ? times_ : evenTimes(end, grid, options_.samples);
+    times_.insert(times_.end(), report_.times.begin(), report_.times.end());
+    sortTimes(times_);
     if (report_.times.empty())
       throw InputError(
           fmt::format("{}: the times up to {} are too short to compare; needs at least {}, twice the "
                       "time step",
-                      scenario_.file, numberText(end), numberText(std::max(longest_, h.maxTimeStep))));
+                      scenario_.file, numberText(end), numberText(grid)));
     if (h.parted && !options_.until)
       remark(
           fmt::format("chaos: up to {} an error of one unit in the last place has grown {:g} times, as any error "
@@ -93,7 +92,19 @@ class AccuracyExperiment {
     report_.usual = seriesName(usual_, usual_);
   }
 
-  AccuracyRow ownRow() const { return rowOf(settingAsItIs(scenario_, report_.horizon->minTimeStep), "as it is"); }
+  Trial ownTrial() const {
+    const Setting setting = settingAsItIs(scenario_, report_.horizon->minTimeStep);
+    tellOf(setting, "as it is");
+    return runs_->trial(setting, options_.brief ? 1 : options_.rounds);
+  }
+
+  /// Compares the scenario's own run with the reference at all times, before the first division across another plane.
+  RunDistance ownDistance(const Trial& own) const {
+    if (!own.failure.empty()) return {};
+    const auto other = findDividedElsewhere(own.divisions, reference_.divisions, anotherPlane);
+    return compareRuns(own, reference_, radius_,
+                       {.before = other ? other->time : INFINITY, .events = report_.horizon->events});
+  }
 
   /// Finds a reference with steps as fine as the rows need. The steps get finer if integrators are unstable with them;
   /// `brief` makes them only as fine as the scenario's own row needs.
@@ -106,7 +117,8 @@ class AccuracyExperiment {
         if (halvings >= options_.halvings + most) throw;
         continue;
       }
-      if (!options_.brief || halvings >= most || ownRow().resolved) return;
+      if (!options_.brief || halvings >= most) return;
+      if (judged(own_, "as it is", MeasuredEngine::morula).resolved) return;
       if (8 * reference_.cpuSeconds > options_.budget) return;  // two integrators, three runs each, once finer
     }
   }
@@ -209,9 +221,13 @@ class AccuracyExperiment {
       report_.rows.push_back(judged(b.trial, b.series, measuredEngine(b.setting.baseline)));
   }
 
-  AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
+  void tellOf(const Setting& setting, const std::string& series) const {
     options_.tell(fmt::format("{}, time step {}", series, numberText(setting.timeStep)));
-    return judged(runs_->trial(setting, options_.brief ? 1 : options_.rounds), series, MeasuredEngine::morula);
+  }
+
+  AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
+    tellOf(setting, series);
+    return judged(runs_->rowTrial(setting, options_.rounds), series, MeasuredEngine::morula);
   }
 
   AccuracyRow judged(const Trial& t, const std::string& series, MeasuredEngine engine) const {
@@ -222,21 +238,21 @@ class AccuracyExperiment {
       // A golden's errors end before the first division with another plane; other rows tell it in a note.
       const auto other = options_.brief ? findDividedElsewhere(t.divisions, reference_.divisions, anotherPlane)
                                         : std::optional<DividedElsewhere>();
-      const double before = other ? other->time : INFINITY;
-      const RunDistance d = compareRuns(t, reference_, radius_, before);
+      const ComparisonLimits limits{.before = other ? other->time : INFINITY, .at = report_.times};
+      const RunDistance d = compareRuns(t, reference_, radius_, limits);
       row.partedAt = d.partedAt;
       row.errors = d.worst, row.error = d.error(), row.until = d.until, row.touch = d.touch;
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
       row.cut = findDividedElsewhere(t.divisions, reference_.divisions);
-      if (row.error) row.parts = partsOf(row, t, before);
+      if (row.error) row.parts = partsOf(row, t, limits);
     }
     return row;
   }
 
   /// Bounds the whole error by the triangle inequality: from the row to the converged solution on its own mesh, and
   /// from there to the solution on the finest mesh.
-  ErrorParts partsOf(const AccuracyRow& row, const Trial& t, double before) const {
+  ErrorParts partsOf(const AccuracyRow& row, const Trial& t, const ComparisonLimits& limits) const {
     const Setting& s = row.setting;
     ErrorParts parts;
     parts.mesh = study_.error.error();
@@ -255,16 +271,16 @@ class AccuracyExperiment {
       parts.mesh = study_.error.errorOf(*s.level);
     }
     if (s.precision == Precision::binary64) {
-      parts.time = compareRuns(t, *converged, radius_, before).error();
+      parts.time = compareRuns(t, *converged, radius_, limits).error();
       parts.precision = report_.horizon->rounding / radius_;
       return parts;
     }
     Setting twin = s;
     twin.precision = Precision::binary64;
-    const Trial wide = runs_->trial(twin, 1);
+    const Trial wide = runs_->rowTrial(twin, 1);
     if (!wide.failure.empty()) return parts;
-    parts.time = compareRuns(wide, *converged, radius_, before).error();
-    parts.precision = compareRuns(t, wide, radius_, before).error();
+    parts.time = compareRuns(wide, *converged, radius_, limits).error();
+    parts.precision = compareRuns(t, wide, radius_, limits).error();
     return parts;
   }
 
@@ -323,9 +339,10 @@ class AccuracyExperiment {
   const AccuracyOptions& options_;
   Scenario scenario_;
   double radius_ = 1, longest_ = 0;
+  std::vector<double> times_;  // [time] all times of comparison; `report_.times` are those of rows
   Setting usual_;
   std::optional<AccuracyRuns> runs_;
-  Trial reference_;
+  Trial own_, reference_;  // the scenario's own run, and the solution that runs are compared with
   MeshStudy study_;
   AccuracyReport report_;
 };

@@ -1,29 +1,14 @@
 #pragma once
-// The distance of two runs, and the error of a mesh: the same scene on meshes of several fineness, all with converged
-// time steps.
-#include <cmath>
+// The error of a mesh: the same scene on meshes of several fineness, all with converged time steps.
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "accuracy/trial.h"
+#include "accuracy/run_distance.h"
 
 namespace morula {
-
-/// The distance of two runs. Flat faces count in the surfaces.
-struct RunDistance {
-  StateError worst, atEnd;         // the largest over all times after the start; that at the last comparison
-  double atStart = 0;              // [radii of the egg] distance of surfaces at time 0, from flat faces
-  double until = 0;                // [time] the last comparison; 0: none
-  bool touch = false;              // true: cells of the reference touch
-  std::optional<double> partedAt;  // [time] first comparison at which other cells lived
-  /// Returns the largest error; absent without a comparison.
-  std::optional<double> error() const;
-};
-
-/// Compares runs until other cells live, and before the time `before`. The meshes may differ.
-RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius, double before = INFINITY);
 
 /// [degrees] If axes of one division differ by more, they are two events, and the comparison ends.
 inline constexpr double anotherPlane = 10;
@@ -38,6 +23,7 @@ struct SolvedMesh {
 struct LevelError {
   std::uint64_t level = 0;
   StateError worst, atEnd;
+  std::optional<StateError> atRest = {};  // absent if no time is quiet
 };
 
 struct MeshError {
@@ -66,7 +52,9 @@ struct MeshError {
 /// Min order for an extrapolation: below it errors hardly fall from mesh to mesh.
 inline constexpr double minMeshOrder = 1;
 
-/// Estimates the error of a mesh from two or three neighbouring levels, rising. Costs and `limit` are left empty.
-MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius);
+/// Estimates the error of a mesh from two or three neighbouring levels, rising. Costs and `limit` are left empty. No time
+/// near one of the `events` is quiet.
+MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius,
+                            std::span<const SceneEvent> events = {});
 
 }  // namespace morula

@@ -39,7 +39,7 @@ class Study {
     for (std::uint64_t l = finest + 1; l-- > 0 && meshes.size() < 3 && at(l);)
       meshes.insert(meshes.begin(), {l, at(l)});
     if (meshes.size() < 2) result_.error.unknown = limit.empty() ? "there is no other mesh" : limit;
-    else result_.error = estimateMeshError(meshes, level_, runs_.eggRadius);
+    else result_.error = estimateMeshError(meshes, level_, runs_.eggRadius, runs_.events);
     result_.error.own = level_;
     result_.error.limit = limit;
     result_.error.timeError = timeError_;

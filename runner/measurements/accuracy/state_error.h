@@ -42,7 +42,7 @@ struct StateError {
   double surface = 0;      // [radii of the egg] root mean square distance of the surfaces
   double pressure = 0;     // [1] difference of pressures over the reference's largest
   double contactArea = 0;  // [1] likewise for areas; a pair that touches in one world alone differs by its area
-  double neighbours = 0;   // [1] share of the touching pairs, over all times, that touch in one world alone
+  double neighbours = 0;   // [1] share of the touching pairs that touch in one world alone
   /// Returns the largest error of centroids, volumes and surfaces, by which rows are compared.
   double largest() const;
 };

@@ -18,9 +18,10 @@ struct Converged {
   LeftError left;
 };
 
-double distance(const Trial& a, const Trial& b, double eggRadius) {
+/// Returns the distance at the times of rows; infinite if a run fails or other cells live.
+double distance(const AccuracyRuns& runs, const Trial& a, const Trial& b) {
   if (!a.failure.empty() || !b.failure.empty()) return INFINITY;
-  const RunDistance d = compareRuns(a, b, eggRadius);
+  const RunDistance d = compareRuns(a, b, runs.eggRadius, {.at = runs.rowTimes});
   return d.partedAt ? INFINITY : d.error().value_or(INFINITY);
 }
 
@@ -33,8 +34,8 @@ Converged converge(const AccuracyRuns& runs, Integrator integrator, int halvings
   Converged c{runs.trial(s, 1), {}};
   if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
   const Trial m = runs.trial(middle, 1);
-  const double fine = distance(m, c.trial, runs.eggRadius);
-  c.left = estimateByRichardson(distance(runs.trial(coarse, 1), m, runs.eggRadius), fine, kindOf(integrator).order);
+  const double fine = distance(runs, m, c.trial);
+  c.left = estimateByRichardson(distance(runs, runs.trial(coarse, 1), m), fine, kindOf(integrator).order);
   return c;
 }
 
@@ -51,6 +52,10 @@ Trial AccuracyRuns::trial(const Setting& setting, int rounds, double maxSeconds)
   return runTrial(read, setting, times, options.execution, rounds, maxSeconds);
 }
 
+Trial AccuracyRuns::rowTrial(const Setting& setting, int rounds) const {
+  return runTrial(read, setting, rowTimes, options.execution, rounds);
+}
+
 Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon, const std::string& file,
                         AccuracyReference& r) {
   Converged a = converge(runs, Integrator::rungeKutta4, halvings),
@@ -59,7 +64,7 @@ Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& h
   if (!a.trial.failure.empty()) throw InputError(file + ": no reference could be computed: " + a.trial.failure);
   r.setting = a.trial.setting, r.witness = b.trial.setting;
   r.left = a.left, r.witnessLeft = b.left;
-  r.distance = distance(b.trial, a.trial, runs.eggRadius);
+  r.distance = distance(runs, b.trial, a.trial);
   // Rounding is an error, too. Beyond the horizon a small estimate may be chance.
   r.left.error = std::max(r.left.error, horizon.rounding / runs.eggRadius);
   if (horizon.parted && runs.options.until) r.left.error = std::max(r.left.error, r.distance);

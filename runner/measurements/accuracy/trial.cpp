@@ -14,8 +14,6 @@
 namespace morula {
 namespace {
 
-constexpr double slack = 1e-9;  // relative tolerance of a time, which sums of steps may miss by rounding
-
 struct TooLong {
   std::string text;
 };
@@ -28,9 +26,9 @@ std::uint64_t evaluationsPerStep(const Setting& s) {
 /// Steps until the time is reached, and adds up the cost.
 void goTo(World& world, double time, double maxSeconds, Trial& trial, double& seconds) {
   const std::uint64_t perStep = evaluationsPerStep(trial.setting);
-  while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {
+  while (world.clock.time < time * (1 - timeSlack) && !world.cells.path.empty()) {
     const auto vertices = static_cast<std::uint64_t>(world.bodies->livingVertices), before = world.clock.step;
-    const std::uint64_t most = stepsUntil(world.clock, time * (1 - slack));
+    const std::uint64_t most = stepsUntil(world.clock, time * (1 - timeSlack));
     seconds += timeOf(ClockKind::process, [&] { takeSteps(world, most); });
     const std::uint64_t steps = world.clock.step - before;
     if (seconds > maxSeconds) throw TooLong{"the run takes more than " + numberText(maxSeconds, 3) + " s of CPU time"};
@@ -141,15 +139,19 @@ Horizon findHorizon(const Scene& scene, const Execution& execution, std::optiona
   Twins twins(makeWorld(scene, execution), makeWorld(scene, execution));
   const World& world = twins.world();
   Horizon horizon{0, 0, false, world.clock.timeStep, world.clock.timeStep};
+  EventFinder finder(world);
   while (!finished(world) && !(latest && world.clock.time >= *latest)) {
     const double apart = twins.step();
     horizon.parted = apart > amplification * twins.ulp();
     if (horizon.parted) break;
     horizon.rounding = std::max(horizon.rounding, apart);
     horizon.end = world.clock.time;
+    horizon.vertices = world.bodies->livingVertices;
+    finder.look(world);
     horizon.minTimeStep = std::min(horizon.minTimeStep, world.clock.timeStep);
     horizon.maxTimeStep = std::max(horizon.maxTimeStep, world.clock.timeStep);
   }
+  horizon.events = finder.events();
   return horizon;
 }
 

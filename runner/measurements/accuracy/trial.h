@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/comparison_times.h"
 #include "accuracy/state_error.h"
 #include "contacts/parameters.h"
 #include "physics/parameters.h"
@@ -91,6 +92,8 @@ struct Horizon {
   double rounding = 0;  // [length] growth of one unit in the last place by `end`
   bool parted = false;  // true: chaos sets `end`
   double minTimeStep = 0, maxTimeStep = 0;  // [time] steps of the scene's own settings
+  int vertices = 0;                         // living ones at `end`
+  std::vector<SceneEvent> events = {};      // up to `end`
 };
 
 /// Runs the scene and a twin in which x of one vertex is moved by one unit in the last place. Stops when the difference

@@ -66,8 +66,8 @@ std::string shapeOf(const ShellParameters& shell) {
 
 void addBodies(PartList& list, const Scenario& scenario) {
   if (!scenario.scene.mechanics)
-    return list.absent({"bodies", "springs", "damping", "bending", "pressure", "shape-matching", "drag", "integration", "motility",
-                        "growth", "shell"},
+    return list.absent({"bodies", "springs", "damping", "bending", "pressure", "shape-matching", "drag", "integration",
+                        "motility", "growth", "shell"},
                        "physics");
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;

@@ -108,14 +108,13 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
 /// Adds a remark that names the part without which steps could be longest.
 void tellWhatBinds(Prediction& f, World& world) {
   const PhysicsParameters& p = world.bodies->parameters;
-  if (world.bodies->count == 0 || p.timeStep || kindOf(p.integrator).settles || kindOf(p.integrator).solvesForces) return;
+  if (world.bodies->count == 0 || p.timeStep || kindOf(p.integrator).settles || kindOf(p.integrator).solvesForces)
+    return;
   const BindingLimit binding = findBindingLimit(world);
   if (!(binding.factor < INFINITY)) return;
-  f.remarks.push_back(fmt::format("{} bounds the time step: without it steps could be {:.1f} times as long{}",
-                                  binding.part, binding.factor,
-                                  binding.part.starts_with("the damping")
-                                      ? "; damping: {ratio: …} lets its limit follow that of stiffness"
-                                      : ""));
+  f.remarks.push_back(fmt::format(
+      "{} bounds the time step: without it steps could be {:.1f} times as long{}", binding.part, binding.factor,
+      binding.part.starts_with("the damping") ? "; damping: {ratio: …} lets its limit follow that of stiffness" : ""));
 }
 
 /// Returns the costs of the steps themselves.

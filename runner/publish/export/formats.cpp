@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <string>
 
+#include "analysis/organisms.h"
 #include "analysis/study_results.h"
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "export/csv.h"
+#include "export/geff.h"
 #include "export/gltf.h"
 #include "export/newick.h"
 #include "export/npz.h"
 #include "export/ply.h"
 #include "export/surfaces.h"
+#include "export/tracks.h"
 #include "export/vtk.h"
 #include "files/folders.h"
 #include "files/scratch_folder.h"
@@ -29,21 +32,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns a row for each cell that ever lived: cell (from 0, by path), path, name, born, ended, fate, state.
-std::string cellTable(const ExportedRun& run) {
-  CsvTable csv({"cell", "path", "name", "born", "ended", "fate", "state"});
+/// Returns a row for each cell that ever lived, by path.
+CsvTable cellTable(const ExportedRun& run) {
+  CsvTable csv({{"cell", "number of the cell in the other files, from 0"},
+                {"path", "lineage path: egg, or A and B for each division"},
+                {"name", "name of the cell, or else its path"},
+                {"born", "", "time"},
+                {"ended", "empty while alive", "time"},
+                {"fate", "divided, died or alive"},
+                {"state", "number of its last state in states"}});
   std::int64_t number = 0;
   for (const LineageEntry& cell : run.results.lineage) {
     const TableValue ended = cell.fate == Fate::alive ? TableValue() : cell.ended;
     csv.add({number++, csvPath(cell.path.text()), run.nameOf(cell), cell.born, ended, name(cell.fate),
              std::int64_t{run.stateNumber(cell.state)}});
   }
-  return csv.text();
+  return csv;
 }
 
-/// Returns a row for each state: state (from 0), substances, colour (#rrggbb).
-std::string stateTable(const ExportedRun& run) {
-  CsvTable csv({"state", "substances", "colour"});
+/// Returns a row for each state.
+CsvTable stateTable(const ExportedRun& run) {
+  CsvTable csv({{"state", "number of the state in the other files, from 0"},
+                {"substances", "sorted, separated by blanks"},
+                {"colour", "#rrggbb, of cells in this state"}});
   for (std::size_t i = 0; i < run.states.size(); ++i) {
     Colour colour = neutralGrey;
     for (const auto& [state, text] : run.results.stateTexts)
@@ -51,7 +62,7 @@ std::string stateTable(const ExportedRun& run) {
     csv.add({static_cast<std::int64_t>(i), run.states[i],
              fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b)});
   }
-  return csv.text();
+  return csv;
 }
 
 struct NewFile {
@@ -61,23 +72,33 @@ struct NewFile {
 using Files = std::vector<NewFile>;
 using OneTime = std::string (*)(const ExportedRun&, const Sample&);
 
-/// Adds the tables to which the numbers of cells and states in the other files refer.
-void addTables(const ExportedRun& run, const fs::path& path, Files& files) {
-  files.push_back({path / "cells.csv", cellTable(run)});
-  files.push_back({path / "states.csv", stateTable(run)});
+/// Adds tables to the folder, and the description of their columns.
+void addTables(const std::vector<NamedTable>& tables, const fs::path& folder, const Units& units, Files& files) {
+  Json columns = Json::object();
+  for (const auto& [name, table] : tables) {
+    files.push_back({folder / (name + ".csv"), table.text()});
+    columns[name] = table.columns(units);
+  }
+  files.push_back({folder / "columns.json", jsonText(columns, 2) + "\n"});
+}
+
+/// Returns one table, and the description of its columns beside it.
+Files oneTable(const CsvTable& table, const fs::path& path, const Units& units) {
+  fs::path columns = path;
+  columns.replace_extension(".columns.json");
+  return {{path, table.text()}, {columns, jsonText(table.columns(units), 2) + "\n"}};
 }
 
 /// Returns a file for each sample, in the folder `path`, and a table of their times.
 Files series(const ExportedRun& run, const fs::path& path, const char* ending, OneTime write) {
   Files files;
-  CsvTable times({"file", "time"});
+  CsvTable times({{"file", "name of the file"}, {"time", "of its surfaces", "time"}});
   for (const Sample& sample : run.results.samples) {
     const std::string name = fmt::format("{:04}{}", files.size(), ending);
     times.add({name, sample.world.time});
     files.push_back({path / name, write(run, sample)});
   }
-  files.push_back({path / "times.csv", times.text()});
-  addTables(run, path, files);
+  addTables({{"times", times}, {"cells", cellTable(run)}, {"states", stateTable(run)}}, path, run.units, files);
   return files;
 }
 
@@ -88,7 +109,7 @@ Files vtkFiles(const ExportedRun& run, const fs::path& path) {
     names.push_back(fmt::format("surfaces_{:04}.vtp", names.size()));
     files.push_back({path / names.back(), vtpFile(run, sample)});
   }
-  addTables(run, path, files);
+  addTables({{"cells", cellTable(run)}, {"states", stateTable(run)}}, path, run.units, files);
   files.push_back({path / "surfaces.pvd", pvdFile(run, names)});
   return files;
 }
@@ -110,6 +131,18 @@ struct Format {
 
 constexpr const char* csv = "csv";
 const Format formats[] = {
+    {"tracks", "places of cells over time, with names and mothers, as init --from reads them (.csv)", ".csv",
+     Wanted::measures, false,
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest& request) {
+       return oneTable(trackTable(tracksOf(run, request.quiet)), path, {});  // numbers are in the known units
+     }},
+    {"geff", "the same as a graph for tracking tools (GEFF on Zarr 2), a folder", "", Wanted::measures, false,
+     [](const ExportedRun& run, const fs::path& path, const ExportRequest& request) {
+       Files files;
+       const ZarrFolder graph = geffGraph(run, tracksOf(run, request.quiet));
+       for (const auto& [name, bytes] : graph.files()) files.push_back({path / name, bytes});
+       return files;
+     }},
     {"newick", "the tree of cells, with branch lengths", ".nwk", Wanted::tree, false,
      [](const ExportedRun& run, const fs::path& path, const ExportRequest& request) {
        return Files{{path, newickTree(run, !request.noComments)}};
@@ -143,6 +176,8 @@ class Destination {
   /// Writes files, whose paths begin with `output`, and returns their paths.
   std::vector<fs::path> write(const Files& files) {
     if (isFolder_ && !draft_) draft_.emplace(output_);
+    if (!draft_)
+      for (const NewFile& f : files) requireAbsent(f.path);
     std::vector<fs::path> names;
     for (const NewFile& f : files) {
       const fs::path path = draft_ ? draft_->path() / f.path.lexically_relative(output_) : f.path;
@@ -162,6 +197,13 @@ class Destination {
   std::optional<DraftFolder> draft_;
 };
 
+/// Returns the units that all scenarios of the file have.
+Units unitsOfFile(Store& store) {
+  if (!store.columns("replicate").empty()) return unitsOf(readStudyResults(store.file()), store.file());
+  return unitsOfAll(store.runs(),
+                    [&](const StoredRun& run) { return storedScenario(store.file().string(), run.id).units; });
+}
+
 /// Writes the tables of one run.
 Files tableFiles(Store& store, const ExportRequest& request, const std::string& id) {
   const bool one = request.output.extension() == ".csv";
@@ -174,12 +216,14 @@ Files tableFiles(Store& store, const ExportRequest& request, const std::string& 
   if (one && request.table.empty())
     throw UsageError("--output: '" + request.output.string() +
                      "' holds one table; name it with --table, or give a folder for all");
-  Files files;
-  for (NamedTable& t : csvTables(store, id, request.table))
-    files.push_back({one ? request.output : request.output / (t.name + ".csv"), std::move(t.text)});
-  if (files.empty())
+  const auto tables = csvTables(store, id, request.table);
+  if (tables.empty())
     throw FileError("'" + store.file().string() + "' has no rows for the table " + request.table +
                     "; `morula export --list` lists its tables");
+  const Units units = unitsOfFile(store);
+  if (one) return oneTable(tables.front().table, request.output, units);
+  Files files;
+  addTables(tables, request.output, units, files);
   return files;
 }
 
@@ -211,6 +255,8 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     throw UsageError("--no-comments: only --format newick has comments; leave it out");
   if (request.time && format.wanted == Wanted::tree)
     throw UsageError(std::string("--time: ") + format.name + " has no times; leave --time out");
+  if (request.time && format.wanted == Wanted::measures)
+    throw UsageError(std::string("--time: ") + format.name + " has the times of all samples; leave --time out");
   std::vector<StoredRun> runs;
   if (request.run.empty()) runs = store.runs();
   else runs = {store.find(request.run)};
@@ -231,7 +277,8 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
     if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
     requireWholeRecord(store, run);
     tellUnlessFine(store, run);
-    SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
+    SurfaceRequest ask{request.noSurfaces ? Wanted::measures : format.wanted, request.time, false, request.execution,
+                       request.quiet};
     ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
     const ExportedRun exported = exportedRun(store, run, ask);
     all.runs.push_back({run.id, to.write(format.files(exported, path, request))});
@@ -259,6 +306,8 @@ std::string formatCalled(const std::string& text) {
 }
 
 Exported exportRuns(Store& store, const ExportRequest& request) {
+  if (request.noSurfaces && request.format != "npz")
+    throw UsageError("--no-surfaces: only --format npz has surfaces that may be left out; leave it out");
   if (request.format == csv) return exportTables(store, request);
   if (!request.table.empty()) throw UsageError("--table: only --format csv has tables; leave it out");
   for (const Format& f : formats)

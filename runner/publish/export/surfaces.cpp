@@ -141,21 +141,22 @@ int ExportedRun::stateNumber(StateId state) const {
 
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request) {
   ExportedRun out{.run = run};
-  const bool tree = request.wanted == Wanted::tree;
-  out.results = tree ? store.lineage(run.id) : store.results(run.id);
+  const bool tree = request.wanted == Wanted::tree, measures = request.wanted == Wanted::measures;
+  out.results = tree ? store.lineage(run.id) : measures ? store.measured(run.id) : store.results(run.id);
   const Scenario scenario = storedScenario(store.file().string(), run.id);
-  const bool bodies = scenario.scene.mechanics.has_value();
+  out.units = scenario.units;
+  const bool bodies = out.hasBodies = scenario.scene.mechanics.has_value();
   if (request.wanted == Wanted::surfaces && !bodies)
     throw UsageError(fmt::format("--format: run {} of {} has no bodies, and so no surfaces; needs csv, newick or npz",
                                  run.id, run.record.scenario));
-  auto times = bodies && !tree ? missingTimes(out.results, run, request) : std::vector<double>();
+  auto times = bodies && !tree && !measures ? missingTimes(out.results, run, request) : std::vector<double>();
   const bool canDoWithout = request.wanted == Wanted::samples && !request.time && run.status != RunStatus::done;
   if (!times.empty() && canDoWithout)
     tell(fmt::format("run {} did not come to its end ({}), so there are no surfaces of it", run.id, name(run.status)),
          request.quiet);
   else if (!times.empty()) simulateAgain(store, run, scenario, std::move(times), request, out.results);
   auto& samples = out.results.samples;
-  if (!bodies && request.time) {  // a lineage gives the first sample at or after the time
+  if ((!bodies || measures) && request.time) {  // without surfaces: the first sample at or after the time
     const double time = timeWithin(*request.time, run);
     const auto found = std::ranges::find_if(samples, [&](const Sample& s) { return s.world.time >= time; });
     if (found != samples.end()) samples = {std::move(*found)};
@@ -163,7 +164,7 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
   const bool oneTime = request.time || request.atEnd;
   const bool any = std::ranges::any_of(samples, [](const Sample& s) { return !s.surfaces.empty(); });
   // After the last cell has died a series continues without surfaces.
-  if (bodies && (request.wanted == Wanted::surfaces || request.time))
+  if (bodies && !measures && (request.wanted == Wanted::surfaces || request.time))
     std::erase_if(samples, [&](const Sample& s) { return s.surfaces.empty() && (oneTime || !s.cells.empty()); });
   if (request.wanted == Wanted::surfaces && !any)
     throw UsageError(fmt::format("--format: run {} of {} has no living cell {}, and so no surfaces", run.id,

@@ -10,11 +10,13 @@
 #include "image/colour.h"
 #include "simulation/simulation.h"
 #include "store/store.h"
+#include "values/units.h"
 
 namespace morula {
 
 enum class Wanted {
   tree,      // no samples
+  measures,  // all samples, as the database has them, without surfaces
   samples,   // all samples, with surfaces if cells have bodies
   surfaces,  // only samples with surfaces
 };
@@ -34,6 +36,8 @@ struct ExportedRun {
   std::map<CellPath, Colour> own{};     // the scenario's colours of cells, for those that have one
   std::vector<std::string> states{};    // the distinct texts of states, in their order
   std::set<std::string> givenNames{};   // those in results.names
+  Units units{};                        // the scenario's
+  bool hasBodies = true;                // false: there is a lineage alone
 
   /// Returns the colour of a cell in a state.
   Colour colourOf(const CellPath& cell, StateId state) const;

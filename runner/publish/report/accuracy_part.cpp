@@ -285,6 +285,8 @@ PagePart accuracyPart(const std::string& file) {
                      {"rows", "Settings", settingTables(report)},
                      referenceSection(report),
                      madeBy(json, scenario, file)};
+    if (Document stated = describeStated(report.stated); !stated.empty())
+      part.sections.insert(part.sections.begin(), PageSection{"stated", "Errors of the scenario as it is", stated, {}});
     part.sections.push_back({"rows-download", "Downloads",
                              Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
                                                        {"accuracy.json", "application/json", text}}})});

@@ -136,7 +136,7 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
 
 Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet, const BulletShown& where) {
   const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
-  const std::string when = "at time " + numberText(ours.clock.time, 6);
+  const std::string when = "at time " + shownTime(scenario.units, ours.clock.time, 6);
   Picture theirs = pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
   theirs.id = where.picture;
   Document three, all;

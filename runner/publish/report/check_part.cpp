@@ -66,7 +66,8 @@ Document bodyOf(const CheckedScenario& c) {
     body.add(Group{Group::Kind::pictures, "",
                    Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
                                              c.report.scenario + ": the organism as it is now",
-                                             "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
+                                             "as it is now, at time " + shownTime(c.again->scenario.units,
+                                                                                  c.again->simulation.end.time, 6)))});
   if (c.isOtherNow)
     body.say(
         "There are no pictures, because the scenario, its golden or the program has changed since this check; run "

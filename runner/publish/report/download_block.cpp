@@ -33,8 +33,8 @@ void offerRun(const RunFacts& run, const std::string& ending, Links& links) {
   auto store = Store::openForReading(run.database);
   static const std::set<std::string> ofStudies{"conditions", "replicates", "tasks", "results"};
   for (const NamedTable& table : csvTables(store, run.run.id))
-    if (!ofStudies.contains(table.name) && hasRows(table.text))
-      links.offer(table.name + ending + ".csv", "text/csv", table.text);
+    if (!ofStudies.contains(table.name) && hasRows(table.table.text()))
+      links.offer(table.name + ending + ".csv", "text/csv", table.table.text());
   if (run.results.lineage.empty()) return;
   SurfaceRequest tree;
   tree.wanted = Wanted::tree, tree.quiet = true;

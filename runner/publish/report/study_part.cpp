@@ -160,7 +160,8 @@ PagePart studyPart(const std::string& database) {
                                        " done: " + counted(r.conditions.size(), "condition") + ", " +
                                        counted(r.seeds.size(), "seed") + ".",
                                    findingsOf(c, database))};
-  const std::vector<std::string> sentences = verdictsOf(c);
+  const StudyComparison shown = inUnits(c, unitsOf(r, database));
+  const std::vector<std::string> sentences = verdictsOf(shown);
   PlainList said, more;
   for (std::size_t i = 0; i < sentences.size(); ++i) (i < maxSentences ? said : more).list.push_back(sentences[i]);
   Document findings;
@@ -170,17 +171,19 @@ PagePart studyPart(const std::string& database) {
     const std::string title = counted(more.list.size(), "more sentence");
     findings.add(folded(title, Document().add(std::move(more))));
   }
+  if (const std::string units = unitsInWords(shown); !units.empty()) findings.say(units);
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "Findings of the study", std::move(findings), {programWord() + " study compare " + file}});
   part.sections.push_back({"strips",
                            "Every value",
-                           stripsDocument(c, unitsOf(c.results, database)),
+                           stripsDocument(c, shown.units),
                            {programWord() + " study compare " + file + " -o strips.svg"}});
-  Document body = comparedTables(c);
+  Document body = comparedTables(shown);
   Downloads downloads;
-  for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
-                               Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
+  for (Downloads::File file :
+       {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
+        Downloads::File{"comparison.json", "application/json", jsonText(toJson(c, shown.units), 1)}})
     if (file.bytes.size() <= 1'000'000) downloads.files.push_back(std::move(file));
   body.add(std::move(downloads));
   part.sections.push_back({"comparison",

@@ -17,7 +17,7 @@ std::vector<std::string> columnNames(Database& db, const std::string& table) {
 
 SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeNull) {
   const std::string name = sqlName(field.name);
-  SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning};
+  SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning, field.unit};
   // A chain of comparisons, since for an IN of several values SQLite makes a table anew for each row, which takes as
   // long as storing the row.
   std::string checks;
@@ -29,13 +29,12 @@ SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeN
   }
   if (!checks.empty()) column.type += " CHECK (" + checks + ")";
   if (*field.refersTo) column.type += std::string(" REFERENCES ") + field.refersTo + " ON DELETE CASCADE";
-  if (*field.unit) column.meaning += std::string(column.meaning.empty() ? "" : " ") + "[" + field.unit + "]";
   return column;
 }
 
 std::vector<SqlColumn> contextColumns(const TableInfo& info) {
   static const FieldInfo known[] = {{.name = "run_id", .refersTo = "run"},
-                                    {.name = "time", .meaning = "as in sample"},
+                                    {.name = "time", .meaning = "as in sample", .unit = "time"},
                                     {.name = "step"},
                                     {.name = "number", .meaning = "in their order"},
                                     {.name = "task_id"}};
@@ -55,7 +54,10 @@ std::string SqlTable::create(bool withComments) const {
   for (const auto* columns : {&context, &own})
     for (const SqlColumn& c : *columns) {
       sql += "\n  " + sqlName(c.name) + " " + c.type + ",";
-      if (withComments && !c.meaning.empty()) sql += "  -- " + c.meaning;
+      if (!withComments || c.isMeasure) continue;  // MEASURES.md describes measures
+      if (!c.meaning.empty() || !c.unit.empty()) sql += "  --";
+      if (!c.meaning.empty()) sql += " " + c.meaning;
+      if (!c.unit.empty()) sql += " [" + c.unit + "]";
     }
   return sql + "\n  PRIMARY KEY (" + info.key + ")\n) STRICT" + (info.hasRowNumbers ? "" : ", WITHOUT ROWID");
 }

@@ -43,7 +43,7 @@ template <class Row>
 inline constexpr TableInfo tableInfo = {};
 
 struct SqlColumn {
-  std::string name, type, meaning;
+  std::string name, type, meaning, unit;  // unit: "time"; "": a pure number, or none
   bool isMeasure = false;  // a measure that joined later: an older file may lack it
 };
 
@@ -82,7 +82,7 @@ void addColumns(std::vector<SqlColumn>& list, FieldInfo field, const Member& mem
   const auto add = [&](const char* type) { list.push_back(columnFor(field, type, mayBeNull)); };
   if constexpr (IsMeasures<Member>) {
     member.each([&](const auto& measure, std::size_t) {
-      list.push_back({measure.name, measure.isWhole ? "INTEGER" : "REAL", "", true});
+      list.push_back({measure.name, measure.isWhole ? "INTEGER" : "REAL", measure.meaning, measure.unit, true});
     });
   } else if constexpr (requires { member.isAbsent; }) {
     addColumns(list, field, member.of, true);

@@ -145,13 +145,20 @@ void addItems(const std::vector<GoldenItem>& items, std::string& text) {
 }  // namespace
 
 std::string write(const GoldenStatistic& s) {
-  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) + " low " +
-         exactText(s.low) + " high " + exactText(s.high) + " runs " + std::to_string(s.runs);
+  const std::string interval = s.onePath ? "one-path" : "low " + exactText(s.low) + " high " + exactText(s.high);
+  return "statistic " + s.measure + " against " + s.against + " difference " + exactText(s.difference) + ' ' +
+         interval + " runs " + std::to_string(s.runs);
 }
 
 std::optional<GoldenStatistic> readStatistic(std::string_view line) {
-  const auto words = partsOf(line, ' ');
-  if (words.size() != 12 || line.ends_with(' ')) return std::nullopt;
+  auto words = partsOf(line, ' ');
+  if (line.ends_with(' ')) return std::nullopt;
+  const bool onePath = words.size() == 9 && words[6] == "one-path";
+  if (onePath) {
+    words.erase(words.begin() + 6);
+    words.insert(words.begin() + 6, {"low", words[5], "high", words[5]});
+  }
+  if (words.size() != 12) return std::nullopt;
   const char* const names[] = {"statistic", "against", "difference", "low", "high", "runs"};
   for (std::size_t i = 0; i < std::size(names); ++i)
     if (words[2 * i] != names[i]) return std::nullopt;
@@ -159,11 +166,12 @@ std::optional<GoldenStatistic> readStatistic(std::string_view line) {
   const auto runs = readNatural(words[11]);
   if (words[1].empty() || words[3].empty() || !difference || !low || !high || !(*low <= *high)) return std::nullopt;
   if (!runs || *runs < 2) return std::nullopt;
-  return GoldenStatistic{words[1], words[3], *difference, *low, *high, *runs};
+  return GoldenStatistic{words[1], words[3], *difference, *low, *high, *runs, onePath};
 }
 
 void add(Hasher& hasher, const GoldenStatistic& s) {
   hasher.field("statistic").add(s.measure).add(s.against).add(s.difference).add(s.low).add(s.high).add(s.runs);
+  if (s.onePath) hasher.field("one-path");
 }
 
 std::optional<std::uint64_t> horizonOf(const Golden& golden, double size) {
@@ -250,7 +258,9 @@ Golden readGolden(const std::string& text, const std::string& file) {
     if (line.starts_with("statistic ")) {
       const auto statistic = readStatistic(line);
       if (!statistic)
-        lines.fail("`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most high");
+        lines.fail(
+            "`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most high, or "
+            "`one-path` in place of `low X high X`");
       expectNew("statistic " + statistic->measure + " against " + statistic->against);
       golden.statistics.push_back(*statistic);
       continue;

@@ -24,11 +24,13 @@ struct GoldenStatistic {
   double difference = 0;     // [the measure's unit]
   double low = 0, high = 0;  // its 95 % interval
   std::uint64_t runs = 0;    // runs under each of the two settings
+  bool onePath = false;      // true: disturbed runs stay one path, so there is no interval; its ends are the difference
 
   friend bool operator==(const GoldenStatistic&, const GoldenStatistic&) = default;
 };
 
-/// Returns "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8".
+/// Returns "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8", or for one path
+/// "statistic clone_radius against half-step difference -0.0012 one-path runs 8".
 std::string write(const GoldenStatistic& statistic);
 
 /// Reads a line `statistic`. Returns null for any other line, and for an interval whose ends are not in order.

@@ -145,7 +145,11 @@ GoldenItem readItem(std::string_view line, const std::string& place) {
   std::optional<GoldenItem> item;
   std::string kinds;
   const auto tryAs = [&]<class Item>(const Item& empty) {
-    if (kind == kindOf(empty)) item = readAs<Item>(line, place);
+    if constexpr (std::is_same_v<Item, OldGoldenError>) {
+      if (kind == empty.kind && isOldError(line)) item = readAs<Item>(line, place);
+      return;
+    }
+    if (kind == kindOf(empty) && !item) item = readAs<Item>(line, place);
     kinds += (kinds.empty() ? "" : ", ") + kindOf(empty);
   };
   [&]<class... Items>(const std::variant<Items...>*) { (tryAs(Items{}), ...); }(static_cast<GoldenItem*>(nullptr));

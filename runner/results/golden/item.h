@@ -16,6 +16,7 @@
 #include "base/hash.h"
 #include "base/members.h"
 #include "biology/lineage.h"
+#include "golden/old_error.h"
 
 namespace morula {
 
@@ -139,16 +140,19 @@ struct GoldenRow {
 };
 MORULA_MEMBERS(GoldenRow, name, step, values, line)
 
-/// The error of the scenario's settings, as `morula accuracy` has measured it; it is stated, and compared with no run.
+/// The error of the scenario's settings in one quantity, as `morula accuracy` has measured it; it is stated, and compared
+/// with no run. Errors at rest are medians over quiet times, errors at worst bounds of the largest.
 struct GoldenError {
   static constexpr const char *kind = "error", *check = "stated";
   std::string quantity;             // [accuracy/state_error.h]
-  double time = 0, until = 0;       // error of time step and single precision; last comparison [time]
-  std::optional<double> mesh;       // error of the mesh; 0 for spheres; absent: not known
+  std::optional<double> rest;       // of time step and single precision, at rest; absent: no time is quiet
+  double worst = 0, until = 0;      // at worst; last comparison [time]
+  std::optional<double> meshRest;   // of the mesh, at rest; absent: not known, or no time is quiet
+  std::optional<double> meshWorst;  // of the mesh, at worst; 0 for spheres; absent: not known
   std::optional<double> meshUntil;  // [time]
   int line = 0;
 };
-MORULA_MEMBERS(GoldenError, quantity, time, until, mesh, meshUntil, line)
+MORULA_MEMBERS(GoldenError, quantity, rest, worst, until, meshRest, meshWorst, meshUntil, line)
 
 /// The reason why no error of the `time` step or of the `mesh` is stated, or none beyond a time.
 struct GoldenUnstated {
@@ -160,8 +164,9 @@ struct GoldenUnstated {
 MORULA_MEMBERS(GoldenUnstated, of, why, line)
 
 /// An item of any kind, in the order of the file; stated kinds come first.
-using GoldenItem = std::variant<GoldenError, GoldenUnstated, GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep,
-                                GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue, GoldenColumn, GoldenRow>;
+using GoldenItem =
+    std::variant<OldGoldenError, GoldenError, GoldenUnstated, GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep,
+                 GoldenBits, GoldenLink, GoldenImage, GoldenCost, GoldenValue, GoldenColumn, GoldenRow>;
 
 // Each goldenText gives one text per value, so that equal texts mean equal bits and vice versa.
 std::string goldenText(std::uint64_t value);

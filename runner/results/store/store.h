@@ -104,6 +104,8 @@ class Store {
   void eachRecord(const std::string& id, const RecordSink& take);
   /// Reads only the lineage, state texts and what experiments have done.
   RunResults lineage(const std::string& id);
+  /// Reads the lineage and the samples, without surfaces.
+  RunResults measured(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<SourceText> documents(const std::string& id);

@@ -132,6 +132,14 @@ RunResults Store::lineage(const std::string& id) {
   return results;
 }
 
+RunResults Store::measured(const std::string& id) {
+  RunResults results;
+  StateNumbers numberOf(results.stateTexts);
+  readLineage(db_, id, results, numberOf);
+  readSamples(db_, id, numberOf, [&](Sample s) { results.samples.push_back(std::move(s)); });
+  return results;
+}
+
 RunResults Store::results(const std::string& id) {
   RunResults results;
   StateNumbers numberOf(results.stateTexts);

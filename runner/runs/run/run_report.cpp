@@ -128,6 +128,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"steps", end.steps},
             {"cells", end.cells},
             {"time", end.time},
+            {"units", knownUnits(scenario.units)},
             {"resumed_at", orNull(outcome.resumedAt)},
             {"mother_run_id", outcome.mother.empty() ? Json() : Json(outcome.mother)},
             {"db", outcome.database.string()},

@@ -9,6 +9,7 @@
 #include "analysis/compare_parts.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "yaml/problems.h"
 
 namespace morula {
 namespace {
@@ -101,12 +102,14 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
     if (isNew) {
       CompareOptions options;
       if (!margin.empty()) options.margins = {margin};
+      options.refuseWide = false;  // a margin is refused at its place in the study file
       options.within = within;
       found->second = compareStudy(results, options);
     }
     return found->second;
   };
   std::vector<ClaimFinding> findings;
+  scenario::Problems problems(study.file);
   for (const Claim& claim : study.claims) {
     ClaimFinding& finding = findings.emplace_back();
     finding.claim = claimInWords(claim, results), finding.place = claim.place;
@@ -122,9 +125,13 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
     const StudyComparison& c = compared(isMargin ? claim.measure + '=' + claim.within : "", fixes);
     const PairComparison* pair = pairOf(c, claim);
     if (!pair) continue;
+    if (pair->equivalence && pair->equivalence->verdict == Equivalent::untested)
+      problems.add(claim.marginPlace, fmt::format("check[{}].within", findings.size() - 1),
+                   tooWideText(c, pair->measure, pair->equivalence->test.margin), narrowerText(c, pair->measure));
     finding.holds = holds(claim, *pair);
     finding.found = pairInWords(c, *pair);
   }
+  problems.throwIfAny();
   return findings;
 }
 

@@ -18,7 +18,8 @@ struct ClaimFinding {
 
 /// Returns one finding for each claim, in their order. Pairs are those of compareStudy over all axes and measures, with
 /// the other axes fixed where a claim fixes them. Equivalence is tested with the claim's margin for its measure alone.
-/// A claim without values does not hold. Throws InputError if axes, labels or measures differ from the study's.
+/// A claim without values does not hold. Throws InputError if axes, labels or measures differ from the study's, and for
+/// margins wider than the range of all values of their measure, each with its place.
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study);
 
 /// Returns true if the results have the axes, labels and measures of the study's claims.

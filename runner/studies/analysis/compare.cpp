@@ -7,7 +7,8 @@
 namespace morula {
 namespace {
 
-ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition) {
+ConditionSummary summaryOf(const StudyComparison& c, std::size_t measure, std::size_t condition) {
+  const StudyResults& results = c.results;
   ConditionSummary summary{.measure = measure, .condition = condition};
   const auto& tasks = results.conditions[condition].tasks;
   std::set<std::size_t> seen;
@@ -25,7 +26,10 @@ ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std
   summary.distinct = states.size();
   if (distinct.empty()) return summary;
   summary.mean = mean(distinct);
-  if (summary.distinct > 1) summary.interval = intervalOfMean(distinct);
+  summary.onePath = std::ranges::binary_search(c.onePaths, condition) && isOnePath(distinct);
+  if (summary.onePath || summary.distinct < 2) return summary;
+  summary.interval = intervalOfMean(distinct);
+  summary.shape = shapeOf(distinct).shape;
   return summary;
 }
 
@@ -91,9 +95,11 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
   c.margins = parseMargins(options.margins, r.measures);
   for (std::size_t i = 0; i < r.conditions.size(); ++i)
     if (isSeedless(r, r.conditions[i])) c.seedless.push_back(i);
+  findOnePaths(c);
   for (const std::size_t m : c.measures)
-    for (std::size_t i = 0; i < r.conditions.size(); ++i) c.conditions.push_back(summaryOf(r, m, i));
+    for (std::size_t i = 0; i < r.conditions.size(); ++i) c.conditions.push_back(summaryOf(c, m, i));
   comparePairs(c, options.within);
+  if (options.refuseWide) refuseWideMargins(c);
   compareFactors(c);
   splitPairs(c);
   compareOverTime(c);

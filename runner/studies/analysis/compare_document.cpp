@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/compare_parts.h"
 #include "analysis/compare_tables.h"
@@ -26,6 +27,14 @@ std::vector<PairComparison> ofAxis(std::vector<PairComparison> pairs, std::size_
   return pairs;
 }
 
+/// Returns "thread, own: 10 runs that are one run".
+std::string onePathText(const StudyResults& r, std::size_t condition) {
+  std::set<std::size_t> runs;
+  for (const std::size_t t : r.conditions[condition].tasks)
+    if (r.isDone(t)) runs.insert(t);
+  return fmt::format("{}: {} runs that are one run", r.nameOf(r.conditions[condition]), runs.size());
+}
+
 Document header(const StudyComparison& c) {
   const StudyResults& r = c.results;
   const auto done = std::ranges::count(r.tasks, TaskStatus::done, &ResultTask::status);
@@ -43,12 +52,17 @@ Document header(const StudyComparison& c) {
   for (const std::size_t i : c.seedless) seedless.list.push_back(r.nameOf(r.conditions[i]));
   if (!seedless.list.empty())
     text.say("conditions that seeds do not change have one run and no interval").add(std::move(seedless));
+  PlainList onePaths;
+  for (const std::size_t i : c.onePaths) onePaths.list.push_back(onePathText(r, i));
+  if (!onePaths.list.empty())
+    text.say("one path: the runs of these conditions differ by less than a millionth, so they have no interval")
+        .add(std::move(onePaths));
   return text;
 }
 
 /// Makes a table with a row for each condition, and at most eight of the times.
 Table meansOverTime(const StudyComparison& c, const std::vector<TimeCourse>& courses) {
-  Table table{"Means over time", {"time"}};
+  Table table{"Means over time", {timeLabel(c.units)}};
   for (const TimeCourse& course : courses) {
     const std::size_t count = course.points.size(), columns = std::min(count, maxTimes);
     std::vector<Cell> row{c.results.nameOf(c.results.conditions[course.condition])};
@@ -83,6 +97,7 @@ Document describe(const StudyComparison& c) {
   Document text = header(c);
   if (const auto verdicts = verdictsOf(c); !verdicts.empty())
     text.heading("Findings of the study").add(PlainList{{verdicts.begin(), verdicts.end()}});
+  if (const std::string units = unitsInWords(c); !units.empty()) text.say(units);
   return text.add(comparedTables(c));
 }
 
@@ -94,7 +109,7 @@ Document comparedTables(const StudyComparison& c) {
   for (const std::size_t m : c.measures) {
     const auto conditions = ofMeasure(c.conditions, m);
     if (std::ranges::all_of(conditions, [](const ConditionSummary& s) { return s.values.empty(); })) continue;
-    const std::string name = c.measureName(m), unit = unitOfMeasure(name);
+    const std::string name = c.measureName(m), unit = shownUnit(c.units, unitOfMeasure(name)).name;
     add(name + (unit.empty() ? "" : " [" + unit + "]"), conditionTable(c, conditions));
     const auto pairs = ofMeasure(c.pairs, m);
     const auto by = [&](std::size_t axis) { return name + " by " + c.results.axes[axis].name; };
@@ -113,11 +128,13 @@ Document comparedTables(const StudyComparison& c) {
   return text;
 }
 
-Json toJson(const StudyComparison& c) {
+Json toJson(const StudyComparison& c, const Units& known) {
   const StudyResults& r = c.results;
-  Json by = Json::array(), seedless = Json::array(), effects = Json::array(), courses = Json::array();
+  Json by = Json::array(), seedless = Json::array(), onePaths = Json::array(), effects = Json::array(),
+       courses = Json::array();
   for (const std::size_t a : c.by) by.push_back(r.axes[a].name);
   for (const std::size_t i : c.seedless) seedless.push_back(labelsOf(r, r.conditions[i].levels));
+  for (const std::size_t i : c.onePaths) onePaths.push_back(labelsOf(r, r.conditions[i].levels));
   for (const MeasureEffects& e : c.effects)
     effects.push_back({{"measure", c.measureName(e.measure)},
                        {"seeds", e.seeds},
@@ -129,9 +146,11 @@ Json toJson(const StudyComparison& c) {
                        {"points", jsonOf(courseTable(c, course))}});
   return {{"study", r.name},
           {"by", by},
+          {"units", unitsJson(c, known)},
           {"troubles", troublesOf(r)},
           {"unfinished", unfinished(r)},
           {"seeds_change_nothing", seedless},
+          {"one_path", onePaths},
           {"verdicts", verdictsOf(c)},
           {"conditions", jsonOf(conditionTable(c, c.conditions))},
           {"pairs", jsonOf(pairTable(c, c.pairs))},

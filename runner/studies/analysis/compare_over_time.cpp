@@ -63,7 +63,8 @@ void compareOverTime(StudyComparison& c) {
       for (const double time : times) {
         std::vector<double> values;
         for (const std::size_t t : tasks) values.push_back(valueAt(r.tasks[t].values[m], time));
-        course.points.push_back({time, values.size(), mean(values), intervalOfMean(values)});
+        const auto interval = isOnePath(values) ? std::nullopt : intervalOfMean(values);
+        course.points.push_back({time, values.size(), mean(values), interval});
       }
     }
   }

@@ -28,13 +28,30 @@ std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& re
   return all;
 }
 
-PairComparison compare(const StudyResults& results, std::size_t measure, std::size_t axis, std::size_t a, std::size_t b,
+/// Returns true if both sides of a difference in all pairs of runs are one path, or every pair is equal but for
+/// rounding.
+bool isOnePath(const PairComparison& pair, bool sidesAre) {
+  if (pair.of.size() < 2 || sidesAre) return sidesAre;
+  double largest = 0, apart = 0;
+  for (std::size_t i = 0; i < pair.of.size(); ++i) {
+    largest = std::max({largest, std::abs(pair.of[i]), std::abs(pair.against[i])});
+    apart = std::max(apart, std::abs(pair.of[i] - pair.against[i]));
+  }
+  return apart > 0 && apart <= onePathSpread * largest;
+}
+
+PairComparison compare(const StudyComparison& c, std::size_t measure, std::size_t axis, std::size_t a, std::size_t b,
                        const Fixed& at) {
+  const StudyResults& results = c.results;
+  std::set<std::size_t> onePaths;  // conditions
+  for (const ConditionSummary& s : c.conditions)
+    if (s.measure == measure && (s.onePath || !results.conditions[s.condition].usesSeed)) onePaths.insert(s.condition);
   PairComparison pair;
   pair.measure = measure, pair.axis = axis, pair.a = a, pair.b = b, pair.at = at, pair.sameRuns = true;
   const auto conditions = partners(results, axis, a, b, at);
   std::set<std::vector<std::size_t>> seen;  // the tasks of pairs so far
   bool varies = false;                      // true if one of the conditions uses the seed
+  bool onePath = true;                      // true if none of them gives runs that differ
   for (std::size_t s = 0; s < results.seeds.size(); ++s) {
     double sumA = 0, sumB = 0;
     std::vector<std::size_t> tasks;
@@ -46,6 +63,7 @@ PairComparison compare(const StudyResults& results, std::size_t measure, std::si
       tasks.push_back(ti), tasks.push_back(tj);
       pair.sameRuns = pair.sameRuns && ti == tj;
       varies = varies || results.conditions[i].usesSeed || results.conditions[j].usesSeed;
+      onePath = onePath && onePaths.contains(i) && onePaths.contains(j);
     }
     if (tasks.empty()) continue;
     ++pair.seeds;
@@ -56,6 +74,11 @@ PairComparison compare(const StudyResults& results, std::size_t measure, std::si
   if (pair.of.empty()) return pair;
   pair.meanA = mean(pair.of), pair.meanB = mean(pair.against);
   pair.signs = signsOf(pair.of, pair.against);
+  if (isOnePath(pair, onePath && pair.of.size() > 1)) {
+    pair.known = Known::onePath;
+    pair.paired.difference = pair.meanA - pair.meanB;
+    return pair;
+  }
   if (pair.of.size() > 1) {
     pair.paired = comparePaired(pair.of, pair.against);
     pair.unpaired = compareUnpaired(pair.of, pair.against);
@@ -110,11 +133,17 @@ void testEquivalences(StudyComparison& c) {
     const auto margin = marginOf(c.margins, c.measureName(pair.measure), 0.5 * (pair.meanA + pair.meanB));
     if (!margin || pair.known == Known::oneSeed) continue;
     auto& same = pair.equivalence.emplace();
+    if (isTooWide(rangeOf(c, pair.measure), *margin)) {
+      same = {.test = {.margin = *margin}, .verdict = Equivalent::untested};
+      continue;
+    }
     same.test = testEquivalence(pair.paired, *margin);
     same.corrected = same.test.p, same.correctedBeyond = same.test.pBeyond;
   }
   using Value = std::optional<double>;
-  const auto tested = [](const PairComparison& p) { return p.equivalence && p.known == Known::estimated; };
+  const auto tested = [](const PairComparison& p) {
+    return p.equivalence && p.equivalence->verdict != Equivalent::untested && p.known == Known::estimated;
+  };
   correct(
       c.pairs, [&](PairComparison& p) { return tested(p) ? Value(p.equivalence->test.p) : Value(); },
       [](PairComparison& p, double corrected) { p.equivalence->corrected = corrected; });
@@ -122,7 +151,8 @@ void testEquivalences(StudyComparison& c) {
       c.pairs, [&](PairComparison& p) { return tested(p) ? Value(p.equivalence->test.pBeyond) : Value(); },
       [](PairComparison& p, double corrected) { p.equivalence->correctedBeyond = corrected; });
   for (PairComparison& p : c.pairs)
-    if (p.equivalence) p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
+    if (p.equivalence && p.equivalence->verdict != Equivalent::untested)
+      p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
 }
 
 /// Adds a comparison of every two levels of an axis, with the other axes fixed as in `at`.
@@ -131,7 +161,7 @@ void addPairs(const StudyComparison& c, std::size_t measure, std::size_t axis, c
   const std::size_t levels = c.results.axes[axis].labels.size();
   for (std::size_t a = 0; a < levels; ++a)
     for (std::size_t b = a + 1; b < levels; ++b) {
-      auto pair = compare(c.results, measure, axis, a, b, at);
+      auto pair = compare(c, measure, axis, a, b, at);
       if (pair.seeds > 0) pairs.push_back(std::move(pair));
     }
 }
@@ -156,7 +186,7 @@ bool PairComparison::isOfMean() const {
 std::optional<double> PairComparison::intervalRatio() const {
   // Differences without variance cannot show what pairing saves.
   if (!unpaired || !unpaired->interval || !paired.interval) return std::nullopt;
-  return paired.interval->width() / unpaired->interval->width();
+  return studentInterval(paired.estimate(), 0.95).width() / unpaired->interval->width();
 }
 
 void comparePairs(StudyComparison& c, bool within) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
 
@@ -11,6 +12,9 @@ namespace {
 Cell bound(const std::optional<Interval>& i, double Interval::*end, int digits = 4) {
   return number(i ? std::optional((*i).*end) : std::nullopt, digits);
 }
+
+/// Returns the shape of a sample; people read only what is not plain.
+Cell shapeCell(SampleShape shape) { return Cell(nameOf(shape), shape == SampleShape::plain ? "" : nameOf(shape)); }
 
 /// Returns "0.42 to 0.44".
 Words rangeOf(const std::optional<Interval>& i) {
@@ -37,6 +41,7 @@ std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;
   std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& row) { return c.measureName(row.measure); }},
+      {{"", "unit", ""}, [&](const Row& row) { return unitOfMeasure(c.measureName(row.measure)); }},
       {{"labels", "", ""}, [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
   for (std::size_t a = 0; a < r.axes.size(); ++a)
     fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name},
@@ -79,7 +84,9 @@ Table conditionTable(const StudyComparison& c, const std::vector<ConditionSummar
       {{"mean", "value", "mean"}, [](const Row& s) { return s.values.empty() ? exact({}) : number(s.mean); }},
       {{"low", "low", ""}, [](const Row& s) { return bound(s.interval, &Interval::low); }},
       {{"high", "high", ""}, [](const Row& s) { return bound(s.interval, &Interval::high); }},
-      {{"", "", "95 % interval"}, [](const Row& s) { return Cell({}, rangeOf(s.interval)); }},
+      {{"", "", "95 % interval"}, [](const Row& s) { return Cell({}, s.onePath ? "one path" : rangeOf(s.interval)); }},
+      {{"shape", "shape", "shape"}, [](const Row& s) { return shapeCell(s.shape); }},
+      {{"one_path", "", ""}, [](const Row& s) { return exact(s.onePath); }},
       {{"seeds", "", ""}, [](const Row& s) { return exact(s.seeds); }},
       {{"values", "", "values"},
        [](const Row& s) {
@@ -99,6 +106,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
   };
   std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& p) { return c.measureName(p.measure); }},
+      {{"", "unit", ""}, [&](const Row& p) { return unitOfMeasure(c.measureName(p.measure)); }},
       {{"axis", "by", ""}, [&](const Row& p) { return axisOf(p).name; }},
       {{"a", "a", ""}, [&](const Row& p) { return axisOf(p).labels[p.a]; }},
       {{"b", "b", ""}, [&](const Row& p) { return axisOf(p).labels[p.b]; }},
@@ -113,7 +121,11 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"low", "low", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::low); }},
       {{"high", "high", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::high); }},
       {{"", "", "95 % interval"},
-       [](const Row& p) { return Cell({}, p.known == Known::exact ? "exact" : rangeOf(p.paired.interval)); }},
+       [](const Row& p) {
+         const bool isNamed = p.known == Known::exact || p.known == Known::onePath;
+         return Cell({}, isNamed ? nameOf(p.known) : rangeOf(p.paired.interval));
+       }},
+      {{"shape", "shape", "shape"}, [](const Row& p) { return shapeCell(p.paired.sample.shape); }},
       {{"p", "p", "p"}, [=](const Row& p) { return ifEstimated(p, p.paired.p, 2); }},
       {{"p_holm", "p_holm", "Holm"}, [](const Row& p) { return number(p.corrected, 2); }},
       {{"effect", "effect", "d" + Words("z", Emphasis::subscript)},
@@ -222,7 +234,9 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
 
 Table courseTable(const StudyComparison& c, const TimeCourse& of) {
   using Row = TimeCourse::Point;
-  std::vector<FieldOf<Row>> fields{{{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
+  std::vector<FieldOf<Row>> fields{
+      {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
+      {{"", "unit", ""}, [&](const Row&) { return unitOfMeasure(c.measureName(of.measure)); }}};
   for (std::size_t a = 0; a < c.results.axes.size(); ++a)
     fields.push_back({{"", "axis:" + c.results.axes[a].name, ""}, [&, a](const Row&) {
                         return c.results.axes[a].labels[c.results.conditions[of.condition].levels[a]];

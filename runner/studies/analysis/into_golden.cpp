@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/study_comparison.h"
 #include "base/error.h"
@@ -22,11 +23,13 @@ double threeDigits(double a) { return std::stod(fmt::format("{:.2e}", a)); }
 std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t axis) {
   std::vector<GoldenStatistic> statistics;
   for (const PairComparison& p : c.pairs) {
-    if (p.axis != axis || p.a != 0 || !p.isOfMean() || p.known != Known::estimated) continue;
-    const double same = p.paired.difference;  // under every seed, if there is no interval
-    const Interval range = p.paired.interval.value_or(Interval{same, same});
+    if (p.axis != axis || p.a != 0 || !p.isOfMean()) continue;
+    if (p.known != Known::estimated && p.known != Known::onePath) continue;
+    const bool onePath = p.known == Known::onePath;
+    const double same = p.paired.difference;  // under every seed, or on one path, if there is no interval
+    const Interval range = onePath ? Interval{same, same} : p.paired.interval.value_or(Interval{same, same});
     statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
-                          threeDigits(range.low), threeDigits(range.high), p.of.size()});
+                          threeDigits(range.low), threeDigits(range.high), p.of.size(), onePath});
   }
   return statistics;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/measure_words.h"
 #include "base/did_you_mean.h"
 #include "files/text.h"
 #include "golden/read_number.h"
@@ -50,7 +51,7 @@ std::optional<double> marginOf(const std::vector<Margin>& margins, const std::st
   for (const Margin& m : margins)
     if (m.measure == measure || (m.measure.empty() && !found)) found = &m;
   if (!found) return std::nullopt;
-  const double size = found->ofMean ? found->size * std::abs(mean) : found->size;
+  const double size = found->ofMean ? found->size * std::abs(mean - wordsOfMeasure(measure).zero) : found->size;
   return size > 0 ? std::optional(size) : std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "observation/asked_measure.h"
 
 namespace morula {
@@ -11,6 +12,7 @@ namespace {
 
 struct KnownWords {
   const char *measure, *more, *less;
+  double zero = 0;  // as MeasureWords::zero
 };
 
 constexpr std::array known{
@@ -20,7 +22,7 @@ constexpr std::array known{
     KnownWords{"clone_spread", "more spread out", "more compact"},
     KnownWords{"clone_components", "more", "fewer"},
     KnownWords{"mixing_index", "more mixed", "less mixed"},
-    KnownWords{"sphericity", "rounder", "less round"},
+    KnownWords{"sphericity", "rounder", "less round", 1},
     KnownWords{"elongation", "longer", "shorter"},
     KnownWords{"organism_elongation", "longer", "shorter"},
     KnownWords{"extent", "wider", "narrower"},
@@ -42,11 +44,12 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::ranges::replace(plain, '.', ' ');
   const std::string row = rowOf(measure);
   const auto asked = findMeasure(measure);
-  if (asked && asked->form == AskedMeasure::Form::distance) return {plain, "larger", "smaller"};
+  if (asked && asked->form == AskedMeasure::Form::distance) return {plain, "larger", "smaller", 0, ""};
   if (!asked || asked->parts.empty())
     for (const KnownWords& w : known)
-      if (row == w.measure) return {plain, w.more, w.less};
-  return {plain, "higher", "lower"};
+      if (row == w.measure)
+        return {plain, w.more, w.less, w.zero, w.zero == 0 ? "" : numberText(w.zero) + " − " + plain};
+  return {plain, "higher", "lower", 0, ""};
 }
 
 std::string unitOfMeasure(const std::string& measure) {

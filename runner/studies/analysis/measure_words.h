@@ -10,6 +10,10 @@ namespace morula {
 struct MeasureWords {
   std::string noun;        // "clone radius"
   std::string more, less;  // "wider", "tighter": for larger and for smaller values
+  /// Value from which the measure varies. Shares and percentages are of the distance from there: 0.94 and 0.97 of a
+  /// measure whose zero is 1 differ by half.
+  double zero = 0;
+  std::string scale = {};  // "1 − sphericity", in words; "" if zero is 0
 };
 
 /// Returns the words for a measure as results call it: "clone_radius", "cell.volume". A measure without words of its

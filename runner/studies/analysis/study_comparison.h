@@ -21,7 +21,8 @@ struct CompareOptions {
   std::vector<std::string> by = {};        // axes whose levels are compared; none: all axes
   std::vector<std::string> measures = {};  // none: all
   std::vector<std::string> margins = {};   // texts for parseMargins; none: equivalence is not tested
-  bool within = false;  // compare levels also at each level of the other axes, not only in their mean
+  bool within = false;     // compare levels also at each level of the other axes, not only in their mean
+  bool refuseWide = true;  // throw for a measure's own margin that is wider than the range of all its values
 };
 
 /// One measure under one condition, at the end of the runs.
@@ -31,19 +32,24 @@ struct ConditionSummary {
   std::vector<double> values = {};        // one for each of `seeds`
   std::size_t distinct = 0;               // number of different final states
   double mean = 0;                        // of the distinct runs: a run of several seeds counts once. 0 without values
-  /// Student's 95 % interval of the mean; absent for one value, and where seeds change nothing.
+  /// 95 % interval of the mean; absent for one value, and where seeds change nothing or all runs are one path.
   std::optional<Interval> interval = {};
+  SampleShape shape = SampleShape::plain;  // of the values of the distinct runs
+  bool onePath = false;                    // the condition is one path, and the values differ as little
 };
 
 /// How well a difference is known.
-enum class Known { estimated, exact, oneSeed };
+enum class Known { estimated, exact, onePath, oneSeed };
 template <>
 inline constexpr auto choices<Known> = std::to_array<Choice<Known>>(
     {{Known::estimated, "estimated", "two pairs of runs or more: the difference has an interval"},
      {Known::exact, "exact", "seeds change neither side: the difference is exact"},
+     {Known::onePath, "one path",
+      "the runs of all seeds are one run but for rounding: the difference is known as well"},
      {Known::oneSeed, "one seed", "one pair of runs alone: the variation is not known"}});
 
-/// The test that two conditions are equal within a margin.
+/// The test that two conditions are equal within a margin. A margin wider than the range of all values of all
+/// conditions is not tested: no two conditions could fail it.
 struct PairEquivalence {
   Equivalence test;
   double corrected = 1, correctedBeyond = 1;  // Holm
@@ -69,8 +75,8 @@ struct PairComparison {
 
   bool isOfMean() const;  // no other axis is fixed
   bool isShown() const { return known == Known::estimated && corrected.value_or(1) < 0.05; }
-  /// Returns the width of the paired interval over the unpaired one's: below 1 common random numbers pay. Absent where
-  /// nothing varies.
+  /// Returns the width of the paired interval over the unpaired one's, both Student's: below 1 common random numbers
+  /// pay. Absent where nothing varies.
   std::optional<double> intervalRatio() const;
 };
 
@@ -103,6 +109,7 @@ struct StudyComparison {
   std::vector<std::size_t> measures;  // the measures that are compared
   std::vector<Margin> margins;
   std::vector<std::size_t> seedless;         // conditions whose seeds change nothing, in a study with several seeds
+  std::vector<std::size_t> onePaths;         // conditions whose runs are one run but for rounding (one_path.cpp)
   std::vector<ConditionSummary> conditions;  // by measure, then condition
   std::vector<PairComparison> pairs;         // by measure, axis, fixed levels, levels
   std::vector<MeasureEffects> effects;
@@ -110,12 +117,20 @@ struct StudyComparison {
   /// of their own.
   std::vector<PairComparison> split;
   std::vector<TimeCourse> courses;  // courses of measures that were taken at several times
+  Units units = {};                 // of its numbers; without names: the scene's own
 
   const std::string& measureName(std::size_t m) const { return results.measures[m]; }
 };
 
-/// Throws UsageError for axes, measures and margins that the study does not have.
+/// Throws UsageError for axes, measures and margins that the study does not have, and for margins too wide to test.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
+
+/// Returns a comparison with its numbers, which are in the scene's own units, in those that people know.
+StudyComparison inUnits(StudyComparison comparison, const Units& units);
+/// Returns the sentence that names the known units of its numbers; "" for the scene's own.
+std::string unitsInWords(const StudyComparison& comparison);
+/// Returns {"clone_radius": {"unit": "length", "known_unit": {"name": "µm", "factor": 27}}, …} for measures and time.
+Json unitsJson(const StudyComparison& comparison, const Units& known);
 
 /// Returns sentences. First, for each axis and measure: whether the axis matters, how much and between which levels; at
 /// each level of another axis if the two interact. Then, by measure and pair, what differs, what is equivalent and what
@@ -127,8 +142,8 @@ std::vector<std::string> troublesOf(const StudyResults& results);
 /// Describe a comparison for people: as a whole, and its tables alone.
 Document describe(const StudyComparison& comparison);
 Document comparedTables(const StudyComparison& comparison);
-/// Writes a comparison for `compare --json`.
-Json toJson(const StudyComparison& comparison);
+/// Writes a comparison for `compare --json`. `known`: the units that people know; the numbers stay the scene's.
+Json toJson(const StudyComparison& comparison, const Units& known = {});
 /// Returns one table of rows of several kinds (value, condition, pair, effect, course), named in the first column.
 /// Fields are quoted as RFC 4180 says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);

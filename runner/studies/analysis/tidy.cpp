@@ -1,5 +1,6 @@
 #include "analysis/tidy.h"
 
+#include "analysis/measure_words.h"
 #include "analysis/study_results.h"
 #include "base/number_text.h"
 #include "database/database.h"
@@ -38,29 +39,34 @@ void writeTidy(const std::filesystem::path& file, TidyRows rows, const std::func
     labels += "condition." + sqlName(axis.name) + ", ", header += csvField(axis.name) + ",";
   const int axes = static_cast<int>(study.axes.size());
   if (rows == TidyRows::runs) {
-    write(header + "seed,time,measure,value\n");
+    write(header + "seed,time,measure,value,unit\n");
     Statement values(db, "SELECT " + labels + "replicate.seed, result.time, measure, value" + runsOfConditions +
                              "result USING (run_id) WHERE task.status = 'done' "
                              "ORDER BY condition.condition_id, replicate.seed, measure, result.time");
     for (values.start(); values.next();)
       write(beginningOf(values, axes) + csvField(values.line(axes + 2)) + "," + exactText(values.finite(axes + 3)) +
-            "\n");
+            "," + unitOfMeasure(values.line(axes + 2)) + "\n");
     return;
   }
   const auto measures = measuresOfCells(db);
   std::string columns;
+  std::vector<std::string> units;  // the ends of lines
+  for (const std::string& name : measures) units.push_back("," + unitOfMeasure("cell." + name) + "\n");
   for (const std::string& name : measures) columns += ", cell_sample." + sqlName(name);
-  write(header + "seed,time,cell,substances,measure,value\n");
-  Statement cells(db, "SELECT " + labels + "replicate.seed, cell_sample.time, path, state" + columns +
-                          runsOfConditions +
-                          "cell_sample USING (run_id) WHERE task.status = 'done' "
-                          "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
+  write(header + "seed,time,cell,name,substances,measure,value,unit\n");
+  Statement cells(
+      db, "SELECT " + labels +
+              "replicate.seed, cell_sample.time, iif(path = '', 'egg', path), cell.name, cell_sample.state" + columns +
+              runsOfConditions +
+              "cell_sample USING (run_id) LEFT JOIN cell USING (run_id, path) WHERE task.status = 'done' "
+              "ORDER BY condition.condition_id, replicate.seed, cell_sample.time, path");
   for (cells.start(); cells.next();) {
-    const std::string beginning =
-        beginningOf(cells, axes) + csvField(cells.line(axes + 2)) + "," + csvField(cells.line(axes + 3)) + ",";
+    std::string beginning = beginningOf(cells, axes) + cells.line(axes + 2) + ",";
+    if (!cells.isNull(axes + 3)) beginning += csvField(cells.line(axes + 3));
+    beginning += "," + csvField(cells.line(axes + 4)) + ",";
     for (std::size_t m = 0; m < measures.size(); ++m) {
-      const int column = axes + 4 + static_cast<int>(m);
-      if (!cells.isNull(column)) write(beginning + measures[m] + "," + exactText(cells.finite(column)) + "\n");
+      const int column = axes + 5 + static_cast<int>(m);
+      if (!cells.isNull(column)) write(beginning + measures[m] + "," + exactText(cells.finite(column)) + units[m]);
     }
   }
 }

@@ -16,8 +16,9 @@ inline constexpr auto choices<TidyRows> = std::to_array<Choice<TidyRows>>({
 });
 
 /// Hands on a merged study's values as CSV [RFC 4180], a line at a time; lines end in a line feed. Columns: a label for
-/// each axis, seed, time, with `cells` the cell's path and substances, then measure and value. Conditions that share a
-/// run each have its values; runs without a result have none. Throws StoreError if the file is no merged study.
+/// each axis, seed, time, with `cells` the cell's path (or egg), name and substances, then measure, value and the
+/// value's unit, the scene's. Conditions that share a run each have its values; runs without a result have none. Throws
+/// StoreError if the file is no merged study.
 void writeTidy(const std::filesystem::path& file, TidyRows rows,
                const std::function<void(std::string_view line)>& write);
 

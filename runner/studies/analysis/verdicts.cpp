@@ -18,20 +18,12 @@ namespace {
 /// reported as telling nothing.
 constexpr double littleRange = 0.01;
 
-struct Spread {
-  double low = INFINITY, high = -INFINITY;
-  double share() const {
-    const double size = std::max(std::abs(low), std::abs(high));
-    return size > 0 ? (high - low) / size : 0;
-  }
-};
-
-Spread spreadOf(const StudyComparison& c, std::size_t measure) {
-  Spread s;
-  for (const ConditionSummary& summary : c.conditions)
-    if (summary.measure == measure)
-      for (const double v : summary.values) s.low = std::min(s.low, v), s.high = std::max(s.high, v);
-  return s;
+/// Returns the range of a measure's values as a share of their largest distance from the measure's zero.
+double shareOfRange(const StudyComparison& c, std::size_t measure) {
+  const ValueRange range = rangeOf(c, measure);
+  const double zero = wordsOfMeasure(c.measureName(measure)).zero;
+  const double size = std::max(std::abs(range.low - zero), std::abs(range.high - zero));
+  return size > 0 ? (range.high - range.low) / size : 0;
 }
 
 /// Returns "p = 0.012"; "p < 1e-15" for values whose digits are rounding errors; "" without a p-value.
@@ -53,7 +45,7 @@ bool anyEffect(const StudyComparison& c, std::size_t measure) {
 
 /// Returns true if all values lie close together and no difference or effect is shown.
 bool tellsNothing(const StudyComparison& c, std::size_t measure) {
-  return spreadOf(c, measure).share() <= littleRange && !anyShown(c, measure) && !anyEffect(c, measure);
+  return shareOfRange(c, measure) <= littleRange && !anyShown(c, measure) && !anyEffect(c, measure);
 }
 
 /// Sentences in the order of measures and pairs: `known`, with a shown difference or a test of equivalence, are printed
@@ -68,15 +60,19 @@ const std::string& label(const StudyComparison& c, const PairComparison& pair, s
   return c.results.axes[pair.axis].labels[level];
 }
 
-/// Returns "clone_radius: 4.5 % tighter under longest (0.742) than under random (0.777)".
+/// Returns "clone_radius: 4.5 % tighter under longest (0.742) than under random (0.777)"; percentages of a measure that
+/// varies from another value than 0 name their scale, as "sphericity: rounder by 12 % of 1 − sphericity under …".
 std::string differs(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const double d = pair.paired.difference;
-  const bool relative = pair.meanA > 0 && pair.meanB > 0 && std::abs(d) < pair.meanB;
-  const std::string size = relative ? numberText(100 * std::abs(d) / pair.meanB, 2) + " %" : numberText(std::abs(d), 2);
-  return fmt::format("{}: {} {} under {} ({}) than under {} ({}){}", c.measureName(pair.measure), size,
-                     d > 0 ? words.more : words.less, label(c, pair, pair.a), numberText(pair.meanA, 3),
-                     label(c, pair, pair.b), numberText(pair.meanB, 3), place(c, pair));
+  const double a = pair.meanA - words.zero, b = pair.meanB - words.zero;
+  const bool relative = (words.zero == 0 ? a > 0 && b > 0 : a * b > 0) && std::abs(d) < std::abs(b);
+  const std::string size = relative ? numberText(100 * std::abs(d / b), 2) + " %" : numberText(std::abs(d), 2);
+  const std::string& more = d > 0 ? words.more : words.less;
+  return fmt::format("{}: {} under {} ({}) than under {} ({}){}", c.measureName(pair.measure),
+                     relative && words.zero != 0 ? more + " by " + size + " of " + words.scale : size + " " + more,
+                     label(c, pair, pair.a), numberText(pair.meanA, 3), label(c, pair, pair.b),
+                     numberText(pair.meanB, 3), place(c, pair));
 }
 
 /// Returns "every one of 10 pairs" or "9 of 10 pairs".
@@ -85,16 +81,19 @@ std::string inHowMany(const PairComparison& pair) {
   return with == n ? fmt::format("every one of {} pairs", n) : fmt::format("{} of {} pairs", with, n);
 }
 
-/// Returns ", 95 % interval −0.1 to 0.2", or ", in every pair" without an interval.
-std::string intervalText(const char* level, const std::optional<Interval>& interval) {
+/// Returns ", 95 % interval −0.1 to 0.2", or ", in every pair" without an interval. A shape of the sample that is not
+/// plain follows in brackets.
+std::string intervalText(const char* level, const std::optional<Interval>& interval,
+                         SampleShape shape = SampleShape::plain) {
   if (!interval) return ", in every pair";
-  return fmt::format(", {} interval {} to {}", level, numberText(interval->low, 2), numberText(interval->high, 2));
+  return fmt::format(", {} interval {} to {}{}", level, numberText(interval->low, 2), numberText(interval->high, 2),
+                     shape == SampleShape::plain ? "" : std::string(" (") + nameOf(shape) + ")");
 }
 
 /// Returns "difference 0.05, 95 % interval 0.04 to 0.06, p = 0.0012 after Holm".
 std::string estimate(const PairComparison& pair) {
   return fmt::format("difference {}{}{}", numberText(pair.paired.difference, 2),
-                     intervalText("95 %", pair.paired.interval),
+                     intervalText("95 %", pair.paired.interval, pair.paired.sample.shape),
                      pair.corrected ? ", " + pText(pair.corrected) + " after Holm" : "");
 }
 
@@ -108,6 +107,10 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
       return pair.paired.difference == 0
                  ? fmt::format("{}: equal under {}, and no seed changes the value", name, between)
                  : differs(c, pair) + ", exactly, because seeds change neither side";
+    case Known::onePath:
+      return isDifferent(pair) ? fmt::format("{}, on one path each: the {} runs of each are one run but for rounding",
+                                             differs(c, pair), pair.of.size())
+                               : fmt::format("{}: equal but for rounding under {}", name, between);
     case Known::oneSeed: return differs(c, pair) + ", in one pair of runs, so the variation is not known";
     case Known::estimated: break;
   }
@@ -121,15 +124,19 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
 std::string equivalenceText(const PairComparison& pair) {
   if (!pair.equivalence) return "";
   const auto& same = *pair.equivalence;
+  if (same.verdict == Equivalent::untested)
+    return fmt::format("; equivalence is not tested, because ±{} is wider than the range of all values",
+                       numberText(same.test.margin, 3));
   const double p = same.verdict == Equivalent::no ? same.correctedBeyond : same.corrected;
   const bool isSmall = same.verdict == Equivalent::yes && isDifferent(pair);
   return fmt::format("; {}{} within ±{}{}{}", isSmall ? "a small difference, " : "", nameOf(same.verdict),
-                     numberText(same.test.margin, 3), intervalText("90 %", same.test.interval),
+                     numberText(same.test.margin, 3),
+                     intervalText("90 %", same.test.interval, pair.paired.sample.shape),
                      pair.known == Known::estimated ? ", " + pText(p) + " after Holm" : "");
 }
 
 void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
-  const Spread spread = spreadOf(c, measure);
+  const ValueRange spread = rangeOf(c, measure);
   if (!(spread.low <= spread.high)) {
     verdicts.open.push_back(c.measureName(measure) + ": no run has a value");
     return;
@@ -264,7 +271,7 @@ void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdi
   for (const std::size_t m : c.measures)
     if (const auto known = findMeasure(c.measureName(m)); known && known->followsNumber && !tellsNothing(c, m))
       following.push_back(known->name);
-  Spread numbers;
+  ValueRange numbers;
   for (const ResultCondition& condition : c.results.conditions) {
     std::vector<double> cells;
     for (const std::size_t t : condition.tasks)
@@ -303,7 +310,9 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 }  // namespace
 
 bool isDifferent(const PairComparison& p) {
-  return p.isShown() || (p.known == Known::exact && p.paired.difference != 0);
+  const double size = std::max(std::abs(p.meanA), std::abs(p.meanB));
+  return p.isShown() || (p.known == Known::exact && p.paired.difference != 0) ||
+         (p.known == Known::onePath && std::abs(p.paired.difference) > onePathSpread * size);
 }
 
 std::string withLevels(const StudyResults& results, const std::vector<std::optional<std::size_t>>& at) {
@@ -325,6 +334,7 @@ std::vector<std::string> verdictsOf(const StudyComparison& c) {
   all.insert(all.end(), verdicts.open.begin(), verdicts.open.end());
   addNumbersOfCells(c, all);
   addCommonRandomNumbers(c, all);
+  addIntervals(c, all);
   return all;
 }
 

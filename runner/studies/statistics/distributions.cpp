@@ -62,6 +62,10 @@ double incompleteBeta(double a, double b, double x, double y) {
   return 1 - front * betaFraction(b, a, y) / b;
 }
 
+double betaQuantile(double share, double a, double b) {
+  return whereItPasses(share, 0, 1, [&](double x) { return incompleteBeta(a, b, x, 1 - x); });
+}
+
 double studentBeyond(double t, double df) {
   if (std::isinf(t)) return 0;
   const double square = t * t;

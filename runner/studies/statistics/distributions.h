@@ -14,6 +14,8 @@ double logGamma(double a);
 /// by its continued fraction [DLMF 8.17.22], to within 1e-11 of the value for a, b up to 10⁴. `y` is 1 − x, which may
 /// be known more exactly than a subtraction would give.
 double incompleteBeta(double a, double b, double x, double y);
+/// Returns the x with I_x(a, b) = share, 0 < share < 1.
+double betaQuantile(double share, double a, double b);
 
 /// Returns P(T > t) of Student's t with `df` > 0 degrees of freedom, which need not be whole.
 double studentAbove(double t, double df);

@@ -18,11 +18,13 @@ Equivalence testEquivalence(const MeanDifference& d, double margin) {
     e.pBelow = d.difference < margin ? 0.5 * d.smallestP : 1;
     e.pBeyond = size > margin ? d.smallestP : 1;
   } else {
-    const auto above = [&](double distance) { return studentAbove(distance / d.standardError, d.degreesOfFreedom); };
-    e.pAbove = std::max(above(d.difference + margin), 0.5 * d.smallestP);
-    e.pBelow = std::max(above(margin - d.difference), 0.5 * d.smallestP);
-    // For a true difference of +margin or −margin: the chance of `size` on its own side, and on the other.
-    e.pBeyond = std::max(std::min(1.0, above(size - margin) + above(size + margin)), d.smallestP);
+    const auto estimate = d.estimate();
+    e.pAbove = std::max(chanceAbove(estimate, -margin), 0.5 * d.smallestP);
+    e.pBelow = std::max(chanceBelow(estimate, margin), 0.5 * d.smallestP);
+    // For a true difference of +margin or −margin: the chance of `size` on its own side, and by Student on the other.
+    const double own = d.difference > 0 ? chanceAbove(estimate, margin) : chanceBelow(estimate, -margin);
+    const double other = studentAbove((size + margin) / d.standardError, d.degreesOfFreedom);
+    e.pBeyond = std::max(std::min(1.0, own + other), d.smallestP);
   }
   e.p = std::max(e.pAbove, e.pBelow);
   return e;

@@ -9,18 +9,20 @@
 
 namespace morula {
 
-enum class Equivalent { yes, no, undecided };
+enum class Equivalent { yes, no, undecided, untested };
 template <>
-inline constexpr auto choices<Equivalent> =
-    std::to_array<Choice<Equivalent>>({{Equivalent::yes, "equivalent", "alike within the margin"},
-                                       {Equivalent::no, "different", "apart by more than the margin"},
-                                       {Equivalent::undecided, "not decided", "neither is shown"}});
+inline constexpr auto choices<Equivalent> = std::to_array<Choice<Equivalent>>(
+    {{Equivalent::yes, "equivalent", "alike within the margin"},
+     {Equivalent::no, "different", "apart by more than the margin"},
+     {Equivalent::undecided, "not decided", "neither is shown"},
+     {Equivalent::untested, "not tested", "no two means could differ by the margin"}});
 
-/// A test of equivalence with a margin > 0. The means are equivalent if both one-sided tests at 5 % agree: then the
-/// 90 % interval of their difference lies within ±margin. They are different if their difference exceeds the margin at
-/// 5 %. With a margin far below the error this is the two-sided test of a difference, far above the error a one-sided
-/// test. A difference that does not vary has p-values of the exact test of its signs. A difference of single runs that
-/// no seed changes is compared with the margin itself.
+/// A test of equivalence with a margin > 0. The means are equivalent if both one-sided tests at 5 % agree: then the 90
+/// % interval of their difference lies within ±margin. They are different if their difference exceeds the margin at 5
+/// %. With a margin far below the error this is the two-sided test of a difference, far above the error a one-sided
+/// test. Intervals and p-values suit the shape of the differences (mean_estimate.h). A difference that does not vary
+/// has p-values of the exact test of its signs. A difference of single runs that no seed changes is compared with the
+/// margin itself.
 struct Equivalence {
   double margin = 0;
   double pAbove = 1;                   // p of a difference at −margin or below: small if the difference lies above

@@ -127,8 +127,8 @@ void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, dou
   e.errorSquares = each * error;
   e.share = whole > 0 ? e.squares / whole : 0;
   e.errorDegreesOfFreedom = e.degreesOfFreedom * (n - 1);
-  // The rounding error of values that do not vary is no error to test against.
-  if (!(n > 1) || !(e.errorSquares > 1e-24 * size)) return;
+  // Values that vary by less than a millionth are one path, with no error to test against.
+  if (!(n > 1) || !(e.errorSquares > 1e-12 * size)) return;
   e.partial = e.squares / (e.squares + e.errorSquares);
   e.f = e.squares / (e.errorSquares / (n - 1));
   e.epsilon = epsilonOf(deviations, contrasts.groups, e.degreesOfFreedom);

@@ -36,7 +36,7 @@ struct FactorEffect {
   double epsilon = 1;                         // ε
   std::optional<double> partial{};            // partial η²: squares / (squares + error); absent without error
   std::optional<Interval> partialInterval{};  // 95 %
-  std::optional<double> f{}, p{};  // absent if the effect does not vary between seeds; p as in means.h
+  std::optional<double> f{}, p{};             // absent if the effect varies by less than a millionth; p as in means.h
 };
 
 struct FactorialAnalysis {

@@ -26,7 +26,6 @@ MeanDifference test(double difference, double standardError, double df) {
   if (standardError > 0) d.t = difference / standardError;
   else if (difference != 0) d.t = difference > 0 ? infinity : -infinity;
   d.p = studentBeyond(d.t, df);
-  d.interval = intervalOf(d, 0.95);
   return d;
 }
 
@@ -51,23 +50,32 @@ double variance(std::span<const double> values) {
 
 std::optional<Interval> intervalOfMean(std::span<const double> values, double level) {
   if (values.size() < 2) return std::nullopt;
-  const double n = static_cast<double>(values.size()), spread = variance(values), centre = mean(values);
+  const double n = static_cast<double>(values.size()), spread = variance(values);
   if (spread == 0) return std::nullopt;
-  const double half = studentQuantile(0.5 + 0.5 * level, n - 1) * std::sqrt(spread / n);
-  return Interval{centre - half, centre + half};
+  return intervalOf(MeanEstimate{mean(values), std::sqrt(spread / n), n - 1, values.size(), shapeOf(values)}, level);
+}
+
+MeanEstimate MeanDifference::estimate() const {
+  return {difference, standardError, degreesOfFreedom, pairs, sample, true};
 }
 
 std::optional<Interval> intervalOf(const MeanDifference& d, double level) {
   if (d.standardError == 0) return std::nullopt;
-  const double half = studentQuantile(0.5 + 0.5 * level, d.degreesOfFreedom) * d.standardError;
-  return Interval{d.difference - half, d.difference + half};
+  return intervalOf(d.estimate(), level);
 }
 
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b) {
   const auto d = differences(a, b);
   const double n = static_cast<double>(d.size()), spread = variance(d);
   MeanDifference result = test(spread == 0 ? d.front() : mean(d), std::sqrt(spread / n), n - 1);
-  if (!repeats(d)) return result;
+  result.pairs = d.size(), result.sample = shapeOf(d);
+  result.interval = intervalOf(result, 0.95);
+  if (result.sample.shape == SampleShape::skewed) {
+    const auto estimate = result.estimate();
+    result.p = std::max(result.p, 2 * (result.t > 0 ? chanceAbove(estimate, 0) : chanceBelow(estimate, 0)));
+    result.p = std::min(result.p, 1.0);
+  }
+  if (result.sample.shape != SampleShape::twoGroups && !repeats(d)) return result;
   result.smallestP = smallestSignFlipP(d.size());
   result.p = std::max(result.p, signFlipP(d));
   return result;
@@ -79,6 +87,7 @@ MeanDifference compareUnpaired(std::span<const double> a, std::span<const double
   // Welch & Satterthwaite; any number does without variance
   const double df = e > 0 ? e * e / (ea * ea / (na - 1) + eb * eb / (nb - 1)) : na + nb - 2;
   MeanDifference result = test(mean(a) - mean(b), std::sqrt(e), df);
+  result.interval = intervalOf(result, 0.95);
   if (e > 0) return result;
   double ways = 1;  // ways to choose a's values among all
   for (std::size_t i = 1; i <= a.size(); ++i) ways *= static_cast<double>(b.size() + i) / static_cast<double>(i);

@@ -12,20 +12,19 @@ namespace morula {
 namespace {
 
 constexpr std::size_t maxTried = 20;
-constexpr double rounding = 1e-12;  // [1] of the largest number: means of equal numbers in another order
-
-double largestOf(std::span<const double> numbers) {
-  double largest = 0;
-  for (const double x : numbers) largest = std::max(largest, std::abs(x));
-  return largest;
-}
 
 }  // namespace
 
 double smallestSignFlipP(std::size_t n) { return std::ldexp(1.0, 1 - static_cast<int>(n)); }
 
+double tieOf(std::span<const double> numbers) {
+  double largest = 0;
+  for (const double x : numbers) largest = std::max(largest, std::abs(x));
+  return 1e-12 * largest;
+}
+
 bool repeats(std::span<const double> differences, std::size_t length) {
-  const double tie = rounding * largestOf(differences);
+  const double tie = tieOf(differences);
   const std::size_t n = differences.size() / length;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j) {

@@ -13,6 +13,10 @@ namespace morula {
 /// Returns the smallest p that n differences can have by the test: 2^(1 − n).
 double smallestSignFlipP(std::size_t n);
 
+/// Returns the difference up to which two of these numbers count as equal: means of equal numbers that are summed in
+/// another order differ by less.
+double tieOf(std::span<const double> numbers);
+
 /// Returns true if two of the n differences (vectors of `length` numbers) are equal but for rounding and sign.
 bool repeats(std::span<const double> differences, std::size_t length = 1);
 

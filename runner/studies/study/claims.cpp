@@ -107,7 +107,7 @@ class ClaimReader {
     const auto size = scenario::parseReal(number);
     if (!size.wrong.empty() || !(size.value > 0))
       problems_.add(node->place, path_ + ".within", describe(*node) + " is no margin", "needs " + marginAllowed);
-    claim_.within = node->text;
+    claim_.within = node->text, claim_.marginPlace = node->place;
   }
 
   void readMean() {
@@ -181,16 +181,18 @@ Key checkKey() {
              mean =
                  objectSchema({{"measure", text}, {"at", labels}, {"mean", {{"type", "number"}}}, {"within", within}},
                               {"measure", "mean", "within"});
-  return {"check",
-          "a list of " + claimAllowed,
-          "Claims that `morula study check` compares with the results of `morula study compare`. A claim on a pair: "
-          "says tells how a compares with b: lower or higher (a difference is shown), equivalent (within a margin, "
-          "which `within` gives, as 0.01 or 5% of the mean) or no-effect (no difference is shown). a and b name "
-          "labels of the same axes and differ in one; they name labels of all other axes, or of none for the mean "
-          "over them. A claim on a condition, which `at` names: mean is its mean, to within `within`",
-          "no claims",
-          {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
-          [](Study&, const Node&, Problems&) {}};  // claims are read by readClaims, once all axes are known
+  return {
+      "check",
+      "a list of " + claimAllowed,
+      "Claims that `morula study check` compares with the results of `morula study compare`. A claim on a pair: "
+      "says tells how a compares with b: lower or higher (a difference is shown), equivalent (within a margin, "
+      "which `within` gives) or no-effect (no difference is shown). A margin is a number as 0.01 or a share of the "
+      "mean as 5%, of sphericity a share of 1 − the mean; one that is wider than the range of all values is refused. "
+      "a and b name labels of the same axes and differ in one; they name labels of all other axes, or of none for "
+      "the mean over them. A claim on a condition, which `at` names: mean is its mean, to within `within`",
+      "no claims",
+      {{"type", "array"}, {"items", {{"oneOf", Json::array({pair, mean})}}}, {"minItems", 1}},
+      [](Study&, const Node&, Problems&) {}};  // claims are read by readClaims, once all axes are known
 }
 
 void readClaims(const Node& root, Study& study, Problems& problems) {

@@ -102,7 +102,7 @@ struct Claim {
   std::vector<std::optional<std::size_t>> a, b = {};  // [axis] level; absent: mean over all. Of a condition: a alone
   double mean = 0;                                    // [unit of the measure] the claimed mean of a condition
   std::string within = {};                            // the margin, "0.01" or "5%"; "" if none is needed
-  scenario::Place place = {};
+  scenario::Place place = {}, marginPlace = {};
 };
 
 struct Study {

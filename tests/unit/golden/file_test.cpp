@@ -51,14 +51,14 @@ int lastLine() { return static_cast<int>(linesOf(writeGolden(exampleGolden())).s
 
 }  // namespace
 
-TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compared with no run") {
+TEST_CASE("the errors of a scenario's settings are kept, and sealed; they are compared with no run") {
   Golden golden = exampleGolden();
   const GoldenData observed = golden.data;
-  golden.stated = {GoldenError{"position", 2.8e-4, 1.6875, 0.013, 1.5}, GoldenError{"volume", 1e-3, 1.6875, {}, {}},
-                   GoldenUnstated{"mesh", {"none is finer"}}};
-  const std::string text = writeGolden(golden), line = "error position 0.00028 1.6875 0.013 1.5";
-  CHECK(text.find("\n# error quantity time until mesh mesh_until\n" + line + "\nerror volume 0.001 1.6875 - -\n") !=
-        text.npos);
+  golden.stated = {GoldenError{"position", 2.8e-5, 2.8e-4, 1.6875, 0.0013, 0.013, 1.5},
+                   GoldenError{"volume", {}, 1e-3, 1.6875, {}, {}, {}}, GoldenUnstated{"mesh", {"none is finer"}}};
+  const std::string text = writeGolden(golden), line = "error position 2.8e-05 0.00028 1.6875 0.0013 0.013 1.5";
+  CHECK(text.find("\n# error quantity rest worst until mesh_rest mesh_worst mesh_until\n" + line +
+                  "\nerror volume - 0.001 1.6875 - - -\n") != text.npos);
   CHECK(text.find("\nunstated mesh none is finer\n") != text.npos);
   const Golden again = readGolden(text, "x.golden");
   CHECK(std::ranges::equal(again.stated, golden.stated, [](const auto& a, const auto& b) { return agree(a, b); }));
@@ -66,23 +66,55 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed; it is compare
   CHECK(again.data.items.size() == exampleGolden().data.items.size());
   CHECK(compareGolden(again, observed).passed());
   const auto replaced = [&](const std::string& by) { return with(text, line, by); };
-  for (const char* other : {"error position 0.00027 1.6875 0.013 1.5", "error position 0.00028 1.6875 0.014 1.5",
-                            "error position 0.00028 1.6875 - -", "error surface 0.00028 1.6875 0.013 1.5"})
+  for (const char* other :
+       {"error position 2.7e-05 0.00028 1.6875 0.0013 0.013 1.5",
+        "error position 2.8e-05 0.00028 1.6875 0.0013 0.014 1.5", "error position 2.8e-05 0.00028 1.6875 - - -",
+        "error surface 2.8e-05 0.00028 1.6875 0.0013 0.013 1.5"})
     complains(replaced(other), 0, "edited");
-  complains(replaced("error position 1 2 3"), 0, "the line is cut short; mesh_until is expected");
-  complains(replaced("error position x 2 3 4"), 0, "time: 'x'");
+  complains(replaced("error position 1 2 3"), 0, "the line is cut short; mesh_rest is expected");
+  complains(replaced("error position x 2 3 4 5 6"), 0, "rest: 'x'");
   complains(replaced("error time 0.0028 mesh 0.01 until 2"), 0, "has the form of an older version");
   complains(replaced(line + "\n" + line), 0, "stands twice");
   CHECK(readGolden(writeGolden(exampleGolden()), "x.golden").stated.empty());
 }
 
+TEST_CASE(
+    "old form: errors with one number for the time step and one for the mesh are read, and written as they stand") {
+  Golden golden = exampleGolden();
+  golden.stated = {OldGoldenError{"position", 2.8e-4, 1.6875, 0.013, 1.5},
+                   OldGoldenError{"volume", 1e-3, 1.6875, {}, {}}};
+  const std::string text = writeGolden(golden), line = "error position 0.00028 1.6875 0.013 1.5";
+  CHECK(text.find("\n# error quantity time until mesh mesh_until\n" + line + "\nerror volume 0.001 1.6875 - -\n") !=
+        text.npos);
+  const Golden again = readGolden(text, "x.golden");
+  CHECK(writeGolden(again) == text);
+  CHECK(hasOldErrors(again));
+  const std::vector<GoldenError> errors = errorsOf(again);
+  REQUIRE(errors.size() == 2);
+  CHECK_FALSE(errors[0].rest);
+  CHECK(errors[0].worst == 2.8e-4);
+  CHECK(errors[0].until == 1.6875);
+  CHECK_FALSE(errors[0].meshRest);
+  CHECK(errors[0].meshWorst == 0.013);
+  CHECK(errors[0].meshUntil == 1.5);
+  CHECK_FALSE(errors[1].meshWorst);
+  const auto replaced = [&](const std::string& by) { return with(text, line, by); };
+  complains(replaced("error position 0.00027 1.6875 0.013 1.5"), 0, "edited");
+  complains(replaced("error position x 2 3 4"), 0, "time: 'x'");
+  complains(replaced(line + "\nerror position 1 2 3 4 5 6"), 0, "stands twice");
+  CHECK_FALSE(hasOldErrors(exampleGolden()));
+}
+
 TEST_CASE("statistics of the end are kept in their order, and sealed") {
   Golden golden = exampleGolden();
   golden.statistics = {{"clone_radius", "half-step", -0.0012, -0.0041, 0.0017, 8},
-                       {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20}};
+                       {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20},
+                       {"clone_radius", "single", 0.5, 0.5, 0.5, 10, true}};
   const std::string text = writeGolden(golden);
   const std::string line = "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8";
   CHECK(text.find("\n" + line + "\n") != text.npos);
+  const std::string onePath = "statistic clone_radius against single difference 0.5 one-path runs 10";
+  CHECK(text.find("\n" + onePath + "\n") != text.npos);
   const Golden again = readGolden(text, "x.golden");
   CHECK(again.statistics == golden.statistics);
   CHECK(writeGolden(again) == text);
@@ -92,7 +124,10 @@ TEST_CASE("statistics of the end are kept in their order, and sealed") {
         "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 9",
         "statistic clone_radius against half difference -0.0012 low -0.0041 high 0.0017 runs 8"})
     complains(replaced(other), 0, "edited");
-  for (const char* broken : {"statistic clone_radius", "statistic clone_radius against a difference 1 low 2 high 3",
+  complains(with(text, onePath, "statistic clone_radius against single difference 0.5 low 0.5 high 0.5 runs 10"), 0,
+            "edited");
+  for (const char* broken : {"statistic clone_radius", "statistic clone_radius against a difference 1 path runs 8",
+                             "statistic clone_radius against a difference 1 low 2 high 3",
                              "statistic clone_radius against a difference 1 low 2 high 1 runs 8",
                              "statistic clone_radius against a difference x low 0 high 1 runs 8",
                              "statistic clone_radius against a difference 1 low 0 high 1 runs 1",

@@ -87,11 +87,21 @@ inline Mesh bent(Mesh ball, double angle) {
   return ball;
 }
 
-/// Returns a ball of radius 1 dented from above. From a depth of about 2 on the dent goes through the bottom.
-inline Mesh dented(Mesh ball, double depth) {
+/// Returns a ball of radius 1 dented from above, by so wide a dent [length²], which leans towards x. From a depth of
+/// about 2 on the dent goes through the bottom.
+inline Mesh dented(Mesh ball, double depth, double width = 0.16, double lean = 0) {
   for (Point& p : ball.vertices)
-    if (p.z > 0) p.z -= depth * std::exp(-(p.x * p.x + p.y * p.y) / 0.16);
+    if (p.z > 0) p -= depth * std::exp(-(p.x * p.x + p.y * p.y) / width) * Vector{lean, 0, 1};
   return ball;
+}
+
+/// Returns the mesh turned by three angles that depend on `key`.
+inline Mesh turned(Mesh m, std::uint32_t key) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double angle = 2.4 * key + 1.7 * axis + 0.3 * key * axis, c = std::cos(angle), s = std::sin(angle);
+    for (Point& p : m.vertices) p = {p.y, c * p.z - s * p.x, s * p.z + c * p.x};
+  }
+  return m;
 }
 
 inline Mesh inverted(Mesh m) {

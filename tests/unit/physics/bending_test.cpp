@@ -65,7 +65,8 @@ Eigen::MatrixXd stiffnessOf(const MeshTemplate& mesh, const Bending& bending) {
 
 }  // namespace
 
-TEST_CASE("Bending forces are the gradient of its energy, in the kernel and in doubles, and have neither sum nor torque") {
+TEST_CASE(
+    "Bending forces are the gradient of its energy, in the kernel and in doubles, and have neither sum nor torque") {
   for (const Mesh& mesh : {makeIcosphere(1), makeIcosphere(2), zoo::scaled(zoo::torus(7, 5), {0.33, 0.33, 0.33})}) {
     Body body = shakenBody(mesh, 0.1, 3);
     body.restScale = 0.8;
@@ -144,7 +145,8 @@ TEST_CASE("The stiffest mode of bending is that of the whole matrix, and the tim
   }
 }
 
-TEST_CASE("A membrane that only bends keeps its energy with the square of the step, and none has energy without bending") {
+TEST_CASE(
+    "A membrane that only bends keeps its energy with the square of the step, and none has energy without bending") {
   const Mesh mesh = makeIcosphere(1);
   const PhysicsParameters p = onlyBent(0.5);
   const auto deviation = [&](double timeStep) {

@@ -33,8 +33,7 @@ TEST_CASE("Each cell of a block is damped by its share of critical: the bits of 
       cells.back().mass = 0.25 * (i + 1) * (i + 1) * 42;  // vertices of which √m is exact
       cells.back().pressureConstant = 4;
     }
-    const Lab together =
-        stepped(Lab(damped(shareOfCritical(0.2), integrator), mesh, cells, bestIsa()), 60, 0x1p-8);
+    const Lab together = stepped(Lab(damped(shareOfCritical(0.2), integrator), mesh, cells, bestIsa()), 60, 0x1p-8);
     for (int i = 0; i < 5; ++i) {
       PhysicsParameters p = damped(shareOfCritical(0.2), integrator);
       const double constant = 2 * 0.2 * std::sqrt(p.membrane.stiffness) * (0.5 * (i + 1));

@@ -45,8 +45,13 @@ Json output() {
                       .witnessLeft = {1e-7, 2},
                       .distance = 1e-7,
                       .agrees = true};
-  report.rows = {row(MeasuredEngine::morula, "velocity-verlet", 0.25, 0.05, 1), row(MeasuredEngine::morula, "rk4", 0.25, 0.0005, 2),
-                 row(MeasuredEngine::bulletB1, "bullet b1", 0.125, 0.04, 3), row(MeasuredEngine::bulletB1, "bullet b1", 0.0625, 0.03, 6)};
+  report.rows = {row(MeasuredEngine::morula, "velocity-verlet", 0.25, 0.05, 1),
+                 row(MeasuredEngine::morula, "rk4", 0.25, 0.0005, 2),
+                 row(MeasuredEngine::bulletB1, "bullet b1", 0.125, 0.04, 3),
+                 row(MeasuredEngine::bulletB1, "bullet b1", 0.0625, 0.03, 6)};
+  report.stated.errors = {{"position", 0.0004, 0.075, 1, {}, 0.015, 1}};
+  report.stated.unstated = {{"mesh", {"a <reason>"}}};
+  report.stated.times = 70, report.stated.quietTimes = 31, report.stated.events = 2;
   report.remarks = {"a <remark>"};
   return toJson(report, "");
 }
@@ -72,6 +77,16 @@ TEST_CASE("The cheapest settings for an error are those of the runs made, ours a
   CHECK(thatHold(report, 0.1, false).at(0)->setting.timeStep == 0.125);
   CHECK(thatHold(report, 0.01, false).empty());
   CHECK(thatHold(report, 0.0005).empty());  // the reference's own error is added
+}
+
+TEST_CASE("An accuracy page shows the errors of the scenario as it is, at rest and at worst") {
+  const std::string stated = blockOf(partOf(output()), "stated");
+  for (const char* part : {"position [radii of the egg]", "0.0004", "0.075", "0.015", "not known",
+                           "compared at 70 times, 31 of them at rest; 2 events", "mesh: a &lt;reason&gt;"})
+    CHECK_THAT(stated, ContainsSubstring(part));
+  Json without = output();
+  without["stated"]["errors"] = without["stated"]["unstated"] = Json::array();
+  CHECK(blockOf(partOf(without), "stated").empty());
 }
 
 TEST_CASE("An accuracy page says first what does not hold") {

@@ -132,6 +132,8 @@ TEST_CASE("Each parameter that is set gives the forces of a scene that has it fr
       {"physics.drag", [](auto& m, double x) { m.physics.drag = x; }},
       {"physics.membrane.stiffness", [](auto& m, double x) { m.physics.membrane.stiffness = x; }},
       {"physics.membrane.damping", [](auto& m, double x) { m.physics.membrane.damping = x; }},
+      {"physics.membrane.damping.ratio", [](auto& m, double x) { m.physics.membrane.damping.ratio = x; }},
+      {"physics.contact.damping.ratio", [](auto& m, double x) { m.contact->damping.ratio = x; }},
       {"physics.pressure.outside", [](auto& m, double x) { m.physics.pressure.outside = x; }},
       {"physics.growth.rate", [](auto& m, double x) { m.physics.growth->rate = x; }},
       {"physics.contact.stiffness", [](auto& m, double x) { m.contact->stiffness = x; }},
@@ -147,9 +149,12 @@ TEST_CASE("Each parameter that is set gives the forces of a scene that has it fr
       }
     return all;
   };
-  const World wild = runWorldTo(scene, 2.5);
   for (const auto& [name, set] : setters) {
     CAPTURE(name);
+    // A ratio can be set where the scene has one.
+    scene.mechanics->physics.membrane.damping.ratio = name == "physics.membrane.damping.ratio" ? 0.1 : 0;
+    scene.mechanics->contact->damping.ratio = name == "physics.contact.damping.ratio" ? 0.1 : 0;
+    const World wild = runWorldTo(scene, 2.5);
     constexpr double value = 0.75;
     World changed =
         runWorldTo(withExperiments(scene, {{.deed = Deed::set, .name = name, .value = value, .at = wild.clock.time}}),

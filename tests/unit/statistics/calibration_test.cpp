@@ -5,53 +5,19 @@
 #include <array>
 #include <cmath>
 
-#include "base/random.h"
 #include "catch.h"
+#include "numbers.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
 #include "statistics/means.h"
 #include "statistics/sign_flip.h"
 
 using namespace morula;
+using namespace morula::test;
 
 namespace {
 
-constexpr int studies = 4000;
 const std::array<std::size_t, 4> seedCounts{3, 5, 10, 20};
-
-/// Independent random numbers, in the order of the calls.
-class Numbers {
- public:
-  explicit Numbers(std::uint64_t seed) : seed_(seed) {}
-  double normal() { return randomNormal({seed_, {}}, next_++); }
-  double skewed() { return -std::log(1 - unit()); }  // exponential: mean 1
-  double coin() { return unit() < 0.5 ? 0 : 1; }
-  double shareOf32() {
-    double found = 0;
-    for (int i = 0; i < 32; ++i) found += unit() < 0.9;
-    return found / 32;
-  }
-  double unit() { return randomUnit({seed_, {}}, next_++); }
-
- private:
-  std::uint64_t seed_;
-  std::uint32_t next_ = 0;
-};
-
-template <class Draw>
-std::vector<double> sample(std::size_t n, const Draw& draw) {
-  std::vector<double> values(n);
-  for (double& v : values) v = draw();
-  return values;
-}
-
-/// Returns how many of the simulated studies have the event, in percent.
-template <class Study>
-double percent(const Study& happens, int of = studies) {
-  int count = 0;
-  for (int i = 0; i < of; ++i) count += happens(std::uint64_t(i));
-  return 100. * count / of;
-}
 
 void checkLevel(double found, std::size_t n, double least = 3.5, double most = 6.5) {
   INFO(n << " seeds: " << found << " %");
@@ -85,26 +51,6 @@ std::vector<double> levelsThatVary(std::uint64_t study, std::size_t n, std::size
 }
 
 }  // namespace
-
-TEST_CASE(
-    "The interval of a mean holds it in 95 % of samples of normal numbers, and is said to hold less of skewed ones") {
-  for (const std::size_t n : seedCounts) {
-    const auto covers = [&](std::uint64_t study, bool skewed) {
-      Numbers numbers(1000 * n + study + (skewed ? 1'000'000 : 0));
-      const auto i = intervalOfMean(sample(n, [&] { return skewed ? numbers.skewed() : numbers.normal() + 1; }));
-      return i->low <= 1 && 1 <= i->high;
-    };
-    const double normal = percent([&](std::uint64_t s) { return covers(s, false); });
-    INFO(n << " values: " << normal);
-    CHECK(normal >= 94);
-    CHECK(normal <= 96);
-    if (n >= 10)
-      CHECK(percent([&](std::uint64_t s) { return covers(s, true); }) == Approx(n == 10 ? 90 : 92).margin(1.5));
-  }
-  CHECK(!intervalOfMean(std::vector<double>(10, 0.1)));
-  CHECK(!intervalOfMean(std::vector<double>{3}));
-  CHECK(variance(std::vector<double>(5, 0.1)) == 0);
-}
 
 TEST_CASE("A paired difference is found in 5 % of studies without any, whatever the seeds have in common") {
   for (const std::size_t n : seedCounts)
