@@ -100,6 +100,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"physics.membrane.stiffness", "40"},
       {"physics.membrane.damping", "0.25"},
       {"physics.membrane.production", "1"},
+      {"physics.membrane.bending", "0.25"},
       {"physics.membrane.springs", "equal"},
       {"physics.pressure.constant", "4"},
       {"physics.pressure.outside", "1"},
