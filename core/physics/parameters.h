@@ -123,7 +123,7 @@ MORULA_MEMBERS(MotilityParameters, speed, persistence)
 struct QuasiStaticParameters {
   // [1] Evaluations of the forces in the shortest cell cycle, times √(vertices of a cell): waves cross a cell's mesh in
   // a number of evaluations in proportion to √vertices.
-  double evaluations = 28;
+  double evaluations = 30;
   double drag = 5;                 // [1] drag on 128 cells, over the shortest cell cycle
   double together = 0;             // [time] events no farther apart share a settling
   std::optional<double> residual;  // [1] r [rest.h] to which the end of a run settles

@@ -35,7 +35,6 @@ DampedMotion::DampedMotion(World& world, double interval)
       hardening_(bodies_.blockCount(), 1) {
   for (int slot : bodies_.slots)
     maxMove_[slot] = maxMove * bodies_.meshOf(slot).meanRestLength * bodies_.restScale[slot];
-  evaluateForces(world_);  // so that what inertia measures does not depend on what ran before
 }
 
 DampedMotion::~DampedMotion() {

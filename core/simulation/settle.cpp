@@ -58,22 +58,26 @@ int mostVertices(const Bodies& bodies) {
   return most;
 }
 
+double evaluationsPerCycle(const World& world) {
+  return evaluationsPerTime(world.model, mostVertices(*world.bodies)) * shortestCycle(world.model.cycle).length;
+}
+
 /// Settles for the time until the next cell cycle, whatever stops the run before it: other runs may go on from here.
 void settle(World& world) {
   if (world.bodies->count == 0) return;
   const QuasiStaticParameters& p = world.bodies->parameters.quasiStatic;
-  const double cycle = shortestCycle(world.model.cycle).length;
-  const double perTime = evaluationsPerTime(world.model, mostVertices(*world.bodies));
+  const double cycle = shortestCycle(world.model.cycle).length, perCycle = evaluationsPerCycle(world);
+  const double perTime = perCycle / cycle;
   const double until = std::min(nextCycle(world), world.clock.time + cycle);
   const auto evaluationsBefore = [&](double time) { return std::floor(time * perTime); };
   const double count = std::max(0.0, evaluationsBefore(until) - evaluationsBefore(world.clock.time));
   const double drag = std::min(mostDrag, p.drag * fifthRoot(usualCells / world.bodies->count));
   SettlingRecord record{.time = world.clock.time, .step = world.clock.step, .cells = world.cells.path.size()};
   if (count > 0) {
-    DampedMotion motion(world, 1 / perTime);
+    DampedMotion motion(world, cycle / perCycle);
     const double cooled = std::floor(coolingShare * count);
-    motion.go(drag / (perTime * cycle), static_cast<std::uint64_t>(count - cooled));
-    motion.go(std::max(drag, coolingDrag) / (perTime * cycle), static_cast<std::uint64_t>(cooled));
+    motion.go(drag / perCycle, static_cast<std::uint64_t>(count - cooled));
+    motion.go(std::max(drag, coolingDrag) / perCycle, static_cast<std::uint64_t>(cooled));
     record.energyLeft = motion.energy();
   }
   record.evaluations = static_cast<std::uint64_t>(count);
@@ -109,17 +113,19 @@ void stepQuasiStatic(World& world) {
 }
 
 void settleEnd(World& world) {
-  if (!settles(world) || world.bodies->count == 0 || !finished(world)) return;
+  if (!settles(world) || world.bodies->parameters.integrator == Integrator::fire) return;
+  if (world.bodies->count == 0 || world.settlings->empty() || !finished(world)) return;
   const Bodies& bodies = *world.bodies;
   const auto& residual = bodies.parameters.quasiStatic.residual;
-  if (!residual) return;
-  const double perTime = evaluationsPerTime(world.model, mostVertices(bodies));
+  const double perCycle = evaluationsPerCycle(world);
   const Reals before = bodies.position;
   SettlingRecord& record = world.settlings->back();
   {
-    DampedMotion motion(world, 1 / perTime);
-    const double cycle = shortestCycle(world.model.cycle).length;
-    record.evaluations += motion.goToRest(*residual, static_cast<std::uint64_t>(mostCycles * perTime * cycle));
+    DampedMotion motion(world, shortestCycle(world.model.cycle).length / perCycle);
+    const auto cooled = static_cast<std::uint64_t>(coolingShare * perCycle);
+    motion.go(coolingDrag / perCycle, cooled);
+    record.evaluations += cooled;
+    if (residual) record.evaluations += motion.goToRest(*residual, static_cast<std::uint64_t>(mostCycles * perCycle));
     record.energyLeft = motion.energy();
   }
   record.residual = measureResidual(world);
