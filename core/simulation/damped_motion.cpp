@@ -46,11 +46,10 @@ void DampedMotion::go(double drag, std::uint64_t evaluations) {
   for (std::uint64_t i = 0; i < evaluations; ++i) evaluate();
 }
 
-std::uint64_t DampedMotion::goToRest(double residual, std::uint64_t most) {
+std::uint64_t DampedMotion::goToRest(double drag, double residual, std::uint64_t most) {
   std::uint64_t made = 0;
   while (made < most && !(measureResidual(world_) <= residual)) {
-    for (int slot : bodies_.slots)
-      if (stiffness_[slot] > 0) drag_[slot] = std::min(2 * std::sqrt(stiffness_[slot]), 1.0);
+    for (int slot : bodies_.slots) drag_[slot] = power_[slot] < 0 ? 2 : drag;
     evaluate();
     ++made;
   }

@@ -22,9 +22,9 @@ class DampedMotion {
   /// NumericalError as step does.
   void go(double drag, std::uint64_t evaluations);
 
-  /// Goes on until r [rest.h] is at most `residual`, or `most` evaluations have been made, which it returns. Drag
-  /// follows the stiffness that each cell's motion meets, so that the slowest motion is damped critically.
-  std::uint64_t goToRest(double residual, std::uint64_t most);
+  /// Goes on until r [rest.h] is at most `residual`, or `most` evaluations have been made. A cell that goes uphill begins
+  /// anew from standing, so that all its motions die away, however slow. Returns the number of evaluations.
+  std::uint64_t goToRest(double drag, double residual, std::uint64_t most);
 
   /// Returns the energy [force·length] of the motion that is left.
   double energy() const;

@@ -22,6 +22,7 @@ namespace {
 // motion that is left comes to rest in the last share of the time to an event.
 constexpr double usualCells = 128, mostDrag = 40, coolingDrag = 35, coolingShare = 0.13;
 
+constexpr double lastDrag = 0.01;
 constexpr double mostCycles = 1000;  // [shortest cycle] max length of a run's last settling
 
 /// Returns the time [time] of the next cell cycle, or where cells grow of the next part of their growth.
@@ -125,7 +126,7 @@ void settleEnd(World& world) {
     const auto cooled = static_cast<std::uint64_t>(coolingShare * perCycle);
     motion.go(coolingDrag / perCycle, cooled);
     record.evaluations += cooled;
-    if (residual) record.evaluations += motion.goToRest(*residual, static_cast<std::uint64_t>(mostCycles * perCycle));
+    if (residual) record.evaluations += motion.goToRest(lastDrag, *residual, static_cast<std::uint64_t>(mostCycles * perCycle));
     record.energyLeft = motion.energy();
   }
   record.residual = measureResidual(world);

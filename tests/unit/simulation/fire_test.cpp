@@ -2,8 +2,6 @@
 // rest, and its messages when it does not settle.
 #include "simulation/settle.h"
 
-#include <numbers>
-
 #include "catch.h"
 #include "observation/energy.h"
 #include "worlds.h"
@@ -16,24 +14,6 @@ Scene settled(Scene scene, double tolerance, std::uint64_t evaluations = 200'000
   scene = scenes::settling(std::move(scene));
   scene.mechanics->physics.settle = {.tolerance = tolerance, .evaluations = evaluations, .sample = {}};
   return scene;
-}
-
-/// Returns the residual that rest.h defines, vertex by vertex.
-double residualOf(const World& world) {
-  const Bodies& b = *world.bodies;
-  double left = 0, pressure = 0;
-  int vertices = 0;
-  for (int slot : b.slots) {
-    const double radius = std::cbrt(3 * b.volume[slot] / (4 * std::numbers::pi));
-    const double share = 4 * std::numbers::pi * radius * radius / b.vertexCount(slot);
-    for (int v = 0; v < b.vertexCount(slot); ++v) {
-      const Vector traction = b.vertexMass[slot] / share * b.read(b.acceleration, slot, v);
-      left += dot(traction, traction);
-      ++vertices;
-    }
-    pressure += std::max(std::abs(b.pressure[slot]), 0.1 * b.parameters.membrane.stiffness / radius) / b.count;
-  }
-  return std::sqrt(left / vertices) / pressure;
 }
 
 /// Returns a scene in a shell whose cells stop dividing when they are four.
@@ -54,7 +34,7 @@ TEST_CASE("Each step ends with forces within the tolerance, and without motion")
       CAPTURE(tolerance, last.step, last.evaluations);
       CHECK(last.step == world.clock.step);
       CHECK(last.residual <= tolerance);
-      CHECK_THAT(residualOf(world),
+      CHECK_THAT(residualByVertices(world),
                  Catch::Matchers::WithinRel(last.residual, 1e-6) || Catch::Matchers::WithinAbs(0, 1e-12));
       CHECK(fastestVertex(*world.bodies) == 0);
     }
@@ -125,7 +105,7 @@ TEST_CASE("How far from rest a settling ends is measured, and changes no bit") {
   }
 }
 
-TEST_CASE("A cell comes to rest where a run through time with drag ends") {
+TEST_CASE("By FIRE: a cell comes to rest where a run through time with drag ends") {
   // Only a single cell: cells that touch have many states of rest close together, as they turn and fold almost freely.
   Scene scene = scenes::packed();
   scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "still.dna");
@@ -137,11 +117,11 @@ TEST_CASE("A cell comes to rest where a run through time with drag ends") {
   scene.mechanics->physics.drag = 3;
   scene.stop.time = 200;
   const World rest = ranToEnd(scene);
-  CHECK(residualOf(rest) < 1e-9);
+  CHECK(residualByVertices(rest) < 1e-9);
   CHECK(farthestApart(rest, relaxed) <= 1e-6);
 }
 
-TEST_CASE("A cell that its gas presses against the shell comes to rest") {
+TEST_CASE("By FIRE: a cell that its gas presses against the shell comes to rest") {
   // Some of these cells would oscillate forever, at half the forces that hold their shape, unless FIRE's inertia
   // followed how often a cell goes uphill.
   for (const double radius : {0.9, 0.93, 0.95})
@@ -156,11 +136,11 @@ TEST_CASE("A cell that its gas presses against the shell comes to rest") {
         step(world);
         CAPTURE(radius, outside, seed, world.settlings->back().evaluations);
         CHECK(world.settlings->back().residual <= 0.03);
-        CHECK(residualOf(world) <= 0.03);
+        CHECK(residualByVertices(world) <= 0.03);
       }
 }
 
-TEST_CASE("Cells grow in small parts, each of which settles") {
+TEST_CASE("By FIRE: cells grow in small parts, each of which settles") {
   Scene scene = settled(scenes::life(), 0.02);
   World world = makeWorld(scene, {Isa::scalar, 1});
   int parts = 0;
@@ -193,7 +173,7 @@ TEST_CASE("Cells that wait for a size they do not grow to are asked as often as 
   for (std::size_t i = 2; i < times.size(); ++i) CHECK(times[i] - times[i - 1] == Approx(0.2));
 }
 
-TEST_CASE("The lineage is that of the same scene through time") {
+TEST_CASE("By FIRE: the lineage is that of the same scene through time") {
   for (const Scene& scene : {scenes::packed(), scenes::life(), scenes::sticky()}) {
     const World still = ranToEnd(settled(scene, 0.05)), moving = ranToEnd(scene);
     CAPTURE(scene.name);
@@ -217,7 +197,7 @@ TEST_CASE("Mass, drag, damping and friction change nothing") {
   CHECK(heavy.bodies->position == light.bodies->position);
 }
 
-TEST_CASE("Events that follow each other closely share a settling") {
+TEST_CASE("By FIRE: events that follow each other closely share a settling") {
   Scene scene = settled(scenes::varied(), 0.05);
   scene.variation.cycle = 0.05;
   const std::size_t each = ranToEnd(scene).settlings->size();
