@@ -22,8 +22,8 @@ namespace {
 // motion that is left comes to rest in the last share of the time to an event.
 constexpr double usualCells = 128, mostDrag = 40, coolingDrag = 35, coolingShare = 0.13;
 
-constexpr double lastDrag = 0.01;
-constexpr double mostCycles = 1000;  // [shortest cycle] max length of a run's last settling
+// A run's last settling to a residual: drag [1] on the way downhill, and max length [shortest cycle].
+constexpr double lastDrag = 0.01, mostCycles = 1000;
 
 /// Returns the time [time] of the next cell cycle, or where cells grow of the next part of their growth.
 double nextCycle(const World& world) {
@@ -119,22 +119,23 @@ void settleEnd(World& world) {
   const Bodies& bodies = *world.bodies;
   const auto& residual = bodies.parameters.quasiStatic.residual;
   const double perCycle = evaluationsPerCycle(world);
-  const Reals before = bodies.position;
   SettlingRecord& record = world.settlings->back();
-  {
-    DampedMotion motion(world, shortestCycle(world.model.cycle).length / perCycle);
-    const auto cooled = static_cast<std::uint64_t>(coolingShare * perCycle);
-    motion.go(coolingDrag / perCycle, cooled);
-    record.evaluations += cooled;
-    if (residual) record.evaluations += motion.goToRest(lastDrag, *residual, static_cast<std::uint64_t>(mostCycles * perCycle));
-    record.energyLeft = motion.energy();
+  DampedMotion motion(world, shortestCycle(world.model.cycle).length / perCycle);
+  const auto cooled = static_cast<std::uint64_t>(coolingShare * perCycle);
+  motion.go(coolingDrag / perCycle, cooled);
+  record.evaluations += cooled;
+  if (residual) {
+    const Reals before = bodies.position;
+    const auto most = static_cast<std::uint64_t>(mostCycles * perCycle);
+    record.evaluations += motion.goToRest(lastDrag, *residual, most);
+    double farthest = 0;
+    for (int slot : bodies.slots)
+      for (int v = 0; v < bodies.vertexCount(slot); ++v)
+        farthest = std::max(farthest, norm(bodies.vertex(slot, v) - bodies.read(before, slot, v)));
+    record.displacementLeft = farthest;
   }
+  record.energyLeft = motion.energy();
   record.residual = measureResidual(world);
-  double farthest = 0;
-  for (int slot : bodies.slots)
-    for (int v = 0; v < bodies.vertexCount(slot); ++v)
-      farthest = std::max(farthest, norm(bodies.vertex(slot, v) - bodies.read(before, slot, v)));
-  record.displacementLeft = farthest;
 }
 
 }  // namespace morula
