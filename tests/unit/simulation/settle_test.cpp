@@ -79,7 +79,7 @@ TEST_CASE("The end settles to the residual that the scene gives: 1e-9 on one cel
     CHECK(std::uint64_t(world.bodies->count) >= cells);
     CHECK(residualByVertices(world) <= 1e-9);
     CHECK(last.residual <= 1e-9);
-    CHECK(last.displacementLeft > 0);
+    if (cells > 1) CHECK(last.displacementLeft > 0);  // an egg begins at rest
     CHECK(last.energyLeft < 1e-15);
     const World before = ranToEnd(quasiStatic(scene));
     CHECK(*last.displacementLeft == Approx(farthestApart(before, world)).margin(1e-12));
