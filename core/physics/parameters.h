@@ -14,7 +14,16 @@
 namespace morula {
 
 /// The method by which a scene advances in time. The properties of each integrator are in integrator.h.
-enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd, fire, quasiStatic };
+enum class Integrator {
+  velocityVerlet,
+  thesisVerlet,
+  explicitEuler,
+  symplecticEuler,
+  rungeKutta4,
+  xpbd,
+  fire,
+  quasiStatic
+};
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::velocityVerlet, "velocity-verlet", "second order"},
@@ -105,7 +114,7 @@ inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
 });
 
 struct ShellParameters {
-  std::array<double, 3> semiAxes = {1, 1, 1};                // [length]; all equal: a sphere
+  std::array<double, 3> semiAxes = {1, 1, 1};    // [length]; all equal: a sphere
   std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
   Held holds = Held::surface;                    // without effect in a mesh, and on balls
 };
@@ -160,6 +169,6 @@ struct PhysicsParameters {
   SettleParameters settle;            // with Integrator::fire
 };
 MORULA_MEMBERS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane,
-                                  pressure, shapeMatching, drag, growth, shell, motility, quasiStatic, settle)
+               pressure, shapeMatching, drag, growth, shell, motility, quasiStatic, settle)
 
 }  // namespace morula

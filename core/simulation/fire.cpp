@@ -19,12 +19,12 @@
 namespace morula {
 namespace {
 
-constexpr double fireMaxMove = 0.1;    // [mean edge at rest] max move of a vertex in one evaluation
-constexpr double farOff = 10;      // [tolerance] a residual above this ends the run
-constexpr double nearRest = 0.01;  // [tolerance] residual at which a sampled settling counts as at rest
+constexpr double fireMaxMove = 0.1;  // [mean edge at rest] max move of a vertex in one evaluation
+constexpr double farOff = 10;        // [tolerance] a residual above this ends the run
+constexpr double nearRest = 0.01;    // [tolerance] residual at which a sampled settling counts as at rest
 constexpr double fireInertiaPerStrain = 2, fireClearlyMore = 1.5;
 constexpr std::uint64_t fireInertiaEvery = 64;  // evaluations
-using PerSlot = AlignedVector<double>;      // filled up to whole blocks
+using PerSlot = AlignedVector<double>;          // filled up to whole blocks
 
 /// A world on its way to rest. The destructor gives cells their masses back.
 class Descent {

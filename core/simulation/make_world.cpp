@@ -65,8 +65,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts =
-        makeContacts(*m.contact, execution.isa, searchOf(m, execution.search), m.physics.precision,
+    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search), m.physics.precision,
                                   m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();

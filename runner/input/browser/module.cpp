@@ -36,8 +36,8 @@ Json costOf(const Scenario& of) {
   if (hasBodies) {
     Execution execution;
     execution.memoryLimit = memoryLimit;
-    timeStep = isCounted ? 1 / evaluationsPerTime(of.scene, int(vertices))
-                         : makeWorld(of.scene, execution).clock.timeStep;
+    timeStep =
+        isCounted ? 1 / evaluationsPerTime(of.scene, int(vertices)) : makeWorld(of.scene, execution).clock.timeStep;
     lineage = genesAlone(std::move(lineage));
     lineage.senses.clear();
   }

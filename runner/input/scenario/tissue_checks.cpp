@@ -85,8 +85,8 @@ void checkMotility(const SceneCheck& check) {
 void checkSettling(const SceneCheck& check) {
   const MechanicsScene& m = check.mechanics();
   const std::string own = nameOf(m.physics.integrator);
-  for (const auto& [section, integrator] : {std::pair("physics.quasi-static", Integrator::quasiStatic),
-                                            std::pair("physics.settle", Integrator::fire)})
+  for (const auto& [section, integrator] :
+       {std::pair("physics.quasi-static", Integrator::quasiStatic), std::pair("physics.settle", Integrator::fire)})
     if (m.physics.integrator != integrator && given(check.root, section))
       check.refuse(section, std::string("is for physics.integrator ") + nameOf(integrator) + ", and here it is " + own,
                    std::string("remove this, or give integrator: ") + nameOf(integrator));

@@ -1,9 +1,8 @@
 // Integrator::fire: its end against forces added up by brute force and against a run through time that comes to
 // rest, and its messages when it does not settle.
-#include "simulation/settle.h"
-
 #include "catch.h"
 #include "observation/energy.h"
+#include "simulation/settle.h"
 #include "worlds.h"
 
 using namespace morula;

@@ -182,7 +182,5 @@ TEST_CASE("Events that share a settling cannot be as far apart as the cycles of 
   REQUIRE_THROWS_AS(makeWorld(scene), InputError);
   try {
     makeWorld(scene);
-  } catch (const InputError& e) {
-    CHECK_THAT(e.what(), ContainsSubstring("quasi-static.together"));
-  }
+  } catch (const InputError& e) { CHECK_THAT(e.what(), ContainsSubstring("quasi-static.together")); }
 }
