@@ -14,8 +14,12 @@ namespace {
 
 // [1] The margin over the smallest influence radius R. If gaps change by ċ in each evaluation, a vertex's choice with
 // the margin M lasts M/ċ evaluations. The cost of pairs kept for the margin grows with M. Both costs together are least
-// at M = 1.4 √(R ċ), measured.
-constexpr double marginScale = 1.4, minMargin = 0.01, maxMargin = 0.07;
+// at M = 1.4 √(R ċ), measured. Cells that settle go farther in each evaluation, and a choice of theirs costs more.
+struct Margins {
+  double scale, most;
+};
+constexpr Margins inTime{1.4, 0.07}, settling{2, 0.3};
+constexpr double minMargin = 0.01;
 // [evaluation] A choice that lasts less than shortestLife costs more than it saves: after two such choices all pairs
 // are taken.
 constexpr std::int64_t farthestAhead = 100, withoutChoice = 30, shortestLife = 3;
@@ -175,7 +179,8 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
     timeStep = acting.blocks[0].time / evaluations;
   }
   const double lasts = perEvaluation > 0 ? std::sqrt(radius / perEvaluation) : double(farthestAhead);
-  acting.margin = std::clamp(marginScale * lasts * perEvaluation, minMargin * radius, maxMargin * radius);
+  const Margins margins = bodies.parameters.integrator == Integrator::quasiStatic ? settling : inTime;
+  acting.margin = std::clamp(margins.scale * lasts * perEvaluation, minMargin * radius, margins.most * radius);
   acting.horizon = std::min(lasts, double(farthestAhead)) * timeStep;
   std::ranges::fill(acting.change, 0.0f);
   std::ranges::fill(acting.speeds, 0.0f);

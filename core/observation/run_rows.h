@@ -126,13 +126,16 @@ void listFields(T& settling, auto&& field) {
   field({"time", "of the events before it", "time"}, time);
   field({"cells"}, cells);
   field({"evaluations", "of the forces"}, evaluations);
-  field({"residual", "tractions left over the pressure in cells; at most physics.settle.tolerance where it ended"},
-        residual);
+  field({"residual", "tractions left over the pressure in cells"}, residual);
   field({"energy_left",
-         "that cells lose until the residual is a hundredth of the tolerance; of samples (physics.settle.sample)",
+         "of the motion left (quasi-static); that cells lose until the residual is a hundredth of the tolerance "
+         "(physics.settle.sample)",
          "force·length"},
         energyLeft);
-  field({"displacement_left", "the farthest that a vertex goes on that way", "length"}, displacementLeft);
+  field({"displacement_left",
+         "the farthest that a vertex goes on the way to physics.quasi-static.residual, or of physics.settle.sample",
+         "length"},
+        displacementLeft);
 }
 
 template <IsA<ExperimentRecord> T>

@@ -86,10 +86,19 @@ constexpr IntegratorKind kinds[] = {
      .settles = true,
      .oscillatorLimit = verletLimit<1>,
      .movement = moveBySymplecticEuler},
+    {.title = "quasi-static growth",
+     .order = 0,
+     .settles = true,
+     .oscillatorLimit = verletLimit<1>,
+     .movement = moveBySymplecticEuler},
 };
 static_assert(std::size(kinds) == choices<Integrator>.size());
 
 }  // namespace
+
+double sharedTime(const PhysicsParameters& p) {
+  return p.integrator == Integrator::fire ? p.settle.together : p.quasiStatic.together;
+}
 
 const IntegratorKind& kindOf(Integrator integrator) { return kinds[static_cast<int>(integrator)]; }
 

@@ -15,7 +15,16 @@
 namespace morula {
 
 /// The method by which a scene advances in time. The properties of each integrator are in integrator.h.
-enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd, fire };
+enum class Integrator {
+  velocityVerlet,
+  thesisVerlet,
+  explicitEuler,
+  symplecticEuler,
+  rungeKutta4,
+  xpbd,
+  fire,
+  quasiStatic
+};
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::velocityVerlet, "velocity-verlet", "second order"},
@@ -27,6 +36,8 @@ inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::xpbd, "xpbd", "first order, and stable with any time step but for contacts"},
     {Integrator::fire, "fire",
      "quasi-static: after each event cells relax to rest, and time goes to the next one [Bitzek et al. 2006]"},
+    {Integrator::quasiStatic, "quasi-static",
+     "no motion through time: after each event cells settle, by a number of evaluations [Underwood 1983]"},
 });
 
 /// The model that keeps a cell in shape. The properties of each model are in cell_model.h.
@@ -105,7 +116,7 @@ inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
 });
 
 struct ShellParameters {
-  std::array<double, 3> semiAxes = {1, 1, 1};                // [length]; all equal: a sphere
+  std::array<double, 3> semiAxes = {1, 1, 1};    // [length]; all equal: a sphere
   std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
   Held holds = Held::surface;                    // without effect in a mesh, and on balls
 };
@@ -118,6 +129,17 @@ struct MotilityParameters {
   double persistence = 1;  // [time] for which a cell keeps its direction
 };
 MORULA_MEMBERS(MotilityParameters, speed, persistence)
+
+/// Quasi-static growth (Integrator::quasiStatic): how cells settle after each event (simulation/damped_motion.h).
+struct QuasiStaticParameters {
+  // [1] Evaluations of the forces in the shortest cell cycle, times √(vertices of a cell): waves cross a cell's mesh in
+  // a number of evaluations in proportion to √vertices.
+  double evaluations = 30;
+  double drag = 5;                 // [1] drag on 128 cells, over the shortest cell cycle
+  double together = 0;             // [time] events no farther apart share a settling
+  std::optional<double> residual;  // [1] r [rest.h] to which the end of a run settles
+};
+MORULA_MEMBERS(QuasiStaticParameters, evaluations, drag, together, residual)
 
 /// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
 struct SettleParameters {
@@ -145,9 +167,10 @@ struct PhysicsParameters {
   std::optional<GrowthParameters> growth;
   std::optional<ShellParameters> shell;
   std::optional<MotilityParameters> motility;
-  SettleParameters settle;  // with Integrator::fire
+  QuasiStaticParameters quasiStatic;  // with Integrator::quasiStatic
+  SettleParameters settle;            // with Integrator::fire
 };
 MORULA_MEMBERS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane,
-                                  pressure, shapeMatching, drag, growth, shell, motility, settle)
+               pressure, shapeMatching, drag, growth, shell, motility, quasiStatic, settle)
 
 }  // namespace morula

@@ -3,6 +3,7 @@
 
 #include "physics/bending_kernel.h"
 #include "physics/euler_kernel.h"
+#include "physics/fire_kernel.h"
 #include "physics/isolated_kernel.h"
 #include "physics/pressure_kernel.h"
 #include "physics/relax_kernel.h"
@@ -81,6 +82,7 @@ const PhysicsKernels physics = {
                         {findShapeForces<true, false>, findShapeForces<true, true>}},
     .measureSpheres = measureSpheres<false>,
     .measureDraggedSpheres = measureSpheres<true>,
+    .dampMotion = dampMotion,
     .relaxVelocities = relaxVelocities,
 };
 

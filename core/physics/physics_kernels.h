@@ -9,7 +9,15 @@ namespace morula {
 /// The kind of shell that a kick is compiled for.
 enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAroundSpheres };
 
-/// The state of a relaxation for a block's cells, [lane] (relax_kernel.h).
+/// The state of a damped motion for a block's cells, [lane] (relax_kernel.h).
+struct Damping {
+  const double* maxMove;  // [length] max move of any vertex in one evaluation
+  const double* drag;     // [1] η
+  double* power;          // [length²/time³] Σ v½·a, with the velocity that this evaluation leaves
+  double* stiffness;      // [1] σ of the motion before this evaluation
+};
+
+/// The state of a relaxation by Integrator::fire for a block's cells, [lane] (fire_kernel.h).
 struct Relaxation {
   const double* maxMove;  // [length] max move of any vertex in one step
   double* alpha;          // [1] α
@@ -35,6 +43,7 @@ struct PhysicsKernels {
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;
+  void (*dampMotion)(const TemplateView&, const BlockView&, const Damping&, double interval);
   void (*relaxVelocities)(const TemplateView&, const BlockView&, const Relaxation&);
 };
 

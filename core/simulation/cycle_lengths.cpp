@@ -14,13 +14,17 @@ constexpr double maxCycles = 1e12;  // max cycles in succession; more than a wee
 
 }  // namespace
 
-ShortestCycle shortestCycle(const Scene& scene) {
-  const CycleParameters& cycle = scene.cycle;
+ShortestCycle shortestCycle(const CycleParameters& cycle) {
   ShortestCycle shortest{cycle.length, "cycle.length"};
   for (const auto& [substance, length] : cycle.perSubstance)
     if (length < shortest.length) shortest = {length, "cycle.per-substance." + substance};
   for (const auto& [substance, length] : cycle.atBirth)
     if (length < shortest.length) shortest = {length, "cycle.at-birth." + substance};
+  return shortest;
+}
+
+ShortestCycle shortestCycle(const Scene& scene) {
+  ShortestCycle shortest = shortestCycle(scene.cycle);
   shortest.length *= 1 - largestDeviate * scene.variation.cycle;
   return shortest;
 }

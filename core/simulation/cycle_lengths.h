@@ -11,6 +11,8 @@ struct ShortestCycle {
   std::string key;  // the key that gives it
 };
 
+/// Returns the shortest of a scene's cycles, without what a seed varies.
+ShortestCycle shortestCycle(const CycleParameters& cycle);
 /// Returns the shortest cycle of all cells that the scene may bring, whatever its seed.
 ShortestCycle shortestCycle(const Scene& scene);
 

@@ -35,6 +35,13 @@ void leaveOutMotion(MechanicsScene& m) {
   if (m.contact) m.contact->damping = 0, m.contact->viscosity = 0;
 }
 
+/// Returns the search for the scene's contacts. Vertices that settle go farther from one evaluation to the next than in
+/// a time step, so that longer lists pay: with twice the skin elegans-128 takes a tenth less time.
+SearchSettings searchOf(const MechanicsScene& m, SearchSettings search) {
+  if (m.physics.integrator == Integrator::quasiStatic) search.skinShare *= 2;
+  return search;
+}
+
 }  // namespace
 
 World makeWorld(const Scene& scene, const Execution& execution) {
@@ -59,8 +66,8 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts =
-        makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
+    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search), m.physics.precision,
+                                  m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();
   if (m.physics.motility) world.motility.emplace();

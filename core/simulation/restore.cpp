@@ -40,6 +40,7 @@ void restoreContacts(const SavedContacts& s, World& world) {
     takeSnapshots(world);
     b.acceleration = acceleration;
     b.volume = volume;
+    if (choosesPairs(c)) choosePairs(c, b, world.execution.threads);  // for what the next step measures before it moves
     setInfluenceRadii(c, b, s.radius);
     if (c.parameters.adhesion) findPairStrengths(c, b, world.execution.threads);
     findCrowding(c, b, world.execution.threads);

@@ -85,7 +85,8 @@ void step(World& world) {
   const BeforeStep before(world);
   if (settles(world)) {
     stepQuasiStatic(world);
-    return lookForStop(world, before);
+    lookForStop(world, before);
+    return settleEnd(world);
   }
   if (world.bodies) {
     const LastStep last(world);

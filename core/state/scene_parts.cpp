@@ -113,7 +113,8 @@ Dna decisive(Dna dna) {
 /// The parameters without those that the cell model and the integrator do not read.
 PhysicsParameters decisive(PhysicsParameters physics) {
   if (!kindOf(physics.cell.model).hasRestShape) physics.shapeMatching = {};
-  if (!kindOf(physics.integrator).settles) physics.settle = {};
+  if (physics.integrator != Integrator::quasiStatic) physics.quasiStatic = {};
+  if (physics.integrator != Integrator::fire) physics.settle = {};
   return physics;
 }
 

@@ -63,8 +63,11 @@ int tellSettlings(const AccuracyCommand& command, const Scenario& scenario) {
                {"settlings", jsonOf(settlings)},
                {"made_by", originOf(scenario, execution(command.execution), commandLine())}});
   else
-    print(textOf(settlings) +
-          "\nleft: until the residual is a hundredth of physics.settle.tolerance; no time step, no error of it\n");
+    print(textOf(settlings) + "\nleft: " +
+          (scenario.scene.mechanics->physics.integrator == Integrator::quasiStatic
+               ? "energy in the motion"
+               : "until the residual is a hundredth of physics.settle.tolerance") +
+          "; no time step, no error of it\n");
   return fine;
 }
 

@@ -10,6 +10,7 @@
 #include "scenario/scenario.h"
 #include "simulation/genes_alone.h"
 #include "simulation/memory.h"
+#include "simulation/settle.h"
 #include "system/json.h"
 #include "values/measure_list.h"
 
@@ -30,11 +31,13 @@ Json costOf(const Scenario& of) {
   const bool hasBodies = lineage.mechanics.has_value();
   const double vertices = hasBodies ? double(lineage.mechanics->mesh.vertices.size()) : 0;
   const bool settles = hasBodies && kindOf(lineage.mechanics->physics.integrator).settles;
+  const bool isCounted = settles && lineage.mechanics->physics.integrator == Integrator::quasiStatic;
   double timeStep = 0, vertexSteps = 0, settlingSteps = 0, before = 0, settledUntil = -1;
   if (hasBodies) {
     Execution execution;
     execution.memoryLimit = memoryLimit;
-    timeStep = makeWorld(of.scene, execution).clock.timeStep;
+    timeStep =
+        isCounted ? 1 / evaluationsPerTime(of.scene, int(vertices)) : makeWorld(of.scene, execution).clock.timeStep;
     lineage = genesAlone(std::move(lineage));
     lineage.senses.clear();
   }
@@ -44,7 +47,7 @@ Json costOf(const Scenario& of) {
     cells = world.cells.path.size();
     step(world);
     if (timeStep > 0) vertexSteps += (world.clock.time - before) / timeStep * double(cells) * vertices;
-    if (settles && world.cells.path.size() != cells && world.clock.time > settledUntil) {
+    if (settles && !isCounted && world.cells.path.size() != cells && world.clock.time > settledUntil) {
       settledUntil = world.clock.time + of.scene.mechanics->physics.settle.together;
       settlingSteps += evaluationsToRest;
       vertexSteps += evaluationsToRest * double(world.cells.path.size()) * vertices;
@@ -55,9 +58,9 @@ Json costOf(const Scenario& of) {
   return {{"cells", cells},
           {"isMore", cells > maxCells},
           {"vertexSteps", vertexSteps},
-          {"steps", settles        ? settlingSteps
-                    : timeStep > 0 ? before / timeStep
-                                   : double(world.clock.step)},
+          {"steps", timeStep > 0 ? before / timeStep
+                    : settles    ? settlingSteps
+                                 : double(world.clock.step)},
           {"memory", predictMemory(of.scene, 2.0 * double(cells), vertices * double(cells))}};
 }
 

@@ -347,7 +347,9 @@ std::vector<std::string> intervalWarnings(const Scenario& scenario, const Node& 
                                    std::pair("record.pictures", record.pictures)})
     if (every && *every < shortest)
       warnings.push_back(placeText(scenario.file, placeOf(root, key)) + ": " + key + ": " + exactText(*every) +
-                         " is shorter than every cell cycle, but with physics.integrator: fire nothing happens "
+                         " is shorter than every cell cycle, but with physics.integrator: " +
+                         std::string(nameOf(mechanics->physics.integrator)) +
+                         " nothing happens "
                          "between cell cycles. Each of these times is sampled at the first cell cycle at or after "
                          "it, and times with the same cycle are sampled once");
   return warnings;

@@ -15,8 +15,12 @@ bool hasRestShape(const Scenario& s) {
   return s.scene.mechanics && kindOf(s.scene.mechanics->physics.cell.model).hasRestShape;
 }
 
-bool hasSettling(const Scenario& s) {
-  return s.scene.mechanics && kindOf(s.scene.mechanics->physics.integrator).settles;
+bool isQuasiStatic(const Scenario& s) {
+  return s.scene.mechanics && s.scene.mechanics->physics.integrator == Integrator::quasiStatic;
+}
+
+bool hasFire(const Scenario& s) {
+  return s.scene.mechanics && s.scene.mechanics->physics.integrator == Integrator::fire;
 }
 
 /// Makes the mechanics, also if the scenario's `physics` could not be read, which has been reported.
@@ -73,10 +77,14 @@ std::vector<Section> sections() {
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.motility.has_value(); }},
+      {.path = "physics.quasi-static",
+       .meaning = "With integrator quasi-static: the settling of cells after each event",
+       .later = true,
+       .exists = isQuasiStatic},
       {.path = "physics.settle",
        .meaning = "With integrator fire: relaxation to equilibrium after each event",
        .later = true,
-       .exists = hasSettling},
+       .exists = hasFire},
       {.path = "physics.contact",
        .meaning = "Contact of cells",
        .absent = "cells pass through one another",

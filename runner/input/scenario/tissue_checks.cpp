@@ -84,15 +84,15 @@ void checkMotility(const SceneCheck& check) {
 
 void checkSettling(const SceneCheck& check) {
   const MechanicsScene& m = check.mechanics();
-  if (!kindOf(m.physics.integrator).settles) {
-    if (given(check.root, "physics.settle"))
-      check.refuse("physics.settle",
-                   "is for physics.integrator fire, and here it is " + std::string(nameOf(m.physics.integrator)),
-                   "remove this, or give integrator: fire");
-    return;
-  }
+  const std::string own = nameOf(m.physics.integrator);
+  for (const auto& [section, integrator] :
+       {std::pair("physics.quasi-static", Integrator::quasiStatic), std::pair("physics.settle", Integrator::fire)})
+    if (m.physics.integrator != integrator && given(check.root, section))
+      check.refuse(section, std::string("is for physics.integrator ") + nameOf(integrator) + ", and here it is " + own,
+                   std::string("remove this, or give integrator: ") + nameOf(integrator));
+  if (!kindOf(m.physics.integrator).settles) return;
   const auto cannot = [&](const char* path, const std::string& why) {
-    check.refuse(path, "integrator fire " + why,
+    check.refuse(path, "integrator " + own + " " + why,
                  "remove this, or give another physics.integrator, such as velocity-verlet");
   };
   if (m.physics.timeStep)

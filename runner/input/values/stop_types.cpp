@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/text.h"
+#include "physics/integrator.h"
 #include "values/cell_words.h"
 #include "values/measure_list.h"
 #include "values/value_types.h"
@@ -76,7 +77,7 @@ class WhenReader {
           readReal(node, positive, path_ + ".rest", numberAllowed(positive, "length/time"), reading_.problems);
       const auto& mechanics = scenario_.scene.mechanics;
       if (!mechanics) say(what.place, what.key, "needs cells with bodies", "add a physics block");
-      else if (mechanics->physics.integrator == Integrator::fire)
+      else if (kindOf(mechanics->physics.integrator).settles)
         say(what.place, what.key, "holds after every event, because cells settle", "needs another condition");
     } else {
       readMeasureOf(what);

@@ -353,8 +353,8 @@ void refuseWithoutError(const Scenario& scenario) {
   if (!scenario.scene.mechanics)
     throw InputError(scenario.file + ": physics: a lineage-only scene has no error; needs a physics block");
   if (kindOf(scenario.scene.mechanics->physics.integrator).settles)
-    throw InputError(scenario.file +
-                     ": physics.integrator: fire has no time step whose error could be measured, and no target for "
+    throw InputError(scenario.file + ": physics.integrator: " + nameOf(scenario.scene.mechanics->physics.integrator) +
+                     " has no time step whose error could be measured, and no target for "
                      "it; accuracy without --target measures how far from rest settlings end");
 }
 

@@ -7,6 +7,7 @@
 #include "contacts/contacts.h"
 #include "parts/trial_run.h"
 #include "simulation/make_world.h"
+#include "simulation/settle.h"
 #include "simulation/simulation.h"
 #include "simulation/time_step.h"
 
@@ -93,7 +94,9 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     }
     const double cells = double(era.cells);
     double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
-    if (world.settlings) {  // an era has one settling, or shares that of earlier events
+    if (world.bodies->parameters.integrator == Integrator::quasiStatic) {
+      steps = trial.whole ? 0 : std::max(era.to - from, 0.0) * evaluationsPerTime(world.model, int(vertices));
+    } else if (world.settlings) {  // an era has one settling, or shares that of earlier events
       const bool settles = !trial.whole && era.from >= settledUntil;
       steps = settles ? trial.lastEvaluations : 0;
       if (settles) settledUntil = era.from + world.bodies->parameters.settle.together;

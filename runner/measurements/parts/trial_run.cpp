@@ -58,9 +58,10 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
     const std::size_t ever = w.lineage.entries.size(), cells = w.cells.path.size();
     const std::uint64_t searches = w.contacts ? w.contacts->rebuilds : 0;
     const std::uint64_t pairs = w.contacts ? w.contacts->pairEvaluations : 0;
+    const std::size_t settlings = w.settlings ? w.settlings->size() : 0;
     const double seconds = timeOf(ClockKind::cpu, [&] { step(w); });
     run.seconds += seconds;
-    if (w.settlings && !w.settlings->empty()) evaluations = double(w.settlings->back().evaluations);
+    if (w.settlings && w.settlings->size() > settlings) evaluations = double(w.settlings->back().evaluations);
     // A settling follows its events, of which there may be several.
     while (w.settlings && run.eras.size() < life.eras.size() && life.eras[run.eras.size()].from <= w.clock.time)
       run.eras.emplace_back();

@@ -157,8 +157,10 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   judgeDivisions(facts, findings);
   if (const auto& mechanics = facts.scenario.scene.mechanics) {
     const auto& settlings = facts.results.settlings;
-    if (const std::string unsettled = unsettledText(mechanics->physics.settle, settlings); !unsettled.empty())
+    if (const std::string unsettled = unsettledText(mechanics->physics, settlings); !unsettled.empty())
       findings.push_back({Kind::warning, unsettled});
+    if (const std::string settled = settledText(mechanics->physics, settlings); !settled.empty())
+      findings.push_back({Kind::note, "Settled: " + settled});
     if (const std::string distance = distanceText(settlings); !distance.empty())
       findings.push_back({Kind::note, distance});
   }

@@ -14,7 +14,10 @@
 
 namespace morula {
 
-std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings) {
+namespace {
+
+/// [unsettledText] for Integrator::fire.
+std::string unsettledByFire(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings) {
   const auto count =
       std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return !(s.residual <= asked.tolerance); });
   if (count == 0) return "";
@@ -24,6 +27,28 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
       "with {} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
       count, counted(settlings.size(), "settling"), asked.evaluations, asked.tolerance, farthest.time,
       counted(farthest.cells, "cell"), farthest.residual);
+}
+
+}  // namespace
+
+std::string unsettledText(const PhysicsParameters& asked, const std::vector<SettlingRecord>& settlings) {
+  if (asked.integrator != Integrator::quasiStatic) return unsettledByFire(asked.settle, settlings);
+  const auto& residual = asked.quasiStatic.residual;
+  if (!residual || settlings.empty() || settlings.back().residual <= *residual) return "";
+  return fmt::format(
+      "physics.quasi-static: the end has a residual of {:.3g} after {} evaluations, above the {:.3g} asked for; give a "
+      "larger physics.quasi-static.residual, or more physics.quasi-static.evaluations",
+      settlings.back().residual, settlings.back().evaluations, *residual);
+}
+
+std::string settledText(const PhysicsParameters& physics, const std::vector<SettlingRecord>& settlings) {
+  if (physics.integrator != Integrator::quasiStatic || settlings.empty()) return "";
+  std::uint64_t evaluations = 0;
+  for (const SettlingRecord& s : settlings) evaluations += s.evaluations;
+  const SettlingRecord& last = settlings.back();
+  return fmt::format("{} in {}; left at the end: a residual of {:.2g}, an energy of motion of {:.2g}",
+                     counted(evaluations, "evaluation"), counted(settlings.size(), "settling"), last.residual,
+                     last.energyLeft.value_or(0));
 }
 
 std::vector<std::string> experimentLines(const Scenario& scenario, const std::vector<ExperimentRecord>& done) {

@@ -15,9 +15,12 @@
 
 namespace morula {
 
-/// A sentence on settlings that ended at `evaluations` above the tolerance: how many, the farthest, and what to change;
-/// "" where there are none.
-std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings);
+/// A sentence on settlings that ended above what the scene asks for: how many, the farthest, and what to change; "" where
+/// there are none.
+std::string unsettledText(const PhysicsParameters& asked, const std::vector<SettlingRecord>& settlings);
+
+/// A sentence on how cells have settled by a number of evaluations, and on what is left at the end; "" for others.
+std::string settledText(const PhysicsParameters& physics, const std::vector<SettlingRecord>& settlings);
 
 /// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
 std::string distanceText(const std::vector<SettlingRecord>& settlings);

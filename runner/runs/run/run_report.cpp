@@ -99,6 +99,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   if (!outcome.stopped.empty()) text += "  stopped  stop.when: " + outcome.stopped + " holds\n";
   for (const std::string& line : outcome.experiments) text += "  done     " + line + "\n";
   text += describeAmbiguous(outcome.ambiguous, scenario.units);
+  if (!outcome.settled.empty()) text += "  settled  " + outcome.settled + "\n";
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
   if (!outcome.reference.empty()) text += "  warning  " + outcome.reference + "\n";
   for (const std::string& remark : againstRemarks(outcome.against, scenario.units))
@@ -136,6 +137,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario) {
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
             {"stopped", outcome.stopped},
             {"experiments", outcome.experiments},
+            {"settled", outcome.settled},
             {"unsettled", outcome.unsettled},
             {"reference", outcome.reference},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},

@@ -46,7 +46,10 @@ void addRemarks(const Scenario& scenario, const World& world, RunOutcome& outcom
       world.divisions);
   if (world.stoppedBy) outcome.stopped = scenario::stopText(scenario.scene.stop.when[*world.stoppedBy], scenario.names);
   if (world.experiments) outcome.experiments = experimentLines(scenario, *world.experiments);
-  if (world.settlings) outcome.unsettled = unsettledText(world.bodies->parameters.settle, *world.settlings);
+  if (world.settlings) {
+    outcome.unsettled = unsettledText(world.bodies->parameters, *world.settlings);
+    outcome.settled = settledText(world.bodies->parameters, *world.settlings);
+  }
   if (outcome.end.status == RunStatus::done) outcome.reference = positionsText(world, scenario);
 }
 

@@ -45,6 +45,7 @@ struct RunOutcome {
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   std::vector<std::string> experiments;   // [experimentLines]
   std::string stopped;                    // the condition of stop.when that ended the run, as a scenario writes it; ""
+  std::string settled;                    // [settledText]
   std::string unsettled;                  // [unsettledText]
   std::string reference;                  // [positionsText]
   std::vector<AgainstStage> against;      // the run compared with measured cells

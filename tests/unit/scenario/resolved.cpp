@@ -182,6 +182,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                       .contains(p.path) ||
                                   p.path.starts_with("physics.shape-matching") ||
                                   p.path.starts_with("physics.motility") || p.path.starts_with("physics.settle") ||
+                                  p.path.starts_with("physics.quasi-static") ||
                                   p.path.starts_with("connections.spring");
     if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
   }
@@ -210,6 +211,10 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
   differ("shell", "integrator: fire,", "physics.settle.evaluations", "100", "200");
   differ("shell", "integrator: fire,", "physics.settle.together", "0.1", "0.2");
   differ("shell", "integrator: fire,", "physics.settle.sample", "1", "2");
+  differ("shell", "integrator: quasi-static,", "physics.quasi-static.evaluations", "20", "40");
+  differ("shell", "integrator: quasi-static,", "physics.quasi-static.drag", "2", "4");
+  differ("shell", "integrator: quasi-static,", "physics.quasi-static.together", "0.1", "0.2");
+  differ("shell", "integrator: quasi-static,", "physics.quasi-static.residual", "0.01", "0.001");
   differ("shape-matching", "", "physics.shape-matching.stiffness", "300", "400");
   differ("shape-matching", "", "physics.shape-matching.linear", "0.25", "0.5");
   differ("shape-matching", "", "physics.shape-matching.damping", "3", "4");

@@ -68,8 +68,8 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
   CHECK(physics["drag"]["minimum"] == 0);
   CHECK(physics["drag"]["default"] == 0);
   CHECK(physics["cell"]["properties"]["radius"]["exclusiveMinimum"] == 0);
-  CHECK(physics["integrator"]["enum"] ==
-        Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd", "fire"});
+  CHECK(physics["integrator"]["enum"] == Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler",
+                                              "rk4", "xpbd", "fire", "quasi-static"});
   CHECK(physics["integrator"]["default"] == "velocity-verlet");
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
   CHECK(physics["mesh"]["oneOf"] == parseJson(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));

@@ -28,7 +28,8 @@ std::vector<Scene> allScenes() {
     other.stop.time = integrator == Integrator::explicitEuler ? 3.1 : 3.5;
     all.push_back(other);
   }
-  for (const Scene& events : {sticky(), spheres(), coarsening(), inSingle(packed())}) all.push_back(settling(events));
+  for (const Scene& events : {sticky(), spheres(), coarsening(), inSingle(packed())})
+    for (const Integrator how : {Integrator::quasiStatic, Integrator::fire}) all.push_back(settling(events, how));
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -44,6 +45,24 @@ inline std::optional<NumericalError> failureOf(const std::function<void()>& what
     what();
     return {};
   } catch (const NumericalError& error) { return error; }
+}
+
+/// Returns the residual that rest.h defines, vertex by vertex.
+inline double residualByVertices(const World& world) {
+  const Bodies& b = *world.bodies;
+  double left = 0, pressure = 0;
+  int vertices = 0;
+  for (int slot : b.slots) {
+    const double radius = std::cbrt(3 * b.volume[slot] / (4 * std::numbers::pi));
+    const double share = 4 * std::numbers::pi * radius * radius / b.vertexCount(slot);
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      const Vector traction = b.vertexMass[slot] / share * b.read(b.acceleration, slot, v);
+      left += dot(traction, traction);
+      ++vertices;
+    }
+    pressure += std::max(std::abs(b.pressure[slot]), 0.1 * b.parameters.membrane.stiffness / radius) / b.count;
+  }
+  return std::sqrt(left / vertices) / pressure;
 }
 
 /// Returns the largest distance of a vertex between two worlds with the same cells. [length]

@@ -20,7 +20,8 @@ std::vector<Scene> savedScenes() {
   all.back().mechanics->physics.integrator = Integrator::rungeKutta4;
   for (const Scene& scene : {ellipsoid(), coarsening()}) all.push_back(byPositions(scene, 2));
   for (const Scene& scene : {life(), coarsening()}) all.push_back(byShapes(scene));
-  for (const Scene& events : {packed(), sticky(), spheres(), coarsening()}) all.push_back(settling(events));
+  for (const Scene& events : {packed(), sticky(), spheres(), coarsening()})
+    for (const Integrator how : {Integrator::quasiStatic, Integrator::fire}) all.push_back(settling(events, how));
   return all;
 }
 
