@@ -45,7 +45,7 @@ const std::vector<DenseScene> denseScenes{
     {"meeting", soft + "  contact: {}\n", meeting("1", "0")},
     {"meeting-fast", soft + "  contact: {}\n", meeting("3", "0")},
     {"grazing", soft + "  contact: {}\n", meeting("1.5", "1.2")},
-    {"grazing-rubbing", soft + "  contact: {friction: 0.3}\n", meeting("1.5", "1.2")},
+    {"grazing-rubbing", soft + "  contact: {viscosity: 0.3}\n", meeting("1.5", "1.2")},
     {"meeting-slowed", soft + "  contact: {}\n  drag: 4\n", meeting("3", "0.3")},
     {"meeting-rk4", soft + "  contact: {}\n  integrator: rk4\n", meeting("1", "0.2")},
     {"meeting-symplectic", soft + "  contact: {}\n  integrator: symplectic-euler\n", meeting("1", "0.2")},

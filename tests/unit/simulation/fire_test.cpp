@@ -182,14 +182,14 @@ TEST_CASE("By FIRE: the lineage is that of the same scene through time") {
   }
 }
 
-TEST_CASE("Mass, drag, damping and friction change nothing") {
+TEST_CASE("Mass, drag, damping and viscosity change nothing") {
   const Scene scene = settled(four(), 1e-3);
   const Hash hash = stateHash(ranToEnd(scene));
   Scene other = scene;
   other.mechanics->physics.drag = 7;
   other.mechanics->physics.membrane.damping = 0.5;
   other.mechanics->contact->damping = 1;
-  other.mechanics->contact->friction = 0.8;
+  other.mechanics->contact->viscosity = 0.8;
   CHECK(stateHash(ranToEnd(other)) == hash);
   other.mechanics->physics.cell.mass *= 4;  // a power of two is exact
   const World heavy = ranToEnd(other), light = ranToEnd(scene);
