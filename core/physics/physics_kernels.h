@@ -10,7 +10,7 @@ namespace morula {
 enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAroundSpheres };
 
 /// The state of a damped motion for a block's cells, [lane] (relax_kernel.h).
-struct DampedMotion {
+struct MotionDamping {
   const double* maxMove;  // [length] max move of any vertex in one evaluation
   const double* drag;     // [1] η
   double* power;          // [length²/time³] Σ v½·a, with the velocity that this evaluation leaves
@@ -43,7 +43,7 @@ struct PhysicsKernels {
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;
-  void (*dampMotion)(const TemplateView&, const BlockView&, const DampedMotion&, double interval);
+  void (*dampMotion)(const TemplateView&, const BlockView&, const MotionDamping&, double interval);
   void (*relaxVelocities)(const TemplateView&, const BlockView&, const Relaxation&);
 };
 

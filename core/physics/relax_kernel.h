@@ -16,7 +16,7 @@
 namespace morula::MORULA_ISA {
 
 /// velocity ← v½' [PhysicsKernels::dampMotion]. Needs the velocity v½ + h a, as a whole kick leaves it.
-inline void dampMotion(const TemplateView& mesh, const BlockView& b, const DampedMotion& d, double interval) {
+inline void dampMotion(const TemplateView& mesh, const BlockView& b, const MotionDamping& d, double interval) {
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Lanes h = interval, half = 0.5 * load(d.drag + lane);
     const Lanes kept = (1.0 - half) / (1.0 + half), pushed = h / (1.0 + half);
