@@ -58,6 +58,7 @@ Json toJson(const Prediction& f, const Scenario& scenario, const Execution& how)
           {"rehearsed_time", f.triedTime},
           {"rehearsed", f.triedWhole},
           {"parts", parts},
+          {"bounds_time_step", f.binding ? Json{{"part", f.binding->part}, {"factor", f.binding->factor}} : Json()},
           {"remarks", f.remarks}};
 }
 

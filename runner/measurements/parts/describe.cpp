@@ -75,8 +75,12 @@ Document describe(const Prediction& f, const std::string& title) {
     cost += f.triedWhole ? "; the whole run was rehearsed"
                          : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   }
+  PlainList lines{{cost}};
+  if (f.binding)
+    lines.list.push_back(fmt::format("{} bounds the time step: without it steps could be {:.1f} times as long",
+                                     f.binding->part, f.binding->factor));
   Document text;
-  text.say(size).add(PlainList{{cost}}).heading("cost of each part").add(costTable(f));
+  text.say(size).add(lines).heading("cost of each part").add(costTable(f));
   text.heading("absent parts, which cost nothing").add(absentTable(f));
   for (const std::string& remark : f.remarks) text.heading(remark);
   return text;

@@ -10,7 +10,6 @@
 #include "base/number_text.h"
 #include "loop/simulate.h"
 #include "observation/measures.h"
-#include "parts/binding_limit.h"
 #include "parts/rates.h"
 #include "physics/integrator.h"
 #include "store/recorder.h"
@@ -105,16 +104,13 @@ void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
   }
 }
 
-/// Adds a remark that names the part without which steps could be longest.
-void tellWhatBinds(Prediction& f, World& world) {
+/// Returns what binds the time step of the world as it is; absent without an automatic one.
+std::optional<BindingLimit> bindingLimit(World& world) {
   const PhysicsParameters& p = world.bodies->parameters;
-  if (world.bodies->count == 0 || p.timeStep || kindOf(p.integrator).settles || kindOf(p.integrator).solvesForces)
-    return;
+  const IntegratorKind& kind = kindOf(p.integrator);
+  if (world.bodies->count == 0 || p.timeStep || kind.settles || kind.solvesForces) return {};
   const BindingLimit binding = findBindingLimit(world);
-  if (!(binding.factor < INFINITY)) return;
-  f.remarks.push_back(fmt::format(
-      "{} bounds the time step: without it steps could be {:.1f} times as long{}", binding.part, binding.factor,
-      binding.part.starts_with("the damping") ? "; damping: {ratio: …} lets its limit follow that of stiffness" : ""));
+  return binding.factor < INFINITY ? std::optional(binding) : std::nullopt;
 }
 
 /// Returns the costs of the steps themselves.
@@ -186,7 +182,7 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
-  tellWhatBinds(f, world);
+  f.binding = bindingLimit(world);
   if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
     f.remarks.push_back("senses and sizes for division are not predicted; divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "parts/binding_limit.h"
 #include "parts/parts.h"
 #include "parts/trial_run.h"
 
@@ -31,6 +32,7 @@ struct Prediction {
   double triedTime = 0;         // [time] end of the trial run
   std::vector<PartCost> costs;  // costs of all engaged parts
   std::vector<Part> absent;
+  std::optional<BindingLimit> binding;  // of an automatic time step; at the end of the trial run
   std::vector<std::string> remarks;
 
   double seconds() const;  // [s] time of the steps and the work between them

@@ -173,17 +173,24 @@ std::vector<std::string> formatNames() {
 class Destination {
  public:
   Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) { requireAbsent(output); }
-  /// Writes files, whose paths begin with `output`, and returns their paths.
+  /// Writes files, whose paths begin with `output`, and returns their paths. If one of several files outside of a folder
+  /// cannot be written, those before it are removed.
   std::vector<fs::path> write(const Files& files) {
     if (isFolder_ && !draft_) draft_.emplace(output_);
     if (!draft_)
       for (const NewFile& f : files) requireAbsent(f.path);
     std::vector<fs::path> names;
-    for (const NewFile& f : files) {
-      const fs::path path = draft_ ? draft_->path() / f.path.lexically_relative(output_) : f.path;
-      makeFolder(path.parent_path());
-      writeNewFile(path, f.bytes);
-      names.push_back(f.path);
+    try {
+      for (const NewFile& f : files) {
+        const fs::path path = draft_ ? draft_->path() / f.path.lexically_relative(output_) : f.path;
+        makeFolder(path.parent_path());
+        writeNewFile(path, f.bytes);
+        names.push_back(f.path);
+      }
+    } catch (...) {
+      if (!draft_)
+        for (const fs::path& written : names) removeFile(written);
+      throw;
     }
     return names;
   }
