@@ -126,7 +126,7 @@ TEST_CASE("a run's own table of tracks gives its lineage again, and lies where t
     return text;
   };
   CHECK(lives("made.db", true) == lives("grown.db", true));
-  // Its places are those of the run, to rounding.
+  // The table has the places of the run, to rounding.
   const auto against =
       jsonOf({"run", folder / "grown.yaml", "--db", folder / "again.db", "--no-pictures", "--against", tracks});
   for (const auto& stage : against.at("against").at("stages")) CHECK(stage.at("rmsd").get<double>() < 1e-6);

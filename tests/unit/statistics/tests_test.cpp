@@ -37,7 +37,7 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   CHECK(paired.t == Approx(4.0621).epsilon(1e-4));
   CHECK(studentBeyond(paired.t, 9) == Approx(0.002833).epsilon(1e-3));
   CHECK(paired.p == 2. / 512);  // hours to one decimal repeat, so the exact test counts: 2 of 512 choices of signs
-  // One of ten slept 4.6 hours longer, far more than the others: the interval reaches farther up than Student's.
+  // A tenth patient slept 4.6 hours longer, far more than the others: the interval reaches farther up than Student's.
   CHECK(paired.sample.shape == SampleShape::skewed);
   CHECK(paired.interval->low == Approx(0.7001142).epsilon(1e-6));
   CHECK(studentInterval(paired.estimate(), 0.95).high == Approx(2.4598858).epsilon(1e-6));
